@@ -1,0 +1,124 @@
+"""What can be placed. Asset frame: origin at the centre of the footprint at the base, x to the front, y left, z up."""
+
+from typing import Annotated, Literal
+
+from msgspec import Meta
+
+from thinkblox.value import Quat, Value, Vec2, Vec3
+
+Mount = Literal["floor", "wall", "ceiling", "surface"]
+Material = Literal[
+    "wood", "metal", "fabric", "leather", "glass", "ceramic", "plastic", "paper", "leaf", "stone", "light", "screen"
+]
+Unit = Annotated[float, Meta(ge=0.0, le=1.0)]
+
+
+class Shape(Value, kw_only=True, omit_defaults=True):
+    """One convex primitive of a link, in the asset frame.
+
+    Attributes:
+        kind: "box", "cylinder" (along its z), "capsule" (along its z), "sphere", "ellipsoid", or "hull", the convex
+            hull of `points`.
+        size: full extents along the shape's own x, y, z [m]; a capsule's z includes its caps. For a hull, the
+            extents of its points.
+        position: centre of the shape [m]; for a hull, the origin of its points.
+        quat_wxyz: orientation.
+        points: corners of a hull [m], in the shape's frame.
+        colour: linear base colour is derived from this sRGB triple, 0 to 1.
+        collide: False for what is only looked at (a rug's pile, a screen's picture).
+        smooth: shade curved, for a hull that stands for a round thing.
+    """
+
+    kind: Literal["box", "cylinder", "capsule", "sphere", "ellipsoid", "hull"]
+    size: Vec3
+    position: Vec3
+    quat_wxyz: Quat = (1.0, 0.0, 0.0, 0.0)
+    points: tuple[Vec3, ...] = ()
+    colour: tuple[Unit, Unit, Unit] = (0.7, 0.7, 0.7)
+    material: Material = "wood"
+    collide: bool = True
+    smooth: bool = False
+
+
+class Joint(Value, kw_only=True):
+    """How a link moves against its parent, at rest at 0.
+
+    Attributes:
+        axis: unit vector in the asset frame.
+        anchor: a point on the axis in the asset frame [m].
+        lower, upper: range, degrees for a hinge and metres for a slide; positive opens.
+    """
+
+    kind: Literal["hinge", "slide"]
+    axis: Vec3
+    anchor: Vec3
+    lower: float
+    upper: float
+
+
+class Link(Value, kw_only=True, omit_defaults=True):
+    """A rigid part. The first link of an asset is its body and has no joint; doors and drawers are joined to it."""
+
+    name: str
+    shapes: tuple[Shape, ...]
+    joint: Joint | None = None
+
+
+class Surface(Value, kw_only=True, omit_defaults=True):
+    """A level area that carries things.
+
+    Attributes:
+        position: its centre in the asset frame [m].
+        size: extent along the asset's x and y [m].
+        headroom: free height above it [m]; None when open.
+        round: the ellipse within `size` instead of the rectangle.
+    """
+
+    name: str
+    position: Vec3
+    size: Vec2
+    headroom: float | None = None
+    round: bool = False
+
+
+class Asset(Value, kw_only=True, omit_defaults=True):
+    """Something placeable, made of convex shapes: what is seen is what collides.
+
+    Attributes:
+        id: "<category>-<hash of its content>".
+        size: full extents (along the front axis, across, up) [m]; the shapes fill this box.
+        mass: of the whole, spread over its shapes by volume [kg].
+        friction: sliding coefficient.
+        mount: what it is placed on. Wall and ceiling things are fixed to it.
+        front: how many ways round look the same: "one" (a sofa), "two" (a rectangular table), "any" (a stool).
+        clearance: depth that should stay free before its front for use [m].
+        surfaces: where other things can be put, largest useful first.
+        attributes: the words it was made for, such as "round", "double", "three-seat".
+    """
+
+    id: str
+    category: str
+    description: str
+    size: Vec3
+    mass: Annotated[float, Meta(gt=0.0)]
+    friction: Annotated[float, Meta(gt=0.0)]
+    mount: Mount
+    links: tuple[Link, ...]
+    front: Literal["one", "two", "any"] = "one"
+    clearance: float = 0.0
+    surfaces: tuple[Surface, ...] = ()
+    attributes: tuple[str, ...] = ()
+    licence: str = "Apache-2.0"
+    author: str = "ThinkBLOX procedural furniture"
+    provenance: str = ""
+    flags: tuple[str, ...] = ()
+
+    @property
+    def collides(self) -> bool:
+        """Whether any part of it can be touched; a rug cannot: it is walked on."""
+        return any(shape.collide for link in self.links for shape in link.shapes)
+
+    @property
+    def free(self) -> bool:
+        """Whether it can move: it is not fixed to a wall or a ceiling, and is not a rug."""
+        return self.mount in ("floor", "surface") and self.collides

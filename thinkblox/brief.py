@@ -1,0 +1,121 @@
+"""What a prompt asks for. The values only; `thinkblox.reading` makes them from text."""
+
+from typing import Annotated, Literal
+
+from msgspec import Meta
+
+from thinkblox.value import Value
+
+RelationKind = Literal[
+    "on",  # rests on the anchor
+    "above",  # over the anchor without touching it
+    "under",  # below the anchor, or beneath it (a rug under a bed)
+    "next_to",  # beside it, a hand's breadth to half a metre away
+    "left_of",  # to the anchor's own left, as somebody sitting in it would say
+    "right_of",
+    "in_front_of",
+    "behind",
+    "at_foot_of",  # at the end of a bed away from its head
+    "at",  # a seat at its place: facing a desk or table and drawn up to it
+    "around",  # several, evenly about the anchor and facing it
+    "between",  # between two anchors, or between the members of one
+    "facing",  # its front points at the anchor
+    "opposite",  # across the room from the anchor, facing it
+    "near",  # within 1.5 m
+    "against_wall",
+    "in_corner",
+    "in_centre",
+    "in_rows",
+]
+Place = Literal[
+    "wall",
+    "long_wall",
+    "short_wall",
+    "north_wall",
+    "east_wall",
+    "south_wall",
+    "west_wall",
+    "corner",
+    "window",
+    "door",
+    "centre",
+]
+"""Parts of the room that a relation can name as its anchor."""
+
+
+class Request(Value, kw_only=True):
+    """Objects of one kind that belong to the room.
+
+    Attributes:
+        key: unique in its brief ("lamp", "lamp-2"); relations refer to it.
+        category: one of the catalogue's.
+        asked: named in the prompt; False when assumed from what such a room usually holds.
+        attributes: what the prompt says of it, in the catalogue's words ("round", "double", "low").
+        phrase: the words it was read from; empty when assumed.
+    """
+
+    key: str
+    category: str
+    count: Annotated[int, Meta(ge=1, le=200)] = 1
+    asked: bool = True
+    attributes: tuple[str, ...] = ()
+    phrase: str = ""
+
+
+class Relation(Value, kw_only=True):
+    """`subject` stands in this relation to `anchors`: keys of requests, or a Place.
+
+    Attributes:
+        each: one share of the subject for every member of the anchor ("a lamp on each"; "a plant in each corner").
+        asked: named in the prompt; False when it is only what such things usually do.
+        rows: number of rows for "in_rows"; 0 when the prompt does not say.
+    """
+
+    kind: RelationKind
+    subject: str
+    anchors: tuple[str, ...] = ()
+    each: bool = False
+    asked: bool = True
+    rows: int = 0
+
+
+class OpeningRequest(Value, kw_only=True):
+    """A door or window that the prompt asks for."""
+
+    kind: Literal["door", "window"]
+    wall: str = ""
+    count: int = 1
+
+
+class Brief(Value, kw_only=True):
+    """What the prompt asks for.
+
+    Attributes:
+        room_type: "bedroom", "classroom", ...; "room" when the prompt does not say.
+        shape: of the floor.
+        width, depth: of the floor [m], where the prompt gives both.
+        area: of the floor [m2], where the prompt gives that.
+        style: adjectives about the whole ("calm", "cosy").
+        missing: things asked for that the catalogue does not have ("hoverboard"), with their count in words.
+        unknown: words that meant nothing to us.
+        empty: the prompt wants nothing besides what it names.
+    """
+
+    prompt: str
+    language: str = "en"
+    room_type: str = "room"
+    shape: Literal["rectangle", "L"] = "rectangle"
+    width: float | None = None
+    depth: float | None = None
+    area: float | None = None
+    openings: tuple[OpeningRequest, ...] = ()
+    requests: tuple[Request, ...] = ()
+    relations: tuple[Relation, ...] = ()
+    style: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
+    empty: bool = False
+
+    def request(self, key: str) -> Request:
+        """The request called `key`; raises KeyError."""
+        return next(r for r in self.requests if r.key == key)

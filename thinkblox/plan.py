@@ -1,0 +1,60 @@
+"""In which order the objects of a brief are placed, and what each depends on."""
+
+from thinkblox.brief import Brief, RelationKind
+from thinkblox.value import Value
+
+
+class Tie(Value, kw_only=True):
+    """A relation of one target, with the ids of the very objects it refers to, or a Place of the room.
+
+    Attributes:
+        index, count: which of how many alike shares this anchor (chair 2 of 6 around table_1).
+        rows: for "in_rows", the number of rows.
+        asked: the prompt names it.
+    """
+
+    kind: RelationKind
+    anchors: tuple[str, ...] = ()
+    index: int = 0
+    count: int = 1
+    rows: int = 0
+    asked: bool = True
+
+
+class Target(Value, kw_only=True):
+    """One object to place.
+
+    Attributes:
+        id: "<category>_<n>", the id its placement will have.
+        request: key of its request; all targets of a request share one asset.
+        index, count: which of how many of its request.
+        ties: its relations, the one that decides where it goes first.
+    """
+
+    id: str
+    category: str
+    request: str
+    asked: bool = True
+    attributes: tuple[str, ...] = ()
+    index: int = 0
+    count: int = 1
+    ties: tuple[Tie, ...] = ()
+
+    @property
+    def depends_on(self) -> tuple[str, ...]:
+        """Ids of the objects that must be placed before it (places of the room are left out)."""
+        return tuple(dict.fromkeys(a for tie in self.ties for a in tie.anchors if a.rsplit("_", 1)[-1].isdigit()))
+
+
+class Plan(Value, kw_only=True):
+    """The targets in the order in which they are placed: anchors, what belongs to them, small things."""
+
+    brief: Brief
+    targets: tuple[Target, ...] = ()
+
+    def target(self, id: str) -> Target:
+        """The target called `id`; raises KeyError."""
+        for target in self.targets:
+            if target.id == id:
+                return target
+        raise KeyError(f"no target {id!r}")

@@ -1,0 +1,152 @@
+"""A room and what stands in it, as a value: every change gives a new scene."""
+
+import math
+from pathlib import Path
+from typing import Annotated
+
+from msgspec import Meta, structs
+from shapely import Polygon
+
+from thinkblox.asset import Asset
+from thinkblox.errors import InputError
+from thinkblox.room import Room
+from thinkblox.value import Value, Vec2, Vec3, read_json
+
+SCENE_VERSION = 1
+Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
+Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
+
+
+class Placement(Value, kw_only=True):
+    """An asset at a pose.
+
+    Attributes:
+        id: unique in its scene, "<category>_<n>".
+        asset: key into the scene's assets.
+        position: centre of the footprint at the object's base, in the room [m].
+        yaw: counter-clockwise [degrees]; at 0 the front faces +x.
+        size: (along the front axis, across, up) [m].
+        support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id.
+    """
+
+    id: str
+    category: str
+    asset: str
+    position: tuple[Finite, Finite, Finite]
+    yaw: Finite
+    size: tuple[Extent, Extent, Extent]
+    support: str
+
+    @property
+    def front(self) -> Vec2:
+        """Unit vector its front faces."""
+        return (math.cos(math.radians(self.yaw)), math.sin(math.radians(self.yaw)))
+
+    @property
+    def left(self) -> Vec2:
+        """Unit vector to its own left, seen facing the way it faces."""
+        return (-self.front[1], self.front[0])
+
+    @property
+    def footprint(self) -> Polygon:
+        """Its bounding rectangle on the floor."""
+        half_x, half_y = self.size[0] / 2, self.size[1] / 2
+        return Polygon(
+            [
+                self.to_room((x, y))
+                for x, y in ((-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y))
+            ]
+        )
+
+    @property
+    def top(self) -> float:
+        """Height of its highest point [m]."""
+        return self.position[2] + self.size[2]
+
+    def to_room(self, local: Vec2) -> Vec2:
+        """A point of its own frame (x to the front, y to the left) in the room's frame [m]."""
+        (fx, fy), (lx, ly) = self.front, self.left
+        return (self.position[0] + fx * local[0] + lx * local[1], self.position[1] + fy * local[0] + ly * local[1])
+
+    def to_local(self, point: Vec2) -> Vec2:
+        """A point of the room in its own frame [m]: the inverse of `to_room`."""
+        dx, dy = point[0] - self.position[0], point[1] - self.position[1]
+        return (dx * self.front[0] + dy * self.front[1], dx * self.left[0] + dy * self.left[1])
+
+
+class Scene(Value, kw_only=True):
+    """A room, the assets it uses and their placements, in the order in which they were placed.
+
+    Raises:
+        InputError: a version this release does not read, two placements of one id, or a placement whose asset is missing.
+    """
+
+    version: int = SCENE_VERSION
+    prompt: str = ""
+    seed: int = 0
+    room: Room
+    placements: tuple[Placement, ...] = ()
+    assets: dict[str, Asset] = {}
+
+    def __post_init__(self) -> None:
+        if self.version != SCENE_VERSION:
+            raise InputError(f"scene version {self.version} is not known; this release reads version {SCENE_VERSION}")
+        seen: set[str] = set()
+        for placement in self.placements:
+            if placement.id in seen:
+                raise InputError(f"two placements are called {placement.id!r}; ids must differ")
+            seen.add(placement.id)
+            if placement.asset not in self.assets:
+                raise InputError(
+                    f"placement {placement.id!r} names the asset {placement.asset!r}, which the scene does not hold"
+                )
+
+    def __contains__(self, id: str) -> bool:
+        return any(p.id == id for p in self.placements)
+
+    def __getitem__(self, id: str) -> Placement:
+        """The placement called `id`; raises KeyError that lists the ids that exist."""
+        for placement in self.placements:
+            if placement.id == id:
+                return placement
+        raise KeyError(f"no object {id!r}; there are {', '.join(p.id for p in self.placements) or 'none'}")
+
+    def asset_of(self, placement: Placement) -> Asset:
+        """The asset that a placement shows."""
+        return self.assets[placement.asset]
+
+    def resting_on(self, id: str) -> tuple[Placement, ...]:
+        """The placements directly supported by `id`."""
+        return tuple(p for p in self.placements if p.support == id)
+
+    def with_placement(self, placement: Placement, asset: Asset) -> "Scene":
+        """This scene and one object more, or that object replaced in its place in the order."""
+        kept = [placement if p.id == placement.id else p for p in self.placements]
+        if placement.id not in self:
+            kept.append(placement)
+        return self._with(kept, {**self.assets, asset.id: asset})
+
+    def without(self, id: str) -> "Scene":
+        """This scene without one object; what rested on it stays where it was. Raises KeyError for an unknown id."""
+        gone = self[id]
+        return self._with([p for p in self.placements if p is not gone], self.assets)
+
+    def moved(self, id: str, *, position: Vec3 | None = None, yaw: float | None = None) -> "Scene":
+        """This scene with one object at another pose. Raises KeyError for an unknown id."""
+        old = self[id]
+        new = structs.replace(
+            old, position=old.position if position is None else position, yaw=old.yaw if yaw is None else yaw
+        )
+        return self._with([new if p is old else p for p in self.placements], self.assets)
+
+    def _with(self, placements: list[Placement], assets: dict[str, Asset]) -> "Scene":
+        used = {p.asset for p in placements}
+        return structs.replace(
+            self, placements=tuple(placements), assets={k: a for k, a in assets.items() if k in used}
+        )
+
+
+def load_scene(path: str | Path) -> Scene:
+    """Read a scene from a scene.json or from the output folder that holds one; raises InputError if it cannot."""
+    file = Path(path)
+    return read_json(file / "scene.json" if file.is_dir() else file, Scene)

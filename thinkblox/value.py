@@ -1,0 +1,59 @@
+"""Immutable values that read and write strict JSON: the base of the whole vocabulary."""
+
+import re
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+
+from thinkblox.errors import InputError
+
+Vec2 = tuple[float, float]
+Vec3 = tuple[float, float, float]
+Quat = tuple[float, float, float, float]
+
+
+class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A frozen record, compared by content. Unknown JSON keys and wrong types are errors that name their path."""
+
+
+_VECTOR = re.compile(rb"\[\s*(-?[0-9][-+.eE0-9,\s]*)\]")
+
+V = TypeVar("V", bound=Value)
+
+
+def to_json(value: Value) -> bytes:
+    """UTF-8 JSON, indented, vectors on one line, a final newline; the same value gives the same bytes."""
+    text = msgspec.json.format(msgspec.json.encode(value), indent=2)
+    return (
+        _VECTOR.sub(lambda match: b"[" + b", ".join((number.strip() for number in match[1].split(b","))) + b"]", text)
+        + b"\n"
+    )
+
+
+def from_json(data: bytes | str, kind: type[V], *, where: str = "JSON") -> V:
+    """Read `kind` from JSON text.
+
+    Raises:
+        InputError: not JSON, a missing or unknown key, a wrong type or a value out of range; names the path in the
+            document and `where` it came from.
+    """
+    try:
+        return msgspec.json.decode(data, type=kind)
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
+        raise InputError(f"{where}: {error}") from error
+
+
+def read_json(path: Path, kind: type[V]) -> V:
+    """Read `kind` from a JSON file; raises InputError naming the file when it is missing, unreadable or wrong."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+    return from_json(data, kind, where=str(path))
+
+
+def json_schema(kind: type[Value]) -> dict[str, Any]:
+    """The JSON Schema (2020-12) of a value type."""
+    schema: dict[str, Any] = msgspec.json.schema(kind)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
