@@ -1,1 +1,1 @@
-
+"""What can be placed: procedural furniture and its properties."""

@@ -1,1 +1,1 @@
-
+"""Scenes as files: MJCF, USD, and the output folder."""

@@ -1,1 +1,1 @@
-
+"""A scene in MuJoCo: build, check, settle, render."""

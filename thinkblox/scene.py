@@ -51,12 +51,8 @@ class Placement(Value, kw_only=True):
     def footprint(self) -> Polygon:
         """Its bounding rectangle on the floor."""
         half_x, half_y = self.size[0] / 2, self.size[1] / 2
-        return Polygon(
-            [
-                self.to_room((x, y))
-                for x, y in ((-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y))
-            ]
-        )
+        corners = ((-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y))
+        return Polygon([self.to_room(corner) for corner in corners])
 
     @property
     def top(self) -> float:
@@ -78,7 +74,7 @@ class Scene(Value, kw_only=True):
     """A room, the assets it uses and their placements, in the order in which they were placed.
 
     Raises:
-        InputError: a version this release does not read, two placements of one id, or a placement whose asset is missing.
+        InputError: a version this release does not read, two placements of one id, or one whose asset is missing.
     """
 
     version: int = SCENE_VERSION
@@ -97,9 +93,7 @@ class Scene(Value, kw_only=True):
                 raise InputError(f"two placements are called {placement.id!r}; ids must differ")
             seen.add(placement.id)
             if placement.asset not in self.assets:
-                raise InputError(
-                    f"placement {placement.id!r} names the asset {placement.asset!r}, which the scene does not hold"
-                )
+                raise InputError(f"placement {placement.id!r}: the scene holds no asset {placement.asset!r}")
 
     def __contains__(self, id: str) -> bool:
         return any(p.id == id for p in self.placements)
@@ -120,19 +114,19 @@ class Scene(Value, kw_only=True):
         return tuple(p for p in self.placements if p.support == id)
 
     def with_placement(self, placement: Placement, asset: Asset) -> "Scene":
-        """This scene and one object more, or that object replaced in its place in the order."""
+        """Return this scene and one object more, or that object replaced in its place in the order."""
         kept = [placement if p.id == placement.id else p for p in self.placements]
         if placement.id not in self:
             kept.append(placement)
         return self._with(kept, {**self.assets, asset.id: asset})
 
     def without(self, id: str) -> "Scene":
-        """This scene without one object; what rested on it stays where it was. Raises KeyError for an unknown id."""
+        """Return this scene without one object; what rested on it stays. Raises KeyError for an unknown id."""
         gone = self[id]
         return self._with([p for p in self.placements if p is not gone], self.assets)
 
     def moved(self, id: str, *, position: Vec3 | None = None, yaw: float | None = None) -> "Scene":
-        """This scene with one object at another pose. Raises KeyError for an unknown id."""
+        """Return this scene with one object at another pose. Raises KeyError for an unknown id."""
         old = self[id]
         new = structs.replace(
             old, position=old.position if position is None else position, yaw=old.yaw if yaw is None else yaw

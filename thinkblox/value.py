@@ -17,7 +17,7 @@ class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A frozen record, compared by content. Unknown JSON keys and wrong types are errors that name their path."""
 
 
-_VECTOR = re.compile(rb"\[\s*(-?[0-9][-+.eE0-9,\s]*)\]")
+_VECTOR = re.compile(rb"\[\n\s*(-?[0-9][-+.eE0-9,\s]*)\]")
 
 V = TypeVar("V", bound=Value)
 
@@ -25,10 +25,11 @@ V = TypeVar("V", bound=Value)
 def to_json(value: Value) -> bytes:
     """UTF-8 JSON, indented, vectors on one line, a final newline; the same value gives the same bytes."""
     text = msgspec.json.format(msgspec.json.encode(value), indent=2)
-    return (
-        _VECTOR.sub(lambda match: b"[" + b", ".join((number.strip() for number in match[1].split(b","))) + b"]", text)
-        + b"\n"
-    )
+    return _VECTOR.sub(_on_one_line, text) + b"\n"
+
+
+def _on_one_line(vector: re.Match[bytes]) -> bytes:
+    return b"[" + b", ".join(number.strip() for number in vector[1].split(b",")) + b"]"
 
 
 def from_json(data: bytes | str, kind: type[V], *, where: str = "JSON") -> V:

@@ -1,1 +1,1 @@
-
+"""Demonstrations, rewards and trainers."""
