@@ -13,7 +13,7 @@ Material = Literal[
 Unit = Annotated[float, Meta(ge=0.0, le=1.0)]
 
 
-class Shape(Value, kw_only=True, omit_defaults=True):
+class Shape(Value, frozen=True, kw_only=True, omit_defaults=True):
     """One convex primitive of a link, in the asset frame.
 
     Attributes:
@@ -40,7 +40,7 @@ class Shape(Value, kw_only=True, omit_defaults=True):
     smooth: bool = False
 
 
-class Joint(Value, kw_only=True):
+class Joint(Value, frozen=True, kw_only=True):
     """How a link moves against its parent, at rest at 0.
 
     Attributes:
@@ -56,7 +56,7 @@ class Joint(Value, kw_only=True):
     upper: float
 
 
-class Link(Value, kw_only=True, omit_defaults=True):
+class Link(Value, frozen=True, kw_only=True, omit_defaults=True):
     """A rigid part. The first link of an asset is its body and has no joint; doors and drawers are joined to it."""
 
     name: str
@@ -64,7 +64,7 @@ class Link(Value, kw_only=True, omit_defaults=True):
     joint: Joint | None = None
 
 
-class Surface(Value, kw_only=True, omit_defaults=True):
+class Surface(Value, frozen=True, kw_only=True, omit_defaults=True):
     """A level area that carries things.
 
     Attributes:
@@ -81,7 +81,7 @@ class Surface(Value, kw_only=True, omit_defaults=True):
     round: bool = False
 
 
-class Asset(Value, kw_only=True, omit_defaults=True):
+class Asset(Value, frozen=True, kw_only=True, omit_defaults=True):
     """Something placeable, made of convex shapes: what is seen is what collides.
 
     Attributes:

@@ -43,7 +43,7 @@ Place = Literal[
 """Parts of the room that a relation can name as its anchor."""
 
 
-class Request(Value, kw_only=True):
+class Request(Value, frozen=True, kw_only=True):
     """Objects of one kind that belong to the room.
 
     Attributes:
@@ -62,7 +62,7 @@ class Request(Value, kw_only=True):
     phrase: str = ""
 
 
-class Relation(Value, kw_only=True):
+class Relation(Value, frozen=True, kw_only=True):
     """`subject` stands in this relation to `anchors`: keys of requests, or a Place.
 
     Attributes:
@@ -79,7 +79,7 @@ class Relation(Value, kw_only=True):
     rows: int = 0
 
 
-class OpeningRequest(Value, kw_only=True):
+class OpeningRequest(Value, frozen=True, kw_only=True):
     """A door or window that the prompt asks for."""
 
     kind: Literal["door", "window"]
@@ -87,7 +87,7 @@ class OpeningRequest(Value, kw_only=True):
     count: int = 1
 
 
-class Brief(Value, kw_only=True):
+class Brief(Value, frozen=True, kw_only=True):
     """What the prompt asks for.
 
     Attributes:

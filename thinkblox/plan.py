@@ -4,7 +4,7 @@ from thinkblox.brief import Brief, RelationKind
 from thinkblox.value import Value
 
 
-class Tie(Value, kw_only=True):
+class Tie(Value, frozen=True, kw_only=True):
     """A relation of one target, with the ids of the very objects it refers to, or a Place of the room.
 
     Attributes:
@@ -21,7 +21,7 @@ class Tie(Value, kw_only=True):
     asked: bool = True
 
 
-class Target(Value, kw_only=True):
+class Target(Value, frozen=True, kw_only=True):
     """One object to place.
 
     Attributes:
@@ -46,7 +46,7 @@ class Target(Value, kw_only=True):
         return tuple(dict.fromkeys(a for tie in self.ties for a in tie.anchors if a.rsplit("_", 1)[-1].isdigit()))
 
 
-class Plan(Value, kw_only=True):
+class Plan(Value, frozen=True, kw_only=True):
     """The targets in the order in which they are placed: anchors, what belongs to them, small things."""
 
     brief: Brief

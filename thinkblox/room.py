@@ -21,7 +21,7 @@ Metres = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Positive = Annotated[float, Meta(gt=0.0, le=1000.0)]
 
 
-class Opening(Value, kw_only=True):
+class Opening(Value, frozen=True, kw_only=True):
     """A door or window in a wall.
 
     Attributes:
@@ -42,7 +42,7 @@ class Opening(Value, kw_only=True):
     hinge: Literal["start", "end"] = "start"
 
 
-class Wall(Value, kw_only=True):
+class Wall(Value, frozen=True, kw_only=True):
     """One side of the room, seen from inside.
 
     Attributes:
@@ -83,7 +83,7 @@ class Wall(Value, kw_only=True):
         return (dx * ax + dy * ay, dx * nx + dy * ny)
 
 
-class Room(Value, kw_only=True):
+class Room(Value, frozen=True, kw_only=True):
     """Floor polygon (simple, counter-clockwise, its bounding box starting at the origin), height [m] and openings.
 
     Raises:

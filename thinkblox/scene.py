@@ -17,7 +17,7 @@ Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
 
 
-class Placement(Value, kw_only=True):
+class Placement(Value, frozen=True, kw_only=True):
     """An asset at a pose.
 
     Attributes:
@@ -70,7 +70,7 @@ class Placement(Value, kw_only=True):
         return (dx * self.front[0] + dy * self.front[1], dx * self.left[0] + dy * self.left[1])
 
 
-class Scene(Value, kw_only=True):
+class Scene(Value, frozen=True, kw_only=True):
     """A room, the assets it uses and their placements, in the order in which they were placed.
 
     Raises:

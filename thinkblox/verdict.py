@@ -19,7 +19,7 @@ Reason = Literal[
 ]
 
 
-class Collision(Value, kw_only=True):
+class Collision(Value, frozen=True, kw_only=True):
     """How deep an object is inside another [m], and the share of its volume that is inside the other."""
 
     other: str
@@ -27,14 +27,14 @@ class Collision(Value, kw_only=True):
     overlap: float
 
 
-class Support(Value, kw_only=True):
+class Support(Value, frozen=True, kw_only=True):
     """Who carries an object ("floor", a wall, "ceiling" or an id) and which share of its weight."""
 
     by: str
     share: float
 
 
-class Verdict(Value, kw_only=True):
+class Verdict(Value, frozen=True, kw_only=True):
     """What physics measured about one placement.
 
     Attributes:
@@ -93,7 +93,7 @@ class Verdict(Value, kw_only=True):
         return texts[reason]
 
 
-class Absence(Value, kw_only=True):
+class Absence(Value, frozen=True, kw_only=True):
     """Something asked for that is not in the room, and why."""
 
     id: str
@@ -102,7 +102,7 @@ class Absence(Value, kw_only=True):
     reason: str
 
 
-class RelationResult(Value, kw_only=True):
+class RelationResult(Value, frozen=True, kw_only=True):
     """Whether a relation that the prompt names holds in the scene, in words and with what was measured."""
 
     kind: str
@@ -112,7 +112,7 @@ class RelationResult(Value, kw_only=True):
     measured: str
 
 
-class Report(Value, kw_only=True):
+class Report(Value, frozen=True, kw_only=True):
     """The verdict on a whole scene.
 
     Attributes:
