@@ -1,0 +1,92 @@
+"""Named settings of the physics and of the verdicts, each with its unit."""
+
+from thinkblox.value import Value, Vec2, Vec3
+
+
+class Tolerances(Value, kw_only=True):
+    """Where a verdict draws its lines.
+
+    Attributes:
+        penetration: deepest contact that is still resting or touching [m].
+        outside: how far an object may reach out of the room [m].
+        touching: how near a mounted object must be to the wall or ceiling it hangs on [m].
+        clearance: gap above its support that an object may be put down with [m].
+        drift: horizontal motion while settling [m].
+        drop: sinking while settling, beyond `clearance` [m].
+        tilt: change of orientation while settling [degrees].
+        carried: least share of its weight that must be borne by something once it has settled.
+        size: by how much a placement's size may differ from its asset's [m].
+    """
+
+    penetration: float = 0.001
+    outside: float = 0.001
+    touching: float = 0.010
+    clearance: float = 0.003
+    drift: float = 0.005
+    drop: float = 0.010
+    tilt: float = 2.0
+    carried: float = 0.5
+    size: float = 0.010
+
+
+class Physics(Value, kw_only=True):
+    """How the engine is run; the exported model carries the same options.
+
+    Attributes:
+        timestep: [s].
+        solref: time constant [s] and damping ratio of contacts; at least two timesteps.
+        impratio: ratio of frictional to normal constraint impedance, against creep.
+        gravity: [m/s2].
+        settle_time: longest settle of a candidate [s].
+        least_settle_time: shortest settle before stillness is believed, unless everything sleeps [s].
+        rest_time: longest settle of a whole scene before its keyframe is taken [s].
+        hold_time: how long a settled scene must stand still [s].
+        chunk: steps between two looks at a settling candidate.
+        lost, toppled: motion [m] and rotation [degrees] past which a settle is given up.
+        ground_friction: of floor and walls; below any object's, as the engine takes the larger of the two.
+        wall_thickness: of the slabs round the room [m].
+    """
+
+    timestep: float = 0.004
+    solref: Vec2 = (0.008, 1.0)
+    impratio: float = 10.0
+    gravity: Vec3 = (0.0, 0.0, -9.81)
+    settle_time: float = 1.0
+    least_settle_time: float = 0.5
+    rest_time: float = 2.0
+    hold_time: float = 5.0
+    chunk: int = 25
+    lost: float = 0.1
+    toppled: float = 15.0
+    ground_friction: float = 0.2
+    wall_thickness: float = 0.1
+
+
+class Walking(Value, kw_only=True):
+    """What a walkable way and a clear opening are.
+
+    Attributes:
+        width: of the walker [m].
+        headroom: what hangs higher than this is walked under [m].
+        step: what is flatter than this is walked over [m].
+        reach: arm's length, from the walker's middle to an object [m].
+        large: footprint from which a standing object must be reachable [m2].
+        movable: what weighs less is moved aside (a chair) and bars no way [kg].
+        door_zone: depth of the clear zone inside a door, in door widths.
+        window_zone: depth of the zone before a window [m].
+        window_share: share of a window's width that may be covered.
+        window_width: floor-standing pieces narrower than this leave enough of a window free [m].
+        window_excess: how far above the sill a piece before a window may reach [m].
+    """
+
+    width: float = 0.5
+    headroom: float = 1.9
+    step: float = 0.03
+    reach: float = 0.6
+    large: float = 0.3
+    movable: float = 15.0
+    door_zone: float = 1.0
+    window_zone: float = 0.3
+    window_share: float = 0.2
+    window_width: float = 0.45
+    window_excess: float = 0.3
