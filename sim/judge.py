@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from typing import get_args
 
 from thinkblox.asset import Asset
-from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.boundary import distance_outside
 from thinkblox.sim.mounting import hangs
@@ -103,8 +102,12 @@ def verdict(
     more: frozenset[Reason] = frozenset(),
     cut_off: tuple[str, ...] = (),
 ) -> Verdict:
-    """Put together what was measured; `more` are reasons from settling and from the walkable way."""
-    reasons = tuple(reason for reason in ORDER if reason in static.reasons | more)
+    """Put together what was measured.
+
+    `more` are the reasons that settling gave, `cut_off` the ids that have no walkable way because of this object.
+    """
+    found = static.reasons | more | ({"blocks_way"} if cut_off else set())
+    reasons = tuple(reason for reason in ORDER if reason in found)
     moved = motion or Motion()
     return Verdict(
         id=placement.id,
@@ -123,7 +126,7 @@ def verdict(
     )
 
 
-def fixed_supports(room: Room, placement: Placement, asset: Asset, static: Static) -> tuple[Support, ...]:
+def fixed_supports(placement: Placement, asset: Asset, static: Static) -> tuple[Support, ...]:
     """What holds up something that cannot move: what it hangs on, or for a rug the floor it lies on."""
     if "unsupported" in static.reasons:
         return ()

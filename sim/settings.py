@@ -15,6 +15,7 @@ class Tolerances(Value, kw_only=True):
         drop: sinking while settling, beyond `clearance` [m].
         tilt: change of orientation while settling [degrees].
         carried: least share of its weight that must be borne by something once it has settled.
+        hold_drift, hold_tilt: motion of a settled scene's objects in `Physics.hold_time` [m, degrees].
         size: by how much a placement's size may differ from its asset's [m].
     """
 
@@ -26,6 +27,8 @@ class Tolerances(Value, kw_only=True):
     drop: float = 0.010
     tilt: float = 2.0
     carried: float = 0.5
+    hold_drift: float = 0.010
+    hold_tilt: float = 2.0
     size: float = 0.010
 
 

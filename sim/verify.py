@@ -1,0 +1,173 @@
+"""The verdict on a whole scene: every object by itself, and then everything free at once."""
+
+import math
+from functools import partial
+
+import mujoco
+import numpy as np
+
+from thinkblox.scene import Placement, Scene
+from thinkblox.sim.access import access
+from thinkblox.sim.build import build_spec, package_version
+from thinkblox.sim.contacts import Contacts
+from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
+from thinkblox.sim.settings import Physics, Tolerances, Walking
+from thinkblox.sim.settle import SettledState, diverged, free_addresses, motion_between, rest
+from thinkblox.sim.stage import Stage, settled_verdict
+from thinkblox.sim.world import World
+from thinkblox.value import Value
+from thinkblox.verdict import Report, Verdict
+
+
+class Hold(Value, kw_only=True):
+    """How a settled scene stood still.
+
+    Attributes:
+        depth: deepest contact at its start [m].
+        drift, tilt: largest motion of any free object [m, degrees].
+        seconds: simulated [s].
+        unstable: the engine gave up, and the numbers mean nothing.
+    """
+
+    depth: float
+    drift: float
+    tilt: float
+    seconds: float
+    unstable: bool
+
+
+def verify(
+    scene: Scene,
+    *,
+    tolerances: Tolerances | None = None,
+    physics: Physics | None = None,
+    walking: Walking | None = None,
+    state: SettledState | None = None,
+    way: bool = True,
+) -> Report:
+    """Measure a whole scene.
+
+    Args:
+        scene: the room and what stands in it, at the proposed poses.
+        tolerances: where the lines are drawn.
+        physics: the engine's options.
+        walking: what a walkable way is.
+        state: the scene at rest, when `settle` has already been run with the same physics.
+        way: whether objects that cut others off fail; the report names what is cut off in any case.
+    """
+    tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
+    model = build_spec(scene, physics=physics).compile()
+    state = state or rest(model, physics)
+    held = hold(model, state, physics)
+    walkable = access(scene, walking)
+    blockers = _blockers(scene, walking) if way and walkable.unreachable else {}
+    objects = _objects(scene, tolerances, physics, walking, blockers)
+    return Report(
+        valid=all(v.valid for v in objects) and _stands_still(held, tolerances),
+        prompt=scene.prompt,
+        seed=scene.seed,
+        versions={"thinkblox": package_version(), "mujoco": mujoco.__version__},
+        objects=objects,
+        depth=held.depth,
+        drift=held.drift,
+        tilt=held.tilt,
+        simulated=held.seconds,
+        way=walking.width,
+        reach=walkable.reach,
+        unreachable=walkable.unreachable,
+        notes=_notes(state, held, tolerances, physics),
+    )
+
+
+def hold(model: mujoco.MjModel, state: SettledState, physics: Physics) -> Hold:
+    """Run a compiled scene from its settled state for `physics.hold_time`, everything awake and free."""
+    data = mujoco.MjData(model)
+    data.qpos[:] = state.qpos
+    mujoco.mj_forward(model, data)
+    depth = max(Contacts(model).depths(data).values(), default=0.0)
+    addresses, start, drift, tilt = free_addresses(model), data.qpos.copy(), 0.0, 0.0
+    for _ in range(math.ceil(physics.hold_time / (physics.timestep * physics.chunk))):
+        mujoco.mj_step(model, data, nstep=physics.chunk)
+        for address in addresses.values():
+            pose = slice(address, address + 7)
+            motion = motion_between(start[pose], data.qpos[pose])
+            travelled = float(np.linalg.norm(data.qpos[pose][:3] - start[pose][:3]))
+            drift, tilt = max(drift, travelled), max(tilt, motion.tilt)
+    return Hold(
+        depth=round(depth, 6),
+        drift=round(drift, 6),
+        tilt=tilt,
+        seconds=physics.hold_time,
+        unstable=diverged(data),
+    )
+
+
+def _stands_still(held: Hold, tolerances: Tolerances) -> bool:
+    return (
+        not held.unstable
+        and held.depth <= tolerances.penetration
+        and held.drift <= tolerances.hold_drift
+        and held.tilt <= tolerances.hold_tilt
+    )
+
+
+def _objects(
+    scene: Scene, tolerances: Tolerances, physics: Physics, walking: Walking, blockers: dict[str, tuple[str, ...]]
+) -> tuple[Verdict, ...]:
+    touching = _touching(scene, physics)
+    stage = Stage(build_spec(scene, physics=physics, sleeping=True), physics)
+    one = partial(_object, scene, stage, touching, tolerances, walking)
+    return tuple(one(placement, blockers.get(placement.id, ())) for placement in scene.placements)
+
+
+def _object(
+    scene: Scene,
+    stage: Stage,
+    touching: dict[str, dict[str, float]],
+    tolerances: Tolerances,
+    walking: Walking,
+    placement: Placement,
+    cut_off: tuple[str, ...],
+) -> Verdict:
+    asset = scene.asset_of(placement)
+    static = judge_pose(scene, placement, asset, touching.get(placement.id, {}), tolerances, walking)
+    if not asset.free:
+        supports = fixed_supports(placement, asset, static)
+        return verdict(placement, static, supports=supports, cut_off=cut_off)
+    stage.wake(placement.id)
+    return settled_verdict(stage, placement.id, placement, static, tolerances, cut_off=cut_off)
+
+
+def _touching(scene: Scene, physics: Physics) -> dict[str, dict[str, float]]:
+    """Deepest contact of every object with each other thing, mounted things among themselves included [m]."""
+    model = build_spec(scene, physics=physics, loose=True).compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    found: dict[str, dict[str, float]] = {}
+    for (first, second), depth in Contacts(model).depths(data).items():
+        found.setdefault(first, {})[second] = depth
+        found.setdefault(second, {})[first] = depth
+    return found
+
+
+def _blockers(scene: Scene, walking: Walking) -> dict[str, tuple[str, ...]]:
+    """For each object what would have a walkable way if it alone were not there."""
+    found = {}
+    for placement in scene.placements:
+        world = World(scene.without(placement.id), walking=walking)
+        found[placement.id] = world.cut_off(placement, scene.asset_of(placement))
+    return found
+
+
+def _notes(state: SettledState, held: Hold, tolerances: Tolerances, physics: Physics) -> tuple[str, ...]:
+    notes = []
+    if not state.rested:
+        notes.append(f"The scene still moved after {physics.rest_time:g} s; its keyframe is the state at that time.")
+    if held.unstable:
+        notes.append("The simulation of the settled scene failed.")
+    elif not _stands_still(held, tolerances):
+        notes.append(
+            f"The settled scene does not stand still: in {held.seconds:g} s something moved {held.drift * 1000:.1f} mm"
+            f" and turned {held.tilt:.1f} degrees, with a contact {held.depth * 1000:.2f} mm deep."
+        )
+    return tuple(notes)
