@@ -1,0 +1,226 @@
+"""The room itself as triangles: floor, walls with their doors and windows, skirting, and the ground round it."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from shapely import constrained_delaunay_triangles
+
+from thinkblox.room import Opening, Room, Wall
+from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, TRIM, Colour, Palette, linear
+from thinkblox.sim.render.soup import ROOM, Patch, Soup
+from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
+from thinkblox.value import Vec3
+
+THICKNESS = 0.12
+"""Thickness of the walls, outside the floor polygon [m]."""
+RIM = 0.08
+"""What is left of a wall that is cut away [m]."""
+SLAB = 0.14
+"""Thickness of the floor [m]."""
+_SKIRTING = (0.09, 0.014)
+_PANE: Colour = (0.80, 0.90, 1.0)
+_LEAF: Colour = (0.90, 0.87, 0.82)
+_HANDLE: Colour = (0.55, 0.53, 0.50)
+
+
+@dataclass(frozen=True)
+class Shell:
+    """How a room is drawn.
+
+    Attributes:
+        standing: for each wall, whether it is drawn at full height; the others leave a rim.
+        accent: index of the wall in the accent colour, or None.
+        ground: whether the ground round the room is drawn.
+    """
+
+    standing: tuple[bool, ...]
+    accent: int | None = None
+    ground: bool = True
+
+
+def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
+    """Add floor, walls, openings and ground."""
+    _add_floor(soup, room, palette)
+    for index, wall in enumerate(room.walls):
+        colour = palette.accent if index == shell.accent else palette.wall
+        openings = [o for o in room.openings if o.wall == index]
+        _add_wall(_WallFrame(soup, room, index, shell), wall, openings, colour)
+    if shell.ground:
+        _add_ground(soup, room)
+
+
+def accent_wall(room: Room) -> int:
+    """The wall for the accent colour: the longest one after its openings are taken off."""
+    free = [wall.length for wall in room.walls]
+    for opening in room.openings:
+        free[opening.wall] -= 1.2 * opening.width
+    return int(np.argmax(np.round(free, 6)))
+
+
+@dataclass(frozen=True)
+class _WallFrame:
+    """Adds boxes given by (along the wall, towards the room, up) [m]."""
+
+    soup: Soup
+    room: Room
+    index: int
+    shell: Shell
+
+    @property
+    def wall(self) -> Wall:
+        return self.room.walls[self.index]
+
+    def box(
+        self,
+        along: tuple[float, float],
+        inward: tuple[float, float],
+        up: tuple[float, float],
+        colour: Colour,
+        material: str,
+        radius: float = 0.0,
+    ) -> None:
+        """One box from lower to upper bounds; nothing when it has no extent."""
+        low = np.array([along[0], inward[0], up[0]])
+        size = np.array([along[1], inward[1], up[1]]) - low
+        if size.min() > 1e-6:
+            mesh = rounded_box((float(size[0]), float(size[1]), float(size[2])), radius)
+            self.soup.add(mesh, self.patch(low + size / 2, (size[0], size[1], size[2]), colour, material))
+
+    def patch(self, centre: np.ndarray, size: Vec3, colour: Colour, material: str) -> Patch:
+        """A patch whose frame is along the wall, into the room, up, centred at a point given in that order."""
+        (ax, ay), (nx, ny) = self.wall.along, self.wall.inward
+        turn = np.array([[ax, nx, 0.0], [ay, ny, 0.0], [0.0, 0.0, 1.0]])
+        start = np.array([*self.wall.start, 0.0])
+        return Patch(linear(colour), MATERIALS.index(material), ROOM, turn, start + turn @ centre, size)
+
+
+def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening], colour: Colour) -> None:
+    standing = frame.shell.standing[frame.index]
+    top = frame.room.height if standing else RIM
+    low, high = _ends(frame)
+    for start, end, bottom, ceiling in _solid_parts(openings, low, high, top):
+        frame.box((start, end), (-THICKNESS, 0.0), (bottom, ceiling), colour, "wall")
+        if ceiling == top:
+            frame.box((start, end), (-THICKNESS, 0.0), (top, top + 0.004), CUT, "cut")
+    for opening in openings:
+        if opening.kind == "window" and standing:
+            _add_window(frame, opening)
+        elif opening.kind == "door":
+            _add_door(frame, opening, top)
+    if standing:
+        _add_skirting(frame, wall, openings)
+
+
+def _solid_parts(
+    openings: list[Opening], low: float, high: float, top: float
+) -> list[tuple[float, float, float, float]]:
+    """The wall less its openings as (from, to, bottom, top) along its run."""
+    parts, at = [], low
+    for opening in sorted(openings, key=lambda o: o.offset):
+        start, end = opening.offset, opening.offset + opening.width
+        parts.append((at, start, -SLAB, top))
+        parts.append((start, end, -SLAB, min(opening.sill, top)))
+        parts.append((start, end, min(opening.sill + opening.height, top), top))
+        at = max(at, end)
+    parts.append((at, high, -SLAB, top))
+    return [part for part in parts if part[1] - part[0] > 1e-6 and part[3] - part[2] > 1e-6]
+
+
+def _ends(frame: _WallFrame) -> tuple[float, float]:
+    """Where the wall's body starts and ends along it: it covers the corners, unless a higher neighbour does."""
+    walls, index = frame.room.walls, frame.index
+    before, after = (index - 1) % len(walls), (index + 1) % len(walls)
+    low = 0.0 if _yields(frame, before) else _corner(walls[before], frame.wall)
+    high = 0.0 if _yields(frame, after) else _corner(frame.wall, walls[after])
+    return -low, frame.wall.length + high
+
+
+def _yields(frame: _WallFrame, other: int) -> bool:
+    return frame.shell.standing[other] and not frame.shell.standing[frame.index]
+
+
+def _corner(first: Wall, second: Wall) -> float:
+    """How far two walls' outer faces run past their common corner [m]; 0 where the room's corner points inwards."""
+    (ax, ay), (bx, by) = first.along, second.along
+    turn = math.atan2(ax * by - ay * bx, ax * bx + ay * by)
+    return THICKNESS * min(math.tan(max(turn, 0.0) / 2), 2.0)
+
+
+def _add_window(frame: _WallFrame, opening: Opening) -> None:
+    start, end = opening.offset, opening.offset + opening.width
+    bottom, top = opening.sill, opening.sill + opening.height
+    bar, depth = min(0.05, opening.width / 8), (-0.085, -0.035)
+    frame.box((start, end), (-0.075, -0.07), (bottom, top), _PANE, "pane")
+    frame.box((start, start + bar), depth, (bottom, top), TRIM, "trim", 0.003)
+    frame.box((end - bar, end), depth, (bottom, top), TRIM, "trim", 0.003)
+    frame.box((start, end), depth, (bottom, bottom + bar), TRIM, "trim", 0.003)
+    frame.box((start, end), depth, (top - bar, top), TRIM, "trim", 0.003)
+    lights = max(round(opening.width / 0.75), 1)
+    for i in range(1, lights):
+        middle = start + opening.width * i / lights
+        frame.box((middle - bar / 2, middle + bar / 2), depth, (bottom, top), TRIM, "trim", 0.003)
+    if bottom > 0.15:
+        frame.box((start - 0.04, end + 0.04), (-THICKNESS, 0.05), (bottom - 0.03, bottom + 0.004), TRIM, "trim", 0.003)
+
+
+def _add_door(frame: _WallFrame, opening: Opening, top: float) -> None:
+    start, end = opening.offset, opening.offset + opening.width
+    frame.box((start, end), (-THICKNESS, 0.0), (-SLAB, -0.001), CUT, "trim")
+    if top < opening.height:
+        return
+    bar, height = 0.07, opening.height
+    frame.box((start - bar, start), (-0.02, 0.018), (0.0, height + bar), TRIM, "trim", 0.003)
+    frame.box((end, end + bar), (-0.02, 0.018), (0.0, height + bar), TRIM, "trim", 0.003)
+    frame.box((start, end), (-0.02, 0.018), (height, height + bar), TRIM, "trim", 0.003)
+    frame.box((start + 0.004, end - 0.004), (-0.07, -0.03), (0.004, height - 0.004), _LEAF, "trim", 0.002)
+    _add_panels(frame, opening)
+    away = end - 0.09 if opening.hinge == "start" else start + 0.09
+    lever = -0.06 if opening.hinge == "start" else 0.06
+    frame.box((away - 0.01, away + 0.01), (-0.03, 0.02), (0.99, 1.01), _HANDLE, "metal", 0.003)
+    frame.box(
+        (min(away, away + 2 * lever), max(away, away + 2 * lever)), (0.01, 0.025), (0.99, 1.01), _HANDLE, "metal", 0.003
+    )
+
+
+def _add_panels(frame: _WallFrame, opening: Opening) -> None:
+    """Two raised fields on the door's leaf."""
+    start, end = opening.offset + 0.13, opening.offset + opening.width - 0.13
+    for bottom, top in ((0.20, 0.88), (1.10, opening.height - 0.15)):
+        frame.box((start, end), (-0.03, -0.022), (bottom, top), _LEAF, "trim", 0.004)
+
+
+def _add_skirting(frame: _WallFrame, wall: Wall, openings: list[Opening]) -> None:
+    height, depth = _SKIRTING
+    at = 0.0
+    doors = sorted((o.offset - 0.07, o.offset + o.width + 0.07) for o in openings if o.sill < height)
+    for start, end in [*doors, (wall.length, wall.length)]:
+        frame.box((at, min(start, wall.length)), (0.0, depth), (0.0, height), TRIM, "trim", 0.003)
+        at = max(at, end)
+
+
+def _add_floor(soup: Soup, room: Room, palette: Palette) -> None:
+    width, depth = room.extent
+    turn = np.eye(3) if width >= depth else np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    corners: list[tuple[float, float]] = []
+    for triangle in constrained_delaunay_triangles(room.polygon).geoms:
+        ring = list(triangle.exterior.coords)[:3]
+        corners += ring if triangle.exterior.is_ccw else ring[::-1]
+    flat = np.array([(x, y, 0.0) for x, y, *_ in corners]) @ turn
+    patch = Patch(linear(palette.floor), MATERIALS.index("floor"), ROOM, turn, np.zeros(3), (width, depth, SLAB))
+    soup.add(_level(flat), patch)
+
+
+def _add_ground(soup: Soup, room: Room) -> None:
+    width, depth = room.extent
+    far = 12 * math.hypot(width, depth)
+    x, y = width / 2, depth / 2
+    quad = np.array([(x - far, y - far), (x + far, y - far), (x + far, y + far), (x - far, y + far)])
+    flat = np.concatenate([quad[[0, 1, 2, 0, 2, 3]], np.full((6, 1), -SLAB - 0.002)], 1)
+    patch = Patch(linear(GROUND), MATERIALS.index("ground"), ROOM, np.eye(3), np.zeros(3), (far, far, SLAB))
+    soup.add(_level(flat), patch)
+
+
+def _level(corners: np.ndarray) -> Mesh:
+    up: Floats = np.tile(np.array([[0.0, 0.0, 1.0]], np.float32), (len(corners), 1))
+    return Mesh(corners.astype(np.float32), up, np.arange(len(corners), dtype=np.int32).reshape(-1, 3))

@@ -1,0 +1,191 @@
+"""How much light reaches a point: sky, sun, what other surfaces send back, and lamps."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thinkblox.sim.render.materials import MATERIALS, finish_table
+from thinkblox.sim.render.rays import Tracer
+from thinkblox.sim.render.surfels import Surfels
+from thinkblox.sim.render.tessellate import Floats
+
+CELLS = 16
+"""Points take turns with this many sets of directions, 4 x 4 in the picture; a blur of that width joins them."""
+_OFFSET = np.float32(1.5e-3)
+_WARM = np.array([1.0, 0.72, 0.44], np.float32)
+LAMP_REACH = 2.2
+"""Distance at which a lamp's glow ends [m]."""
+
+
+@dataclass(frozen=True)
+class Lights:
+    """The light of a picture.
+
+    Attributes:
+        sun: unit vector towards the sun.
+        sun_colour: its irradiance, linear RGB.
+        spread: tangent of the sun's angular radius: how soft its shadows are.
+        zenith, horizon, below: the sky's radiance overhead, at eye level and under the floor, linear RGB.
+        lamps: (n, 4) centres [m] and radii [m] of what glows.
+        gather, sun_rays: rays a point sends to the sky and to the sun.
+    """
+
+    sun: Floats
+    sun_colour: Floats
+    spread: float
+    zenith: Floats
+    horizon: Floats
+    below: Floats
+    lamps: Floats
+    gather: int = 20
+    sun_rays: int = 6
+
+    def sky(self, up: Floats) -> Floats:
+        """Radiance (n, 3) of the sky in directions whose vertical part is `up` (n,)."""
+        height = np.sqrt(np.clip(up, np.float32(0), np.float32(1)))[:, None]
+        above = self.horizon + (self.zenith - self.horizon) * height
+        return np.where(up[:, None] > 0, above, self.below)
+
+
+def lights(tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: int = 6) -> Lights:
+    """Warm sun, cooler sky, and the scene's lamps."""
+
+    def rgb(*values: float) -> Floats:
+        return np.array(values, np.float32)
+
+    sun = towards_sun / np.linalg.norm(towards_sun)
+    return Lights(
+        sun=sun.astype(np.float32),
+        sun_colour=rgb(1.02, 0.93, 0.80),
+        spread=math.tan(math.radians(4.0)),
+        zenith=rgb(0.66, 0.69, 0.72),
+        horizon=rgb(0.80, 0.77, 0.73),
+        below=rgb(0.45, 0.42, 0.39),
+        lamps=_lamps(tracer),
+        gather=gather,
+        sun_rays=sun_rays,
+    )
+
+
+def _lamps(tracer: Tracer) -> Floats:
+    glowing = MATERIALS.index("light")
+    found = [
+        (*patch.origin, max(min(patch.size) / 2, 0.01))
+        for patch in tracer.triangles.patches
+        if patch.material == glowing
+    ]
+    return np.array(found, np.float32).reshape(-1, 4)
+
+
+def bounce_table(tracer: Tracer, lights: Lights) -> Floats:
+    """Radiance (m, 3) that each face sends back, as if nothing stood in its light."""
+    triangles = tracer.triangles
+    colour = np.array([p.colour for p in triangles.patches], np.float32)[triangles.patch]
+    material = np.array([p.material for p in triangles.patches])[triangles.patch]
+    diffuse, glow = finish_table("diffuse")[material][:, None], finish_table("glow")[material][:, None]
+    facing = np.maximum(tracer.face_normals @ lights.sun, 0)[:, None]
+    light = np.float32(0.45) + np.float32(0.40) * facing * lights.sun_colour
+    table: Floats = (colour * (np.maximum(diffuse, np.float32(0.4)) * light + glow)).astype(np.float32)
+    return table
+
+
+@dataclass(frozen=True)
+class Irradiance:
+    """Light that arrives at points (n, 3), divided by pi: `sky` from everywhere round, `sun` straight from the sun."""
+
+    sky: Floats
+    sun: Floats
+
+
+def irradiance(
+    tracer: Tracer, lights: Lights, bounce: Floats, points: Surfels, cell: NDArray[np.int64], *, times: int = 1
+) -> Irradiance:
+    """Light at points; `cell` (n,) says which of the direction sets each takes, `times` how many of them it uses."""
+    origin = points.position + points.facing * _OFFSET
+    sky = np.zeros_like(origin)
+    sun = np.zeros(len(origin), np.float32)
+    for turn in range(times):
+        sets = (cell + turn * 5) % CELLS
+        sky += _gathered(tracer, lights, bounce, points, origin, sets)
+        sun += _sunlit(tracer, lights, points, origin, sets)
+    sky += _lamp_light(tracer, lights, points, origin, cell) * np.float32(times)
+    scale = np.float32(1 / times)
+    return Irradiance(sky * scale, (sun * scale)[:, None] * lights.sun_colour)
+
+
+def _gathered(
+    tracer: Tracer, lights: Lights, bounce: Floats, points: Surfels, origin: Floats, cell: NDArray[np.int64]
+) -> Floats:
+    rays = _ball(lights.gather)[cell] + points.normal[:, None, :] * np.float32(1.002)
+    flat = rays.reshape(-1, 3)
+    inside = np.einsum("nkc,nc->nk", rays, points.facing).ravel()
+    flat /= np.sqrt(np.einsum("ij,ij->i", flat, flat))[:, None]
+    starts = np.repeat(origin, lights.gather, axis=0)
+    hits = tracer.solid(starts, flat)
+    missed = hits.face < 0
+    near = np.minimum(hits.distance, np.float32(1.0))
+    back = bounce[np.maximum(hits.face, 0)] * (np.float32(0.35) + np.float32(0.65) * near)[:, None]
+    light = np.where(missed[:, None], lights.sky(flat[:, 2]), back)
+    light *= (inside > 0)[:, None]
+    mean: Floats = light.reshape(-1, lights.gather, 3).mean(1, dtype=np.float32)
+    return mean
+
+
+def _sunlit(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats, cell: NDArray[np.int64]) -> Floats:
+    cosine = np.maximum(points.normal @ lights.sun, np.float32(0))
+    lit = np.flatnonzero((cosine > 0) & (points.facing @ lights.sun > -0.05))
+    result = np.zeros(len(origin), np.float32)
+    if not len(lit):
+        return result
+    rays = _sun_directions(lights)[cell[lit]].reshape(-1, 3)
+    hidden = tracer.blocked(np.repeat(origin[lit], lights.sun_rays, axis=0), rays)
+    result[lit] = cosine[lit] * (1 - hidden.reshape(-1, lights.sun_rays).mean(1, dtype=np.float32))
+    return result
+
+
+def _lamp_light(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats, cell: NDArray[np.int64]) -> Floats:
+    """Warm light of the lamps, shadowed by what stands between."""
+    total = np.zeros_like(origin)
+    jitter = _ball(4)[cell, 0]
+    for lamp in lights.lamps:
+        way = lamp[:3] + jitter * lamp[3] - origin
+        square = np.einsum("ij,ij->i", way, way)
+        cosine = np.einsum("ij,ij->i", way, points.normal) / np.sqrt(square + np.float32(1e-9))
+        near = np.flatnonzero((square < LAMP_REACH**2) & (cosine > 0))
+        if not len(near):
+            continue
+        fall = (1 - square[near] / np.float32(LAMP_REACH**2)) ** 2 / (square[near] + np.float32(0.06))
+        reach = np.maximum(1 - (lamp[3] + np.float32(0.02)) / np.sqrt(square[near]), np.float32(0))
+        open_way = ~tracer.blocked(origin[near], np.ascontiguousarray(way[near]), reach)
+        total[near] += (np.float32(0.11) * fall * cosine[near] * open_way)[:, None] * _WARM
+    return total
+
+
+def _fibonacci(count: int) -> NDArray[np.float64]:
+    i = np.arange(count) + 0.5
+    height, turn = 1 - 2 * i / count, i * math.pi * (3 - math.sqrt(5))
+    level = np.sqrt(1 - height**2)
+    return np.stack([level * np.cos(turn), level * np.sin(turn), height], 1)
+
+
+def _ball(count: int) -> Floats:
+    """Evenly spread unit vectors, turned another way for each cell: (CELLS, count, 3)."""
+    rng = np.random.default_rng(11)
+    base = _fibonacci(count)
+    turns = [np.linalg.qr(rng.normal(size=(3, 3)))[0] for _ in range(CELLS)]
+    return np.stack([base @ turn for turn in turns]).astype(np.float32)
+
+
+def _sun_directions(lights: Lights) -> Floats:
+    """Directions to points of the sun's disk, turned another way for each cell: (CELLS, sun_rays, 3)."""
+    side = np.cross(lights.sun, [0.0, 0.0, 1.0])
+    side /= np.linalg.norm(side)
+    over = np.cross(side, lights.sun)
+    index = np.arange(CELLS * lights.sun_rays)
+    radius = np.sqrt((index + 0.5) / len(index)) * lights.spread
+    turn = index * math.pi * (3 - math.sqrt(5))
+    disk = lights.sun + (radius * np.cos(turn))[:, None] * side + (radius * np.sin(turn))[:, None] * over
+    spread = disk.reshape(lights.sun_rays, CELLS, 3).transpose(1, 0, 2)
+    return np.ascontiguousarray(spread, dtype=np.float32)

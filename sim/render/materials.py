@@ -1,0 +1,108 @@
+"""How each material answers to light, and the wall and floor colours that a seed chooses."""
+
+from dataclasses import dataclass
+from typing import get_args
+
+import numpy as np
+
+from thinkblox.asset import Material
+from thinkblox.sim.render.tessellate import Floats
+
+Colour = tuple[float, float, float]
+
+MATERIALS: tuple[str, ...] = (*get_args(Material), "wall", "floor", "trim", "cut", "pane", "ground")
+"""The materials of assets, and those of the room: "pane" is a window's view, "cut" where a wall was cut open."""
+
+
+@dataclass(frozen=True)
+class Finish:
+    """Reflection of a material.
+
+    Attributes:
+        diffuse: share of its colour that it scatters.
+        mirror: reflection straight on (Schlick's F0).
+        gloss: exponent of its highlight.
+        tinted: whether reflections take the material's colour, as in metal.
+        sheen: brightening at grazing angles, as in cloth.
+        glow: emitted light as a multiple of its colour.
+    """
+
+    diffuse: float = 1.0
+    mirror: float = 0.0
+    gloss: float = 10.0
+    tinted: bool = False
+    sheen: float = 0.0
+    glow: float = 0.0
+
+
+FINISHES: dict[str, Finish] = {
+    "wood": Finish(mirror=0.022, gloss=28.0),
+    "metal": Finish(diffuse=0.45, mirror=0.55, gloss=60.0, tinted=True),
+    "fabric": Finish(sheen=0.14),
+    "leather": Finish(mirror=0.03, gloss=18.0),
+    "glass": Finish(diffuse=0.15, mirror=0.08, gloss=150.0),
+    "ceramic": Finish(mirror=0.05, gloss=90.0),
+    "plastic": Finish(mirror=0.03, gloss=35.0),
+    "paper": Finish(),
+    "leaf": Finish(mirror=0.02, gloss=14.0, sheen=0.08),
+    "stone": Finish(mirror=0.03, gloss=30.0),
+    "light": Finish(diffuse=0.35, glow=1.5),
+    "screen": Finish(diffuse=0.8, mirror=0.06, gloss=160.0),
+    "wall": Finish(),
+    "floor": Finish(mirror=0.028, gloss=36.0),
+    "trim": Finish(mirror=0.02, gloss=30.0),
+    "cut": Finish(),
+    "pane": Finish(diffuse=0.0, glow=1.0),
+    "ground": Finish(),
+}
+
+WALLS: tuple[Colour, ...] = (
+    (0.925, 0.890, 0.835),
+    (0.915, 0.895, 0.860),
+    (0.930, 0.880, 0.815),
+    (0.900, 0.895, 0.870),
+)
+ACCENTS: tuple[Colour, ...] = (
+    (0.660, 0.725, 0.655),
+    (0.625, 0.705, 0.745),
+    (0.840, 0.690, 0.590),
+    (0.830, 0.770, 0.650),
+    (0.760, 0.695, 0.690),
+)
+FLOORS: tuple[Colour, ...] = (
+    (0.765, 0.600, 0.425),
+    (0.720, 0.555, 0.395),
+    (0.800, 0.665, 0.505),
+    (0.655, 0.490, 0.345),
+)
+TRIM: Colour = (0.945, 0.935, 0.915)
+CUT: Colour = (0.80, 0.775, 0.735)
+GROUND: Colour = (0.875, 0.855, 0.825)
+
+
+@dataclass(frozen=True)
+class Palette:
+    """sRGB colours of a room's floor, walls and accent wall."""
+
+    floor: Colour
+    wall: Colour
+    accent: Colour
+
+
+def palette(seed: int) -> Palette:
+    """The colours of a room by its seed: the same seed, the same colours."""
+    draw = np.random.default_rng([seed % 2**32, 7]).integers(0, 1 << 16, 3)
+    return Palette(
+        FLOORS[int(draw[0]) % len(FLOORS)], WALLS[int(draw[1]) % len(WALLS)], ACCENTS[int(draw[2]) % len(ACCENTS)]
+    )
+
+
+def linear(colour: Colour) -> Colour:
+    """Linear RGB of an sRGB colour."""
+    r, g, b = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour)
+    return (r, g, b)
+
+
+def finish_table(name: str) -> Floats:
+    """One attribute of all finishes as an array in the order of MATERIALS."""
+    return np.array([float(getattr(FINISHES[m], name)) for m in MATERIALS], np.float32)

@@ -1,0 +1,135 @@
+"""The three-quarter picture of a room, opened like a dolls' house."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from thinkblox.room import Room
+from thinkblox.scene import Placement, Scene
+from thinkblox.sim.render.camera import Camera, Vector, framed
+from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_room
+from thinkblox.sim.render.lighting import lights
+from thinkblox.sim.render.materials import GROUND, linear, palette
+from thinkblox.sim.render.picture import Settings, paint
+from thinkblox.sim.render.rays import Tracer
+from thinkblox.sim.render.soup import Pose, Soup, scene_poses
+from thinkblox.sim.render.tessellate import Floats
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+ELEVATION = 38.0
+"""How steeply the camera looks down [degrees]."""
+
+
+@dataclass(frozen=True)
+class View:
+    """A corner to look from: azimuth [degrees], the camera, and which walls are drawn at full height."""
+
+    azimuth: float
+    camera: Camera
+    standing: tuple[bool, ...]
+
+
+def render_preview(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] | None = None) -> "Image":
+    """A picture of the room from above one corner, its near walls cut away.
+
+    Args:
+        scene: what to show.
+        size: width and height [pixels].
+        poses: poses of asset origins that go before those in the scene, by placement id, as after settling.
+    """
+    from PIL import Image
+
+    view = best_view(scene, poses)
+    tracer = Tracer(_soup(scene, view, poses).triangles())
+    light = lights(tracer, _sun(view.azimuth))
+    return Image.fromarray(paint(tracer, view.camera, size, light, Settings(1.0, _backdrop(size))))
+
+
+def best_view(scene: Scene, poses: Mapping[str, Pose] | None = None) -> View:
+    """The corner from which most of the room is seen."""
+    return max(
+        (_view(scene.room, azimuth) for azimuth in (225.0, 315.0, 135.0, 45.0)), key=lambda v: _score(scene, v, poses)
+    )
+
+
+def _view(room: Room, azimuth: float) -> View:
+    towards = np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
+    standing = tuple(bool(np.dot(wall.inward, towards) > 0.05) for wall in room.walls)
+    for _ in range(2):
+        camera = framed(_outline(room, standing), azimuth=azimuth, elevation=ELEVATION)
+        standing = tuple(wall.coordinates((camera.position[0], camera.position[1]))[1] > 0.3 for wall in room.walls)
+    return View(azimuth, camera, standing)
+
+
+def _outline(room: Room, standing: tuple[bool, ...]) -> Vector:
+    """Points that the picture must hold."""
+    points: list[tuple[float, float, float]] = []
+    for wall, stands in zip(room.walls, standing, strict=True):
+        top = room.height if stands else RIM
+        for along in (-THICKNESS, wall.length + THICKNESS):
+            x, y = wall.point(along, -THICKNESS)
+            points += [(x, y, -SLAB), (x, y, top)]
+    return np.array(points)
+
+
+def _score(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> float:
+    """How much is seen from a corner, on a thumbnail: every object counts, and so do windows and fronts."""
+    from thinkblox.sim.render.surfels import see
+
+    size = 72
+    tracer = Tracer(_soup(scene, view, poses).triangles())
+    y, x = (axis.ravel().astype(np.float32) + np.float32(0.5) for axis in np.mgrid[0:size, 0:size])
+    front = see(tracer, view.camera, x, y, size).front
+    patches = tracer.triangles.patches
+    owners = np.array([patches[i].owner for i in front if i >= 0], np.int64)
+    seen = np.sqrt(np.bincount(owners[owners >= 0], minlength=len(scene.placements)))
+    towards = np.array([np.cos(np.radians(view.azimuth)), np.sin(np.radians(view.azimuth))])
+    facing = np.array([1 + 0.25 * np.dot(p.front, towards) for p in scene.placements])
+    windows = sum(o.width * o.height for o in scene.room.openings if o.kind == "window" and view.standing[o.wall])
+    floor = sum(1 for i in front if i >= 0 and patches[i].size[2] == SLAB and patches[i].owner < 0)
+    return float((seen * facing).sum() + 2.5 * windows + 0.3 * np.sqrt(floor))
+
+
+def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:
+    soup = Soup()
+    add_room(soup, scene.room, palette(scene.seed), Shell(view.standing, accent_wall(scene.room)))
+    pose = scene_poses(scene, poses)
+    hidden = _hidden(scene, view.standing)
+    for number, placement in enumerate(scene.placements):
+        if placement.id not in hidden:
+            soup.add_asset(scene.asset_of(placement), pose[placement.id], number)
+    return soup
+
+
+def _hidden(scene: Scene, standing: tuple[bool, ...]) -> set[str]:
+    """What hangs on walls that are cut away, and what stands on that: it would float before the view."""
+    cut = {wall.name for wall, stands in zip(scene.room.walls, standing, strict=True) if not stands}
+    hidden: set[str] = set()
+    for placement in _by_support(scene):
+        hangs = scene.asset_of(placement).mount == "wall" and placement.support in cut
+        if hangs or placement.support in hidden:
+            hidden.add(placement.id)
+    return hidden
+
+
+def _by_support(scene: Scene) -> list[Placement]:
+    return sorted(scene.placements, key=lambda p: p.position[2])
+
+
+def _sun(azimuth: float) -> Floats:
+    """A sun behind the viewer's left shoulder, so that the two far walls differ."""
+    turn, high = np.radians(azimuth - 38.0), np.radians(52.0)
+    return np.array([np.cos(high) * np.cos(turn), np.cos(high) * np.sin(turn), np.sin(high)], np.float32)
+
+
+def _backdrop(size: int) -> Floats:
+    """A plain ground that darkens gently towards the corners (size, size, 3)."""
+    across = np.linspace(-1, 1, size, dtype=np.float32)
+    far = across[:, None] ** 2 + across[None, :] ** 2
+    colour = np.array(linear(GROUND), np.float32)
+    backdrop: Floats = colour * (1 - np.float32(0.07) * far)[..., None]
+    return backdrop

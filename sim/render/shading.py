@@ -1,0 +1,123 @@
+"""From surfaces and the light on them to linear colours, and from those to pixels."""
+
+import numpy as np
+
+from thinkblox.sim.render.lighting import Irradiance, Lights
+from thinkblox.sim.render.materials import MATERIALS, finish_table
+from thinkblox.sim.render.soup import Triangles
+from thinkblox.sim.render.surfels import Surfels
+from thinkblox.sim.render.tessellate import Floats
+from thinkblox.sim.render.textures import planks, weave, wood
+
+
+class Shader:
+    """The patches of a scene as tables, ready to colour points."""
+
+    def __init__(self, triangles: Triangles, lights: Lights, pixel: float) -> None:
+        patches = triangles.patches
+        self._lights = lights
+        self._pixel = np.float32(pixel)
+        self._colour = np.array([p.colour for p in patches], np.float32)
+        self._material = np.array([p.material for p in patches], np.int64)
+        self._turn = np.array([p.rotation for p in patches], np.float32)
+        self._origin = np.array([p.origin for p in patches], np.float32)
+        self._size = np.array([p.size for p in patches], np.float32)
+        self._axis = np.argmax(self._size, 1)
+        self._table = {name: finish_table(name) for name in ("diffuse", "mirror", "gloss", "tinted", "sheen", "glow")}
+
+    def colours(self, points: Surfels, light: Irradiance, background: Floats, spread: float) -> Floats:
+        """Linear RGB (n, 3) of points.
+
+        Args:
+            points: what is seen.
+            light: what arrives there.
+            background: linear RGB (n, 3) behind the scene.
+            spread: growth of a pixel's width with distance; 0 for an orthographic camera.
+        """
+        material = np.where(points.patch < 0, -1, self._material[points.patch])
+        cosine = np.clip(-np.einsum("ij,ij->i", points.normal, points.view), np.float32(0.05), np.float32(1))
+        width = self._pixel + np.float32(spread) * np.minimum(points.distance, np.float32(1e3))
+        base = self._base(points, material, width / cosine)
+        colour = self._lit(points, light, material, base, cosine)
+        self._ground(points, light, material, background, colour)
+        if points.clear is not None and points.shine is not None:
+            colour = colour * points.clear + points.shine[:, None]
+        return colour
+
+    def _lit(self, points: Surfels, light: Irradiance, material: Floats, base: Floats, cosine: Floats) -> Floats:
+        table = {name: values[material][:, None] for name, values in self._table.items()}
+        fresnel = (1 - cosine[:, None]) ** 5
+        total = light.sky + light.sun
+        colour = base * (table["diffuse"] + table["sheen"] * (1 - cosine[:, None]) ** 2) * total
+        colour += base * table["glow"]
+        mirror = table["mirror"] + (np.float32(0.35) * (1 - table["mirror"]) * fresnel) * (table["mirror"] > 0)
+        bent = points.view + 2 * cosine[:, None] * points.normal
+        sharp = np.maximum(bent @ self._lights.sun, np.float32(0))[:, None] ** table["gloss"]
+        sky = self._lights.sky(bent[:, 2]) * np.minimum(light.sky.mean(1, keepdims=True) * np.float32(1.5), 1)
+        shine = mirror * (sky + sharp * np.sqrt(table["gloss"]) * np.float32(0.25) * light.sun)
+        return np.asarray(colour + shine * np.where(table["tinted"] > 0, base, np.float32(1)), np.float32)
+
+    def _base(self, points: Surfels, material: Floats, width: Floats) -> Floats:
+        base = self._colour[points.patch]
+        for name, paint in (
+            ("floor", self._floor),
+            ("wood", self._wood),
+            ("fabric", self._fabric),
+            ("pane", self._pane),
+        ):
+            mine = np.flatnonzero(material == MATERIALS.index(name))
+            if len(mine):
+                base[mine] = paint(points[mine], base[mine], width[mine])
+        return base
+
+    def _local(self, points: Surfels) -> Floats:
+        offset = points.position - self._origin[points.patch]
+        return np.einsum("nij,ni->nj", self._turn[points.patch], offset)
+
+    def _floor(self, points: Surfels, base: Floats, width: Floats) -> Floats:
+        local = self._local(points)
+        tone, warmth = planks(local[:, 0], local[:, 1], width)
+        return base * tone[:, None] * (1 + warmth[:, None] * np.array([1.0, 0.0, -1.0], np.float32))
+
+    def _wood(self, points: Surfels, base: Floats, width: Floats) -> Floats:
+        local, axis, rows = self._local(points), self._axis[points.patch], np.arange(len(base))
+        along = local[rows, axis]
+        across = local[rows, (axis + 1) % 3] + np.float32(0.8) * local[rows, (axis + 2) % 3]
+        return base * wood(along, across, width, (points.patch % 97).astype(np.float32))[:, None]
+
+    def _fabric(self, points: Surfels, base: Floats, width: Floats) -> Floats:
+        local = self._local(points)
+        return base * weave(local[:, 0] + local[:, 2], local[:, 1] + local[:, 2], width)[:, None]
+
+    def _pane(self, points: Surfels, base: Floats, width: Floats) -> Floats:
+        """A blurred garden under a pale sky."""
+        high = self._local(points)[:, 2] / self._size[points.patch, 2] + np.float32(0.5)
+        stops = np.array([0.0, 0.22, 0.42, 1.0])
+        views = np.array([[0.42, 0.52, 0.33], [0.62, 0.70, 0.52], [0.96, 0.95, 0.90], [0.66, 0.82, 0.98]])
+        return np.stack([np.interp(high, stops, views[:, c]) for c in range(3)], 1).astype(np.float32)
+
+    def _ground(self, points: Surfels, light: Irradiance, material: Floats, background: Floats, colour: Floats) -> None:
+        """Outside, only shadows show on a plain backdrop."""
+        out = np.flatnonzero((material == MATERIALS.index("ground")) | (material < 0))
+        if not len(out):
+            return
+        full = self._lights.sky(np.ones(1, np.float32)) * np.float32(0.97)
+        full = full + self._lights.sun_colour * self._lights.sun[2]
+        share = np.clip((light.sky[out] + light.sun[out]) / full, np.float32(0), np.float32(1)).mean(1, keepdims=True)
+        share = np.where(points.patch[out, None] < 0, np.float32(1), np.float32(0.35) + np.float32(0.65) * share)
+        colour[out] = background[out] * share
+
+
+def tone_mapped(colour: Floats, exposure: float = 1.0) -> Floats:
+    """Linear RGB to sRGB in 0 to 1; highlights roll off and keep their hue (after the Khronos PBR neutral curve)."""
+    x = np.maximum(colour * np.float32(exposure), np.float32(0))
+    start, fall = np.float32(0.72), np.float32(0.28)
+    peak = x.max(-1, keepdims=True)
+    over = np.maximum(peak - start, np.float32(0))
+    pressed = start + over * fall / (over + fall)
+    x = np.where(peak > start, x * (pressed / np.maximum(peak, np.float32(1e-6))), x)
+    white = np.where(peak > start, 1 - 1 / (np.float32(0.15) * (peak - pressed) + 1), np.float32(0))
+    x = x * (1 - white) + pressed * white
+    return np.where(
+        x <= 0.0031308, x * np.float32(12.92), np.float32(1.055) * x ** np.float32(1 / 2.4) - np.float32(0.055)
+    )

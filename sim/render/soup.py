@@ -1,0 +1,119 @@
+"""Everything that a picture shows as one list of triangles, with what each of them belongs to and is made of."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thinkblox.asset import Asset, Shape
+from thinkblox.scene import Scene
+from thinkblox.sim.render.materials import MATERIALS, linear
+from thinkblox.sim.render.tessellate import Floats, Ints, Mesh, tessellate
+from thinkblox.value import Quat, Vec3
+
+Pose = tuple[Vec3, Quat]
+"""Position of an asset's origin in the room [m] and its orientation (wxyz)."""
+ROOM = -1
+"""The object number of floor, walls, windows and doors."""
+
+
+@dataclass(frozen=True)
+class Patch:
+    """What the triangles of one shape share.
+
+    Attributes:
+        colour: linear RGB.
+        material: index into MATERIALS.
+        owner: number of the object that it belongs to, or ROOM.
+        rotation, origin: the shape's frame in the room, the rotation's columns being its axes.
+        size: full extents in that frame [m].
+    """
+
+    colour: tuple[float, float, float]
+    material: int
+    owner: int
+    rotation: NDArray[np.float64]
+    origin: NDArray[np.float64]
+    size: Vec3
+
+
+@dataclass
+class Soup:
+    """A growing list of triangles; `patches[patch]` says what a triangle belongs to."""
+
+    patches: list[Patch] = field(default_factory=list)
+    meshes: list[Mesh] = field(default_factory=list)
+
+    def add(self, mesh: Mesh, patch: Patch) -> None:
+        """Add a mesh given in the patch's frame."""
+        turn = patch.rotation.astype(np.float32)
+        vertices = mesh.vertices @ turn.T + patch.origin.astype(np.float32)
+        self.meshes.append(Mesh(vertices, mesh.normals @ turn.T, mesh.faces))
+        self.patches.append(patch)
+
+    def add_asset(self, asset: Asset, pose: Pose, owner: int) -> None:
+        """Add all shapes of an asset at a pose."""
+        turn, origin = quat_matrix(pose[1]), np.asarray(pose[0], np.float64)
+        for link in asset.links:
+            for shape in link.shapes:
+                self.add(tessellate(shape), _patch(shape, turn, origin, owner))
+
+    def triangles(self) -> "Triangles":
+        """The arrays of everything added so far."""
+        counts = [len(mesh.vertices) for mesh in self.meshes]
+        starts = np.concatenate([[0], np.cumsum(counts)])[: len(counts)]
+        faces = [mesh.faces + int(start) for mesh, start in zip(self.meshes, starts, strict=True)]
+        index = np.repeat(np.arange(len(self.meshes)), [len(mesh.faces) for mesh in self.meshes])
+        return Triangles(
+            np.concatenate([mesh.vertices for mesh in self.meshes]).astype(np.float32),
+            np.concatenate([mesh.normals for mesh in self.meshes]).astype(np.float32),
+            np.concatenate(faces).astype(np.int32),
+            index.astype(np.int32),
+            tuple(self.patches),
+        )
+
+
+@dataclass(frozen=True)
+class Triangles:
+    """Vertices (n, 3), normals (n, 3), faces (m, 3) and the patch of each face (m,)."""
+
+    vertices: Floats
+    normals: Floats
+    faces: Ints
+    patch: Ints
+    patches: tuple[Patch, ...]
+
+
+def _patch(shape: Shape, turn: NDArray[np.float64], origin: NDArray[np.float64], owner: int) -> Patch:
+    return Patch(
+        linear(shape.colour),
+        MATERIALS.index(shape.material),
+        owner,
+        turn @ quat_matrix(shape.quat_wxyz),
+        turn @ np.asarray(shape.position, np.float64) + origin,
+        shape.size,
+    )
+
+
+def pose_of(position: Vec3, yaw: float) -> Pose:
+    """The pose of something upright, turned by `yaw` [degrees] about z."""
+    half = np.radians(yaw) / 2
+    return position, (float(np.cos(half)), 0.0, 0.0, float(np.sin(half)))
+
+
+def scene_poses(scene: Scene, poses: Mapping[str, Pose] | None = None) -> dict[str, Pose]:
+    """The pose of each placement by id, `poses` going before those written in the scene."""
+    return {p.id: (poses or {}).get(p.id) or pose_of(p.position, p.yaw) for p in scene.placements}
+
+
+def quat_matrix(quat_wxyz: Quat) -> NDArray[np.float64]:
+    """The rotation matrix of a quaternion, which need not have unit length."""
+    w, x, y, z = np.asarray(quat_wxyz, np.float64) / np.linalg.norm(quat_wxyz)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )

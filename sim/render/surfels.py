@@ -1,0 +1,140 @@
+"""What a picture's rays see: places, normals and patches, with glass in front of them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thinkblox.sim.render.camera import Camera
+from thinkblox.sim.render.materials import MATERIALS
+from thinkblox.sim.render.rays import FAR, Tracer, in_parallel
+from thinkblox.sim.render.soup import Triangles
+from thinkblox.sim.render.tessellate import Floats, Ints
+
+BAND = 1 << 15
+"""Rays that are handled at a time, so that their arrays stay in the cache."""
+
+
+@dataclass(frozen=True)
+class Surfels:
+    """Seen points, one for each ray.
+
+    Attributes:
+        patch: number of the patch, -1 where the ray leaves the scene (n,).
+        position, normal, facing: point [m], shading normal and the triangle's normal, both towards the eye (n, 3).
+        view: unit direction of the ray (n, 3).
+        distance: along the ray [m], FAR where it leaves the scene (n,).
+        clear: share of the light that passes the glass in front (n, 3), None without glass.
+        front: number of the first patch, glass included (n,).
+    """
+
+    patch: Ints
+    position: Floats
+    normal: Floats
+    facing: Floats
+    view: Floats
+    distance: Floats
+    front: Ints
+    clear: Floats | None = None
+    shine: Floats | None = None
+
+    def __getitem__(self, pick: NDArray[np.int64] | NDArray[np.bool_] | slice) -> "Surfels":
+        """Some of the points."""
+        return Surfels(
+            *(
+                None if value is None else value[pick]
+                for value in (
+                    self.patch,
+                    self.position,
+                    self.normal,
+                    self.facing,
+                    self.view,
+                    self.distance,
+                    self.front,
+                    self.clear,
+                    self.shine,
+                )
+            )  # type: ignore[arg-type]
+        )
+
+
+def see(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) -> Surfels:
+    """What rays through pixel coordinates (n,) of a picture `size` wide meet, worked on by all cores."""
+    parts = in_parallel(
+        lambda at: _see(tracer, camera, x[at : at + BAND], y[at : at + BAND], size), range(0, len(x), BAND)
+    )
+    return join(parts)
+
+
+def join(parts: list[Surfels]) -> Surfels:
+    """Lists of points one after the other."""
+
+    def column(name: str) -> Floats | None:
+        values = [getattr(part, name) for part in parts]
+        return None if values[0] is None else np.concatenate(values)
+
+    return Surfels(*(column(name) for name in Surfels.__dataclass_fields__))  # type: ignore[arg-type]
+
+
+def _see(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) -> Surfels:
+    origins, directions = camera.rays(x, y, size)
+    hits = tracer.solid(origins, directions)
+    missed = hits.face < 0
+    face = np.maximum(hits.face, 0)
+    distance = np.where(missed, FAR, hits.distance)
+    normal, facing = _normals(tracer, face, hits.u, hits.v, directions)
+    patch = np.where(missed, np.int32(-1), tracer.triangles.patch[face])
+    position = origins + directions * np.where(missed, np.float32(0), hits.distance)[:, None]
+    front, clear, shine = patch, None, None
+    if tracer.has_glass:
+        front, clear, shine = _through_glass(tracer, origins, directions, distance, patch)
+    return Surfels(patch, position, normal, facing, directions, distance, front, clear, shine)
+
+
+def _normals(tracer: Tracer, face: Ints, u: Floats, v: Floats, view: Floats) -> tuple[Floats, Floats]:
+    corners = tracer.corner_normals[face]
+    normal = corners[:, 0] * (1 - u - v)[:, None] + corners[:, 1] * u[:, None] + corners[:, 2] * v[:, None]
+    facing = tracer.face_normals[face]
+    facing *= _towards(facing, view)[:, None]
+    normal *= np.where(np.einsum("ij,ij->i", normal, facing) < 0, np.float32(-1), np.float32(1))[:, None]
+    return _normalised(normal), facing
+
+
+def _towards(vectors: Floats, view: Floats) -> Floats:
+    return np.where(np.einsum("ij,ij->i", vectors, view) > 0, np.float32(-1), np.float32(1))
+
+
+def _normalised(vectors: Floats) -> Floats:
+    length = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
+    result: Floats = vectors / np.maximum(length, np.float32(1e-20))[:, None]
+    return result
+
+
+def _through_glass(
+    tracer: Tracer, origins: Floats, directions: Floats, distance: Floats, patch: Ints
+) -> tuple[Ints, Floats, Floats]:
+    """The first patch with glass counted, what the glass lets through, and the shine it adds (two layers)."""
+    clear = np.ones((len(origins), 3), np.float32)
+    shine = np.zeros(len(origins), np.float32)
+    front = patch.copy()
+    colours = np.array([p.colour for p in tracer.triangles.patches], np.float32)
+    start = np.zeros(len(origins), np.float32)
+    todo = np.arange(len(origins))
+    for layer in range(2):
+        hits = tracer.glass(origins[todo] + directions[todo] * start[todo, None], directions[todo])
+        start[todo] += np.where(hits.face < 0, FAR, hits.distance) + np.float32(1e-4)
+        seen = start[todo] < distance[todo]
+        todo, face = todo[seen], hits.face[seen]
+        number = tracer.triangles.patch[face]
+        normal, _ = _normals(tracer, face, hits.u[seen], hits.v[seen], directions[todo])
+        cosine = np.abs(np.einsum("ij,ij->i", normal, directions[todo]))
+        edge = np.float32(0.05) + np.float32(0.95) * (1 - cosine) ** 5
+        clear[todo] *= (1 - edge)[:, None] * (np.float32(0.62) + np.float32(0.36) * colours[number])
+        shine[todo] += edge * (1 + normal[:, 2]) * np.float32(0.45) * (1.0 if layer == 0 else 0.5)
+        front[todo] = np.where(front[todo] == patch[todo], number, front[todo]) if layer == 0 else front[todo]
+    return front, clear, shine
+
+
+def is_material(triangles: Triangles, name: str) -> NDArray[np.bool_]:
+    """For each patch, whether it is made of a material."""
+    return np.array([p.material == MATERIALS.index(name) for p in triangles.patches], bool)
