@@ -29,12 +29,12 @@ def _turn(a: float, b: float) -> float:
 
 def wall_gap(wall: Wall, placement: Placement) -> float:
     """Distance from the wall's line to the nearest corner of the footprint [m]; negative outside."""
-    return min(wall.coordinates(corner)[1] for corner in list(placement.footprint.exterior.coords)[:4])
+    return min(wall.coordinates(corner)[1] for corner in placement.corners)
 
 
 def side_gap(anchor: Placement, placement: Placement, side: str) -> float:
     """Free distance between the footprints along the anchor's axis towards `side` [m]; negative when they overlap."""
-    local = [anchor.to_local(corner) for corner in list(placement.footprint.exterior.coords)[:4]]
+    local = [anchor.to_local(corner) for corner in placement.corners]
     axis, sign = (
         (0, 1.0) if side == "front" else (0, -1.0) if side == "back" else (1, 1.0) if side == "left" else (1, -1.0)
     )

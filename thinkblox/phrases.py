@@ -1,7 +1,7 @@
 """The phrases in which reasoning names its numbers, written and read back by one table.
 
-A `Constraint` is what one phrase says about the pose of the object being placed. `phrase` writes it, `constraints` finds
-every one in a text.
+A `Constraint` is what one phrase says about the pose of the object being placed. `phrase` writes it and `constraints`
+finds every one in a text.
 """
 
 import re

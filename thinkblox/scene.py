@@ -50,9 +50,13 @@ class Placement(Value, frozen=True, kw_only=True):
     @property
     def footprint(self) -> Polygon:
         """Its bounding rectangle on the floor."""
-        half_x, half_y = self.size[0] / 2, self.size[1] / 2
-        corners = ((-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y))
-        return Polygon([self.to_room(corner) for corner in corners])
+        return Polygon(self.corners)
+
+    @property
+    def corners(self) -> tuple[Vec2, Vec2, Vec2, Vec2]:
+        """Corners of the footprint, counter-clockwise from its right rear [m]."""
+        x, y = self.size[0] / 2, self.size[1] / 2
+        return (self.to_room((-x, -y)), self.to_room((x, -y)), self.to_room((x, y)), self.to_room((-x, y)))
 
     @property
     def top(self) -> float:

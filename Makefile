@@ -1,0 +1,44 @@
+# `make demo` and `make test` set everything up by themselves; they need Python 3.11 or newer, make and the package index.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+PROMPT ?= A calm bedroom, 4 m by 5 m, with a double bed against the long wall, two nightstands with a lamp on each, a wardrobe, and a small desk with a chair by the window.
+
+.PHONY: demo test lint types bench pictures constraints clean
+
+demo: $(VENV)/installed
+	$(BIN)/thinkblox generate "$(PROMPT)" --out out/demo --overwrite
+
+test: lint types
+	$(BIN)/python -m pytest -n auto -m "not slow"
+
+slow: $(VENV)/installed
+	$(BIN)/python -m pytest -n auto -m slow
+
+lint: $(VENV)/installed
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/lint-imports
+
+types: $(VENV)/installed
+	$(BIN)/mypy
+
+bench: $(VENV)/installed
+	$(BIN)/python -m tests.bench.rooms
+
+$(VENV)/installed: pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; call make with PYTHON=...")'
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet -c constraints.txt setuptools
+	$(BIN)/python -m pip install --quiet -c constraints.txt --no-build-isolation -e ".[dev]"
+	touch $@
+
+# Resolve every dependency anew and pin what comes out.
+constraints:
+	$(PYTHON) -m venv out/resolve
+	out/resolve/bin/python -m pip install --quiet --upgrade "torch==2.13.0" setuptools ".[dev]"
+	out/resolve/bin/python -m pip freeze --all --exclude thinkblox --exclude pip > constraints.txt
+
+clean:
+	rm -rf $(VENV) out build dist *.egg-info

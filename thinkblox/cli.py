@@ -1,0 +1,221 @@
+"""The command line.
+
+Exit status 0: all as asked; 1: done, but something was not placed or did not pass; 2: unusable input.
+"""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from thinkblox.generate import Progress
+    from thinkblox.verdict import Report
+
+EXAMPLE = 'thinkblox generate "A calm bedroom, 4 m by 5 m, with a double bed and two nightstands" --out out/bedroom'
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit status."""
+    parser = _parser()
+    arguments = parser.parse_args(argv)
+    from thinkblox.errors import InputError
+
+    try:
+        status: int = arguments.run(arguments)
+    except InputError as error:
+        print(f"thinkblox: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("thinkblox: stopped; nothing was written", file=sys.stderr)
+        return 130
+    return status
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="thinkblox",
+        description="A sentence in, a physics-verified room out.",
+        epilog=f"example: {EXAMPLE}",
+    )
+    parser.add_argument("--version", action="version", version=f"thinkblox {_version()}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    _add_generate(commands)
+    _add_verify(commands)
+    _add_render(commands)
+    return parser
+
+
+def _version() -> str:
+    from importlib.metadata import version
+
+    return version("thinkblox")
+
+
+def _add_generate(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser("generate", help="furnish a room from a prompt")
+    parser.add_argument("prompt", metavar="PROMPT", help="what the room should be")
+    parser.add_argument("--out", metavar="DIR", type=Path, required=True, help="folder to write; whole or not at all")
+    parser.add_argument("--seed", metavar="N", type=_natural, default=0, help="same prompt, same seed, same room (0)")
+    parser.add_argument(
+        "--room", metavar="FILE", type=Path, help="furnish this room: JSON with floor, height, openings"
+    )
+    parser.add_argument("--candidates", metavar="N", type=_positive, default=8, help="poses proposed per round (8)")
+    parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
+    parser.add_argument("--overwrite", action="store_true", help="replace an output folder of an earlier run")
+    parser.add_argument("--json", action="store_true", help="print the report as JSON")
+    parser.set_defaults(run=_generate)
+
+
+def _add_verify(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser("verify", help="measure a scene again, object by object")
+    parser.add_argument("scene", metavar="SCENE", type=Path, help="an output folder or a scene.json")
+    parser.add_argument("--json", action="store_true", help="print the report as JSON")
+    parser.set_defaults(run=_verify)
+
+
+def _add_render(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser("render", help="draw preview.png and top.png of a scene")
+    parser.add_argument("scene", metavar="SCENE", type=Path, help="an output folder or a scene.json")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="folder for the pictures (that of the scene)")
+    parser.add_argument("--size", metavar="PX", type=_picture_size, default=1024, help="pixels along a side (1024)")
+    parser.add_argument("--json", action="store_true", help="print the paths as JSON")
+    parser.set_defaults(run=_render)
+
+
+def _whole(text: str, least: int, most: int) -> int:
+    try:
+        number = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number") from None
+    if not least <= number <= most:
+        raise argparse.ArgumentTypeError(f"{number} is not between {least} and {most}")
+    return number
+
+
+def _natural(text: str) -> int:
+    return _whole(text, 0, 2**63 - 1)
+
+
+def _positive(text: str) -> int:
+    return _whole(text, 1, 256)
+
+
+def _picture_size(text: str) -> int:
+    return _whole(text, 64, 8192)
+
+
+def _generate(arguments: argparse.Namespace) -> int:
+    from thinkblox.exporters.folder import check_folder, save_room
+    from thinkblox.generate import generate_room
+    from thinkblox.placing import Effort
+    from thinkblox.room import Room
+    from thinkblox.value import read_json, to_json
+
+    check_folder(arguments.out, overwrite=arguments.overwrite)
+    room = None if arguments.room is None else read_json(arguments.room, Room)
+    with _Progress(quiet=arguments.json) as progress:
+        result = generate_room(
+            arguments.prompt,
+            seed=arguments.seed,
+            room=room,
+            effort=Effort(candidates=arguments.candidates),
+            on_object=progress.tell,
+        )
+    save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
+    if arguments.json:
+        sys.stdout.write(to_json(result.report).decode())
+    else:
+        print(_summary(result.report, len(result.scene.placements)))
+        print(f"written to {arguments.out}")
+    return 0 if result.report.complete else 1
+
+
+def _verify(arguments: argparse.Namespace) -> int:
+    from thinkblox.scene import load_scene
+    from thinkblox.sim.verify import verify
+    from thinkblox.value import to_json
+
+    scene = load_scene(arguments.scene)
+    report = verify(scene)
+    if arguments.json:
+        sys.stdout.write(to_json(report).decode())
+    else:
+        print(_summary(report, len(scene.placements)))
+    return 0 if report.valid else 1
+
+
+def _render(arguments: argparse.Namespace) -> int:
+    import msgspec
+
+    from thinkblox.exporters.folder import save_pictures
+    from thinkblox.scene import load_scene
+
+    scene = load_scene(arguments.scene)
+    home = arguments.scene if arguments.scene.is_dir() else arguments.scene.parent
+    paths = save_pictures(scene, arguments.out or home, size=arguments.size)
+    if arguments.json:
+        print(msgspec.json.encode([str(path) for path in paths]).decode())
+    else:
+        print("\n".join(f"written to {path}" for path in paths))
+    return 0
+
+
+class _Progress:
+    """A bar per object on a terminal, a plain line elsewhere, nothing when a machine reads along."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self._quiet = quiet
+        self._bar = None
+
+    def __enter__(self) -> "_Progress":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.close()
+
+    def tell(self, progress: "Progress") -> None:
+        """Show one object more."""
+        if self._quiet:
+            return
+        outcome = "placed" if progress.placed else "not placed"
+        if not sys.stderr.isatty():
+            print(f"{progress.number}/{progress.total} {progress.target.id} {outcome}", file=sys.stderr)
+            return
+        from tqdm import tqdm
+
+        if self._bar is None:
+            self._bar = tqdm(total=progress.total, unit="object", file=sys.stderr)
+        self._bar.set_description_str(f"{progress.target.id} {outcome}")
+        self._bar.update()
+
+
+def _summary(report: "Report", placed: int) -> str:
+    """The report as a person reads it: the outcome first, then every fault with its numbers."""
+    asked_absent = [a for a in report.absent if a.asked]
+    still = f"in {report.simulated:g} s with everything free: {report.drift * 1000:.2f} mm, {report.tilt:.2f} degrees"
+    counts = f"{placed} objects placed, {len(report.absent)} not"
+    lines = [f"{counts}; deepest contact {report.depth * 1000:.2f} mm; {still}"]
+    lines += [f"  not placed: {a.id}{'' if a.asked else ' (assumed)'}: {a.reason}" for a in report.absent]
+    lines += [f"  {verdict}" for verdict in report.objects if not verdict.valid]
+    held = [r for r in report.relations if r.holds]
+    if report.relations:
+        lines.append(f"relations asked for: {len(held)} of {len(report.relations)} hold")
+    lines += [
+        f"  not so: {r.subject} {_words(r.kind, r.anchors)}: {r.measured}" for r in report.relations if not r.holds
+    ]
+    if report.unreachable:
+        lines.append(f"no walkable way to: {', '.join(report.unreachable)}")
+    if report.unknown:
+        lines.append(f"words not understood: {', '.join(report.unknown)}")
+    lines += report.notes
+    verdict = "all as asked" if report.complete else "passed, but incomplete" if report.valid else "not all passed"
+    if not report.relations and not asked_absent and not report.prompt:
+        verdict = "all passed" if report.valid else "not all passed"
+    return "\n".join([*lines, verdict])
+
+
+def _words(kind: str, anchors: tuple[str, ...]) -> str:
+    return " ".join([kind.replace("_", " "), ", ".join(anchors)]).strip()

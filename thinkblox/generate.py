@@ -1,0 +1,101 @@
+"""The loop: a prompt becomes a plan, and each target of the plan a measured placement."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from thinkblox.placing import Effort, Placing
+from thinkblox.plan import Plan, Target
+from thinkblox.planning import plan_brief, plan_room
+from thinkblox.policies import Policy
+from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.reading import read_brief
+from thinkblox.reporting import report_on
+from thinkblox.room import Room
+from thinkblox.scene import Scene
+from thinkblox.sim.settings import Tolerances
+from thinkblox.trace import Round
+from thinkblox.verdict import Absence, Report
+
+
+@dataclass(frozen=True)
+class Generation:
+    """A finished room with its plan, its report and every step that led to it."""
+
+    scene: Scene
+    plan: Plan
+    report: Report
+    trace: tuple[Round, ...]
+
+
+@dataclass(frozen=True)
+class Progress:
+    """What is told after each object: which, whether it stands, and its number of how many."""
+
+    target: Target
+    placed: bool
+    number: int
+    total: int
+
+
+def generate_room(
+    prompt: str,
+    *,
+    seed: int = 0,
+    room: Room | None = None,
+    policy: Policy | None = None,
+    effort: Effort | None = None,
+    tolerances: Tolerances | None = None,
+    on_object: Callable[[Progress], None] | None = None,
+) -> Generation:
+    """Furnish a room for a prompt; every placement in it has been measured in MuJoCo.
+
+    Args:
+        prompt: what the room should be, in a sentence or more.
+        seed: every random choice follows from it; the same prompt and seed give the same scene.
+        room: a room to furnish; made from the prompt when not given.
+        policy: who proposes; the embedded expert when not given.
+        effort: how hard to try.
+        tolerances: what counts as valid.
+        on_object: called after each object.
+
+    Raises:
+        InputError: the prompt or the room cannot be used.
+    """
+    brief = read_brief(prompt)
+    room = room or plan_room(brief, rng=np.random.default_rng((seed, 0)))
+    plan = plan_brief(brief, room)
+    return furnish(
+        plan,
+        Scene(prompt=prompt, seed=seed, room=room),
+        policy=policy or ExpertPolicy(),
+        effort=effort or Effort(),
+        tolerances=tolerances or Tolerances(),
+        on_object=on_object or (lambda progress: None),
+    )
+
+
+def furnish(
+    plan: Plan,
+    scene: Scene,
+    *,
+    policy: Policy,
+    effort: Effort,
+    tolerances: Tolerances,
+    on_object: Callable[[Progress], None],
+) -> Generation:
+    """Place the targets of a plan into a scene, one at a time, and report on the whole."""
+    trace: list[Round] = []
+    absent: list[Absence] = []
+    for number, target in enumerate(plan.targets, 1):
+        rng = np.random.default_rng((scene.seed, number))
+        placing = Placing(scene, plan, target, policy, effort, tolerances, rng)
+        done = placing.run()
+        if done is None:
+            absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=placing.reason))
+        else:
+            scene = scene.with_placement(done.placement, done.asset)
+        trace += placing.rounds
+        on_object(Progress(target, done is not None, number, len(plan.targets)))
+    return Generation(scene, plan, report_on(scene, plan, absent=absent, tolerances=tolerances), tuple(trace))

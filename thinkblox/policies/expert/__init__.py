@@ -1,0 +1,50 @@
+"""The embedded expert: arranges a room by the guidelines of interior layout, in the language every policy speaks."""
+
+import math
+
+import numpy as np
+
+from thinkblox.observe import Observation, describe_tie
+from thinkblox.phrases import phrase
+from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.policies.expert.imagine import imagine
+from thinkblox.policies.expert.judge import HOPELESS, ranked
+from thinkblox.steps import write_step
+
+DISTINCT = 0.12
+"""Two proposals nearer than this, with the same yaw, are one [m]; a third of the object's size for small things."""
+
+
+class ExpertPolicy:
+    """Proposes by relation and free space, varied by the generator handed in, and says what led to each proposal."""
+
+    def propose(self, observation: Observation, n: int, rng: np.random.Generator) -> list[str]:
+        """Up to `n` texts, the best first; later tries look further down its list."""
+        situation = Situation(observation)
+        ideas = ranked(situation, imagine(situation), rng)
+        chosen = _distinct(situation, ideas, n * (1 + len(observation.feedback)))
+        return [_say(situation, cost, idea) for cost, idea in chosen][-n:]
+
+
+def _distinct(situation: Situation, ideas: list[tuple[float, Idea]], n: int) -> list[tuple[float, Idea]]:
+    apart = min(DISTINCT, max(situation.size[:2]) / 3)
+    chosen: list[tuple[float, Idea]] = []
+    for cost, idea in ideas:
+        if all(math.dist(idea.position, other.position) > apart or idea.yaw != other.yaw for _, other in chosen):
+            chosen.append((cost, idea))
+        if len(chosen) == n:
+            break
+    return chosen
+
+
+def _say(situation: Situation, cost: float, idea: Idea) -> str:
+    target = situation.target
+    wanted = [describe_tie(tie) for tie in target.ties]
+    lines = [f"{target.id} is {situation.asset.description}" + (f"; wanted: {', '.join(wanted)}." if wanted else ".")]
+    lines.append(f"{idea.why[0].upper()}{idea.why[1:]}.")
+    lines.append(f"So it goes {', '.join(phrase(word) for word in idea.words)}.")
+    if situation.observation.feedback:
+        lines.append(f"Before, {situation.observation.feedback[-1]}; this place is another.")
+    if cost >= HOPELESS:
+        lines.append("The room is crowded, and nothing better is free.")
+    return write_step(lines, id=target.id, position=idea.position, yaw=idea.yaw, size=idea.size or situation.size)

@@ -1,0 +1,133 @@
+"""Ideas by the sides of one anchor: beside it, before it, behind it, at its foot, and between two."""
+
+import math
+from collections.abc import Iterator
+
+from thinkblox.phrases import Constraint
+from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.scene import Placement
+from thinkblox.value import Vec2
+
+GAPS = {
+    "nightstand": (0.05, 0.1),
+    "side_table": (0.05, 0.12),
+    "washing_machine": (0.02, 0.05),
+    "dryer": (0.02, 0.05),
+    "base_cabinet": (0.002,),
+    "fridge": (0.02, 0.05),
+    "stove": (0.005, 0.02),
+    "dishwasher": (0.005, 0.02),
+    "arcade_cabinet": (0.1, 0.2),
+    "floor_lamp": (0.08, 0.2),
+    "plant": (0.1, 0.25),
+    "coffee_table": (0.4, 0.35, 0.5),
+    "bench": (0.06, 0.15),
+    "ottoman": (0.25, 0.4),
+    "waste_bin": (0.06, 0.2),
+}
+"""Free distance to the anchor, the best first [m]; the handbook figures of interior layout where they exist."""
+USUAL_GAPS = (0.1, 0.25, 0.4)
+OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
+
+
+def sides_of(situation: Situation, anchor: Placement, sides: tuple[str, ...], *, why: str = "") -> Iterator[Idea]:
+    """Beside the anchor, parallel to it: backs in line, centres in line, or fronts in line."""
+    for side in sides:
+        for rank, gap in enumerate(GAPS.get(situation.target.category, USUAL_GAPS)):
+            for align, penalty in _alignments(situation, anchor, side):
+                yield _side_idea(situation, anchor, side, gap, align, why=why, cost=0.15 * rank + penalty)
+
+
+def _alignments(situation: Situation, anchor: Placement, side: str) -> tuple[tuple[float, float], ...]:
+    """Offsets along the side with their costs: flush backs for what stands beside, centres for what stands before."""
+    along = 0 if side in ("left", "right") else 1
+    room = (anchor.size[along] - situation.size[along]) / 2
+    if along == 0:
+        small_round = situation.asset.front == "any" and situation.size[0] < 0.6
+        back, centre = (0.1, 0.0) if small_round else (0.0, 0.3)
+        return ((-room, back), (0.0, centre), (room, 0.5))
+    return ((0.0, 0.0), (-room / 2, 0.4), (room / 2, 0.4), (-room, 0.7), (room, 0.7))
+
+
+def _side_idea(
+    situation: Situation, anchor: Placement, side: str, gap: float, align: float, *, why: str, cost: float
+) -> Idea:
+    size = situation.size
+    if side in ("left", "right"):
+        local = (align, (anchor.size[1] / 2 + gap + size[1] / 2) * (1 if side == "left" else -1))
+    else:
+        local = ((anchor.size[0] / 2 + gap + size[0] / 2) * (1 if side == "front" else -1), align)
+    return beside_at(
+        situation,
+        anchor,
+        local,
+        yaw=anchor.yaw,
+        words=(Constraint(kind="beside", anchors=(anchor.id,), side=side, values=(gap,)),),
+        why=why or f"it belongs beside {anchor.id}",
+        cost=cost,
+    )
+
+
+def beside_at(
+    situation: Situation,
+    anchor: Placement,
+    local: Vec2,
+    *,
+    yaw: float,
+    words: tuple[Constraint, ...],
+    why: str,
+    cost: float,
+    ignore: tuple[str, ...] = (),
+) -> Idea:
+    """An idea at a point of the anchor's own frame, with the words that find it again."""
+    x, y = anchor.to_room(local)
+    offset = Constraint(kind="offset", anchors=(anchor.id,), values=(round(local[0], 3), round(local[1], 3)))
+    return Idea((x, y, 0.0), yaw % 360.0, (*words, offset, turned(yaw)), why, cost, ignore)
+
+
+def before(situation: Situation, anchor: Placement, *, gaps: tuple[float, ...], face: bool, why: str) -> Iterator[Idea]:
+    """In front of the anchor, centred or a little aside; facing it, or turned the same way."""
+    turn = 180.0 if face else 0.0
+    for rank, gap in enumerate(gaps):
+        room = max(0.0, anchor.size[1] - situation.size[1]) / 2
+        for shift, penalty in (
+            (0.0, 0.0),
+            (0.5 * room, 0.3),
+            (-0.5 * room, 0.3),
+            (0.9 * room, 0.5),
+            (-0.9 * room, 0.5),
+        ):
+            local = (anchor.size[0] / 2 + gap + situation.size[0] / 2, shift)
+            words = (Constraint(kind="beside", anchors=(anchor.id,), side="front", values=(gap,)),)
+            yield beside_at(
+                situation, anchor, local, yaw=anchor.yaw + turn, words=words, why=why, cost=0.2 * rank + penalty
+            )
+
+
+def behind(situation: Situation, anchor: Placement) -> Iterator[Idea]:
+    """Behind the anchor, turned the same way."""
+    for rank, gap in enumerate((0.9, 0.6, 0.3, 0.05)):
+        local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), 0.0)
+        words = (Constraint(kind="beside", anchors=(anchor.id,), side="back", values=(gap,)),)
+        yield beside_at(
+            situation, anchor, local, yaw=anchor.yaw, words=words, why=f"it stands behind {anchor.id}", cost=0.1 * rank
+        )
+
+
+def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Idea]:
+    """In the middle of the anchors, lengthwise or across, parallel to the first."""
+    points = [p.position for p in anchors]
+    x = sum(p[0] for p in points) / len(points)
+    y = sum(p[1] for p in points) / len(points)
+    first, last = anchors[0], max(anchors, key=lambda p: math.dist(p.position, anchors[0].position))
+    length = math.dist(first.position[:2], last.position[:2]) or 1.0
+    ux, uy = (last.position[0] - first.position[0]) / length, (last.position[1] - first.position[1]) / length
+    words = Constraint(kind="between", anchors=(first.id, last.id))
+    for shift in (0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35):
+        for aside in (0.0, 0.15, -0.15, 0.3, -0.3):
+            for turn in (0.0, 90.0):
+                px, py = x + ux * shift - uy * aside, y + uy * shift + ux * aside
+                yaw = (first.yaw + turn) % 360.0
+                place = Constraint(kind="at", values=(round(px, 3), round(py, 3)))
+                cost = 1.2 * abs(shift) + 2.0 * abs(aside) + (0.4 if turn and situation.asset.front != "any" else 0.0)
+                yield Idea((px, py, 0.0), yaw, (words, place, turned(yaw)), "it belongs to both", cost)

@@ -1,0 +1,174 @@
+"""Ideas on walls and ceilings."""
+
+from collections.abc import Iterator
+
+from thinkblox.phrases import Constraint
+from thinkblox.policies.expert.idea import Idea, Situation, pose_words, turned
+from thinkblox.policies.expert.walls import named_walls
+from thinkblox.room import Opening, Wall
+from thinkblox.scene import Placement
+from thinkblox.value import Vec3
+
+CENTRES = {
+    "picture": 1.5,
+    "poster": 1.5,
+    "mirror": 1.55,
+    "clock": 2.0,
+    "whiteboard": 1.45,
+    "blackboard": 1.45,
+    "projector_screen": 1.6,
+    "menu_board": 1.75,
+    "dart_board": 1.73,
+    "tv": 1.3,
+    "wall_lamp": 1.7,
+    "wall_shelf": 1.5,
+    "wall_cabinet": 1.8,
+    "towel_rail": 1.2,
+    "coat_rack": 1.7,
+    "radiator": 0.4,
+}
+"""Height of the middle above the floor [m]."""
+ABOVE = {"picture": 0.2, "mirror": 0.15, "wall_shelf": 0.45, "wall_cabinet": 0.55, "clock": 0.3, "tv": 0.15}
+"""Free height over what it hangs above [m]."""
+PENDANT = 0.75
+"""From a table top to the lower edge of the lamp above it [m]."""
+AT_WINDOWS = frozenset(("curtain", "curtain_rail"))
+BACK_GAP = 0.002
+"""Between a hung thing and its wall [m]: touching, without cutting in."""
+
+
+def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
+    """Along each wall at eye height or where such things hang; the middle of a free stretch costs least."""
+    middle = CENTRES.get(situation.target.category, 1.5)
+    z = min(max(0.0, middle - situation.size[2] / 2), situation.room.height - situation.size[2])
+    if situation.target.category in AT_WINDOWS:
+        yield from at_windows(situation)
+    for wall in named_walls(situation.room, place):
+        half = situation.size[1] / 2
+        if wall.length < situation.size[1]:
+            continue
+        for i in range(17):
+            along = half + (wall.length - 2 * half) * i / 16
+            cost = 0.6 * abs(along - wall.length / 2) / wall.length
+            for lift in (0.0, 0.3, -0.3):
+                top = z + lift + situation.size[2]
+                if z + lift >= 0.0 and top <= situation.room.height:
+                    yield hang(situation, wall, along, z + lift, why="it hangs where it is seen", cost=cost + abs(lift))
+
+
+def hang(
+    situation: Situation, wall: Wall, along: float, z: float, *, why: str, cost: float, size: Vec3 | None = None
+) -> Idea:
+    """Flat against the wall, its base at height z."""
+    depth = (size or situation.size)[0]
+    x, y = wall.point(along, depth / 2 + BACK_GAP)
+    placement = Placement(
+        id=situation.target.id,
+        category=situation.target.category,
+        asset=situation.asset.id,
+        position=(x, y, z),
+        yaw=wall.yaw,
+        size=size or situation.size,
+        support=wall.name,
+    )
+    words = (
+        Constraint(kind="against", anchors=(wall.name,)),
+        *pose_words(situation.room, placement, beyond=(wall.name,)),
+        Constraint(kind="above", anchors=("floor",), values=(round(z, 3),)),
+        turned(wall.yaw),
+    )
+    return Idea((x, y, z), wall.yaw, words, why, cost, size=size)
+
+
+def at_windows(situation: Situation) -> Iterator[Idea]:
+    """Over each window, centred."""
+    for opening in situation.room.openings:
+        if opening.kind == "window":
+            wall = situation.room.walls[opening.wall]
+            top = opening.sill + opening.height
+            z = top + 0.05 if situation.size[2] < 0.3 else top + 0.1 - situation.size[2]
+            z = min(max(z, 0.0), situation.room.height - situation.size[2])
+            for rank, along in enumerate(_window_places(situation, wall, opening)):
+                yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=-1.0 + 0.1 * rank)
+
+
+def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[float]:
+    half = situation.size[1] / 2
+    low, high = half + 0.01, wall.length - half - 0.01
+    centre = opening.offset + opening.width / 2
+    sides = [centre]
+    if situation.size[1] < opening.width and situation.target.category == "curtain":
+        sides = [opening.offset - half + 0.1, opening.offset + opening.width + half - 0.1]
+    return [min(max(s, low), high) for s in sides] if high > low else []
+
+
+def above(situation: Situation, anchor: Placement, *, index: int = 0, count: int = 1) -> Iterator[Idea]:
+    """On the wall behind the anchor, centred over it, or hanging from the ceiling above it."""
+    if situation.asset.mount == "ceiling":
+        yield from _pendant(situation, anchor, index=index, count=count)
+        return
+    gap = ABOVE.get(situation.target.category, 0.2)
+    top = max([anchor.top, *(p.top for p in situation.scene.resting_on(anchor.id) if p.size[1] > 0.6 * anchor.size[1])])
+    eye = CENTRES.get(situation.target.category, 1.5) - situation.size[2] / 2
+    for rank, wall in enumerate(_nearest_walls(situation, anchor)):
+        along, _ = wall.coordinates((anchor.position[0], anchor.position[1]))
+        if count > 1:
+            along += ((index + 0.5) / count - 0.5) * anchor.size[1]
+        for step, lift in enumerate((gap, gap + 0.1, gap + 0.3, gap / 2, 0.05)):
+            z = max(top + lift, min(eye, top + lift + 0.35))
+            if z + situation.size[2] > situation.room.height - 0.02:
+                continue
+            half = situation.size[1] / 2
+            for shift in (0.0, 0.15, -0.15, 0.3, -0.3):
+                place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
+                cost = 1.5 * rank + 0.2 * step + 2.0 * abs(place - along)
+                yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost)
+
+
+def _nearest_walls(situation: Situation, anchor: Placement) -> list[Wall]:
+    centre = (anchor.position[0], anchor.position[1])
+
+    def badness(wall: Wall) -> float:
+        along, inward = wall.coordinates(centre)
+        behind = 0.0 if abs((wall.yaw - anchor.yaw + 180.0) % 360.0 - 180.0) < 10.0 else 0.5
+        past = max(0.0, -along, along - wall.length)
+        return abs(inward) + behind + 5.0 * past
+
+    return sorted(situation.room.walls, key=badness)[:2]
+
+
+def _pendant(situation: Situation, anchor: Placement, *, index: int, count: int) -> Iterator[Idea]:
+    height = situation.room.height
+    drop = height - (anchor.top + PENDANT)
+    size = situation.size
+    if 0.3 <= drop <= 2.0:
+        size = (size[0], size[1], round(drop, 3))
+    long = 1 if anchor.size[1] >= anchor.size[0] else 0
+    offset = ((index + 0.5) / count - 0.5) * anchor.size[long]
+    local = (0.0, offset) if long else (offset, 0.0)
+    for option, cost in ((size, 0.0), (situation.size, 0.5)):
+        x, y = anchor.to_room(local)
+        z = height - option[2]
+        words = (
+            Constraint(kind="offset", anchors=(anchor.id,), values=(round(local[0], 3), round(local[1], 3))),
+            Constraint(kind="above", anchors=(anchor.id,), values=(round(z - anchor.top, 3),)),
+            turned(anchor.yaw),
+        )
+        yield Idea((x, y, z), anchor.yaw, words, f"it lights {anchor.id}", cost, size=option)
+
+
+def from_ceiling(situation: Situation) -> Iterator[Idea]:
+    """In the middle of the room, or spread along it when there are several."""
+    cx, cy = situation.room.polygon.centroid.coords[0]
+    ex, ey = situation.room.extent
+    z = situation.room.height - situation.size[2]
+    count, index = situation.target.count, situation.target.index
+    offset = ((index + 0.5) / count - 0.5) * max(ex, ey)
+    for shift in (0.0, 0.4, -0.4, 0.8, -0.8):
+        x, y = (cx + offset + shift, cy) if ex >= ey else (cx, cy + offset + shift)
+        words = (
+            Constraint(kind="at", values=(round(x, 3), round(y, 3))),
+            Constraint(kind="above", anchors=("floor",), values=(round(z, 3),)),
+            turned(0.0),
+        )
+        yield Idea((x, y, z), 0.0, words, "it lights the room", abs(shift))

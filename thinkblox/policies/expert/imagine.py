@@ -1,0 +1,211 @@
+"""From a target's relations to ideas: the first tie decides where to look, the room itself is the last resort."""
+
+from collections.abc import Callable, Iterable, Iterator
+
+from thinkblox.plan import Tie
+from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
+from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.scene import Placement
+
+STAND_FREE = frozenset(
+    (
+        "dining_table",
+        "kitchen_table",
+        "conference_table",
+        "pool_table",
+        "table_football",
+        "table_tennis",
+        "kitchen_island",
+        "display_table",
+        "tiered_table",
+        "high_table",
+        "play_table",
+        "coffee_table",
+        "counter",
+        "reception_desk",
+    )
+)
+"""What may stand away from the walls when nothing says where."""
+LIKES_CORNERS = frozenset(("plant", "floor_lamp", "waste_bin", "laundry_basket", "toy_box", "umbrella_stand", "globe"))
+
+
+def imagine(situation: Situation) -> list[Idea]:
+    """All ideas for the object, from its ties in their order; where those have none, from the room as a whole."""
+    mount = situation.asset.mount
+    ideas: list[Idea] = []
+    for rank, tie in enumerate(situation.target.ties):
+        ideas += [_dearer(idea, 2.0 * rank) for idea in _from_tie(situation, tie)]
+    if mount == "wall" and not ideas:
+        ideas += hung.on_walls(situation)
+    elif mount == "ceiling" and not ideas:
+        ideas += hung.from_ceiling(situation)
+    elif mount == "floor":
+        ideas += [_dearer(idea, 3.0 if ideas else 0.0) for idea in anywhere(situation)]
+    elif mount == "surface":
+        ideas += [_dearer(idea, 3.0) for idea in _any_surface(situation)]
+        ideas += [_dearer(idea, 8.0) for idea in anywhere(situation)]
+    return ideas
+
+
+def _dearer(idea: Idea, cost: float) -> Idea:
+    return (
+        idea
+        if cost == 0.0
+        else Idea(idea.position, idea.yaw, idea.words, idea.why, idea.cost + cost, idea.ignore, idea.size)
+    )
+
+
+def anywhere(situation: Situation) -> Iterator[Idea]:
+    """Along the walls, in the corners and, for what may stand free, on the open floor."""
+    free = situation.target.category in STAND_FREE or not situation.asset.collides
+    corner = situation.target.category in LIKES_CORNERS
+    for idea in walls.along_walls(situation):
+        yield _dearer(idea, 0.8 if free or corner else 0.0)
+    for idea in walls.corners(situation):
+        yield _dearer(idea, 0.8 if free else 0.0 if corner else 0.3)
+    for idea in open_floor.grid(situation):
+        yield _dearer(idea, 0.0 if free else 2.0)
+
+
+def _any_surface(situation: Situation) -> Iterator[Idea]:
+    for anchor in situation.solid:
+        if situation.scene.asset_of(anchor).surfaces:
+            yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
+
+
+def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
+    if tie.kind == "in_rows":
+        return _rows(situation, tie)
+    anchors = situation.placed(tie.anchors)
+    places = [a for a in tie.anchors if not a[-1].isdigit()]
+    if places and not anchors:
+        return _at_place(situation, tie, places[0])
+    if tie.kind in _WITHOUT_ANCHOR:
+        return _WITHOUT_ANCHOR[tie.kind](situation)
+    if not anchors:
+        return ()
+    if tie.kind == "between" and len(anchors) > 1:
+        return beside.between(situation, anchors)
+    return _BY_ANCHOR.get(tie.kind, _next_to)(situation, anchors[0], tie)
+
+
+def _rows(situation: Situation, tie: Tie) -> Iterator[Idea]:
+    facing = [t for t in situation.target.ties if t.kind in ("facing", "opposite")]
+    siblings = {t.id for t in situation.observation.plan.targets if t.request == situation.target.request}
+    mutual = any(set(t.anchors) & siblings or not t.anchors for t in facing) and tie.rows == 2
+    looked_at = tuple(a for t in facing for a in t.anchors if a not in siblings)
+    return rows.in_rows(situation, tie, facing=looked_at, mutual=mutual)
+
+
+def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
+    if situation.asset.mount == "wall":
+        return hung.on_walls(situation, place)
+    if situation.asset.mount == "ceiling":
+        return hung.from_ceiling(situation)
+    if not situation.asset.collides or place == "centre":
+        return open_floor.grid(situation, step=0.1)
+    if place == "corner":
+        return walls.corners(situation)
+    if place in ("window", "door"):
+        return _near_openings(situation, place)
+    return walls.along_walls(situation, walls.named_walls(situation.room, place))
+
+
+def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
+    """Along the walls, the nearer to such an opening the better."""
+    room = situation.room
+    centres = [room.walls[o.wall].point(o.offset + o.width / 2) for o in room.openings if o.kind == kind]
+    candidates = [*walls.along_walls(situation), *walls.corners(situation)]
+    for idea in candidates:
+        if not centres:
+            yield idea
+            continue
+        x, y, _ = idea.position
+        distance = min(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for cx, cy in centres)
+        yield _dearer(idea, max(0.0, 0.9 * (distance - situation.size[0] / 2 - 0.2)))
+
+
+def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    sides: tuple[str, ...] = ("left", "right")
+    if tie.count > 1:
+        sides = (sides[tie.index % 2], sides[1 - tie.index % 2])
+    for rank, side in enumerate(sides):
+        for idea in beside.sides_of(situation, anchor, (side,)):
+            yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
+
+
+def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    face = situation.target.category in walls.SEATS
+    gaps = beside.GAPS.get(situation.target.category, (0.6, 0.4, 0.9, 0.2))
+    yield from beside.before(situation, anchor, gaps=gaps, face=face, why=f"it belongs before {anchor.id}")
+
+
+def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    gaps = (0.06, 0.12, 0.02, 0.25)
+    yield from beside.before(situation, anchor, gaps=gaps, face=False, why=f"it stands at the foot of {anchor.id}")
+
+
+def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
+        return _on_rug(situation, anchor, tie)
+    return surfaces.on_surfaces(situation, anchor, tie)
+
+
+def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
+    for idea in beside.between(situation, (rug,)):
+        yield Idea(idea.position, idea.yaw, idea.words[1:], f"it stands on {rug.id}", idea.cost, (rug.id,))
+
+
+def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    if not situation.asset.collides:
+        return rugs.under(situation, anchor)
+    return beside.between(situation, (anchor,))
+
+
+def _above(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    return hung.above(situation, anchor, index=tie.index, count=tie.count)
+
+
+def _facing(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    if situation.asset.mount == "wall":
+        yield from hung.on_walls(situation)
+        return
+    yield from open_floor.looking_at(situation, anchor)
+    yield from walls.opposite(situation, anchor)
+
+
+def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    if situation.asset.mount == "wall":
+        yield from hung.on_walls(situation)
+        return
+    yield from walls.opposite(situation, anchor)
+
+
+def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
+        yield _dearer(idea, 0.2)
+    yield from walls.along_walls(situation)
+    yield from walls.corners(situation)
+
+
+_WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
+    "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.along_walls(s),
+    "in_corner": walls.corners,
+    "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
+}
+_BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
+    "on": _on,
+    "under": _under,
+    "above": _above,
+    "next_to": _next_to,
+    "left_of": lambda s, a, t: beside.sides_of(s, a, ("left",)),
+    "right_of": lambda s, a, t: beside.sides_of(s, a, ("right",)),
+    "in_front_of": _front,
+    "behind": lambda s, a, t: beside.behind(s, a),
+    "at_foot_of": _foot,
+    "at": around.at_desk,
+    "around": around.around,
+    "facing": _facing,
+    "opposite": _opposite,
+    "near": _near,
+}

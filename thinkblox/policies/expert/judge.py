@@ -1,0 +1,205 @@
+"""Taste: what speaks against an idea, seen from above. Physics has the last word; this decides what is worth proposing.
+
+The figures are the handbook guidelines of interior layout (Neufert; Time-Saver Standards; Merrell et al. 2011,
+"Interactive Furniture Layout Using Interior Design Guidelines"), as costs: about 1 is a clear drawback, HOPELESS is
+what cannot be.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.plan import Target, Tie
+from thinkblox.policies.expert.hung import AT_WINDOWS
+from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
+from thinkblox.relations import measure
+from thinkblox.scene import Placement
+from thinkblox.value import Vec3
+
+HOPELESS = 50.0
+TOUCH = 0.001
+"""Overlap that is only contact [m]."""
+NARROW = (0.04, 0.3)
+"""A gap between two pieces of furniture that is neither closed nor usable [m]."""
+WIDE = 0.45
+"""What is narrower than this does not darken a window [m]."""
+UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
+
+
+def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator) -> list[tuple[float, Idea]]:
+    """Every idea with its cost, the best first; `rng` breaks near ties, so that seeds differ."""
+    if not ideas:
+        return []
+    rects = _rects(situation, ideas)
+    costs = np.array([idea.cost for idea in ideas])
+    costs += _impossible(situation, ideas, rects)
+    if situation.asset.mount == "floor" and situation.asset.collides:
+        costs += _cramped(situation, rects) + _followers(situation, rects)
+    costs += 0.12 * rng.standard_normal(len(ideas))
+    order = np.argsort(costs, kind="stable")
+    finalists = [int(i) for i in order[:40]]
+    for i in finalists:
+        costs[i] += _unmet(situation, ideas[i])
+    return [(float(costs[i]), ideas[i]) for i in sorted(finalists, key=lambda i: costs[i])]
+
+
+def placement_of(situation: Situation, idea: Idea) -> Placement:
+    """The idea as a placement."""
+    target = situation.target
+    return Placement(
+        id=target.id,
+        category=target.category,
+        asset=situation.asset.id,
+        position=idea.position,
+        yaw=idea.yaw,
+        size=idea.size or situation.size,
+        support=idea.ignore[0] if situation.asset.mount == "surface" and idea.ignore else "floor",
+    )
+
+
+def _rects(situation: Situation, ideas: Sequence[Idea]) -> Rects:
+    return Rects.of(
+        [
+            (
+                (i.position[0], i.position[1]),
+                _flat(i.size or situation.size),
+                i.yaw,
+                i.position[2],
+                i.position[2] + (i.size or situation.size)[2],
+            )
+            for i in ideas
+        ]
+    )
+
+
+def _flat(size: Vec3) -> tuple[float, float]:
+    return (size[0], size[1])
+
+
+def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Array:
+    """Outside, in something, in a door's swing, before a window."""
+    out = outside(rects, situation.room.polygon)
+    costs = np.where(out > 0.0005, HOPELESS + 50.0 * out, 0.0)
+    if not situation.asset.collides:
+        return costs + 6.0 * _other_rugs(situation, rects)
+    depth = overlap_depth(rects, situation.solids)
+    ids = [p.id for p in situation.solid]
+    for n, idea in enumerate(ideas):
+        for id in idea.ignore:
+            if id in ids:
+                depth[n, ids.index(id)] = 0.0
+    worst = depth.max(-1, initial=0.0)
+    costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
+    if situation.asset.mount == "surface":
+        return costs
+    swing = overlap_depth(rects, situation.door_zones).max(-1, initial=0.0)
+    costs += np.where(swing > TOUCH, HOPELESS + 20.0 * swing, 0.0)
+    if situation.target.category not in AT_WINDOWS:
+        costs += _darkens(situation, rects)
+    return costs
+
+
+def _other_rugs(situation: Situation, rects: Rects) -> Array:
+    rugs = tuple(p for p in situation.scene.placements if not situation.scene.asset_of(p).collides)
+    return np.asarray(overlap_depth(rects, Rects.of_placements(rugs)).max(-1, initial=0.0))
+
+
+def _darkens(situation: Situation, rects: Rects) -> Array:
+    covered = overlap_depth(rects, situation.window_zones) > 0.02
+    heavy = HOPELESS if situation.asset.mount == "wall" or max(situation.size[:2]) > WIDE else 0.5
+    return np.where(covered.any(-1), heavy, 0.0)
+
+
+def _cramped(situation: Situation, rects: Rects) -> Array:
+    """No room to use it, in the room others need, or a gap that is neither closed nor usable."""
+    costs = np.zeros(len(rects))
+    if situation.asset.clearance > 0.0:
+        costs += _zone_cost(situation, _zone(rects, "front", situation.asset.clearance), weight=5.0)
+    costs += 5.0 * overlap_depth(rects, situation.clearances).sum(-1)
+    low = [i for i, p in enumerate(situation.solid) if p.position[2] < 0.3]
+    if low:
+        gaps = separation(rects, situation.solids.take(low))
+        awkward = (gaps > NARROW[0]) & (gaps < NARROW[1])
+        costs += 0.12 * awkward.sum(-1)
+    doors = situation.door_zones
+    if len(doors):
+        near = separation(rects, doors)
+        costs += (0.8 if max(situation.size[:2]) > 0.5 else 0.0) * np.maximum(0.0, 0.35 - near).max(-1)
+    return costs
+
+
+def _zone(rects: Rects, side: str, depth: float, *, width: float | None = None) -> Rects:
+    """The floor beside each box: `depth` out from its side, as wide as it or `width` [m]."""
+    axis, sign = {"front": (0, 1), "back": (0, -1), "left": (1, 1), "right": (1, -1)}[side]
+    out = rects.axes[:, axis] * sign
+    centre = rects.centre + out * (rects.half[:, axis, None] + depth / 2)
+    half = rects.half.copy()
+    half[:, axis] = depth / 2
+    if width is not None:
+        half[:, 1 - axis] = width / 2
+    return Rects(centre, half, rects.yaw, np.full(len(rects), 0.05), np.full(len(rects), 1.6))
+
+
+def _zone_cost(situation: Situation, zone: Rects, *, weight: float) -> Array:
+    """How much of a zone is occupied or outside the room, times `weight` per metre of its depth."""
+    reach = 2 * np.minimum(zone.half[:, 0], zone.half[:, 1])
+    blocked = overlap_depth(zone, situation.solids).max(-1, initial=0.0)
+    return np.asarray(weight * (blocked + outside(zone, situation.room.polygon) * reach))
+
+
+def _followers(situation: Situation, rects: Rects) -> Array:
+    """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
+    costs = np.zeros(len(rects))
+    done: set[tuple[str, str]] = set()
+    for follower in situation.followers:
+        for tie in follower.ties:
+            key = (follower.request, tie.kind)
+            if key not in done and (situation.target.id in tie.anchors or tie.kind in ("facing", "opposite")):
+                done.add(key)
+                costs += _room_for(situation, rects, follower, tie)
+    return costs
+
+
+def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
+    size = CATALOGUE[follower.category].size if follower.category in CATALOGUE else (0.5, 0.5, 0.5)
+    depth, width = size[0], size[1]
+    if tie.kind in ("next_to", "left_of", "right_of"):
+        sides = {"left_of": ("left",), "right_of": ("right",)}.get(tie.kind, ("left", "right"))
+        each = [_zone_cost(situation, _zone(rects, side, width + 0.1), weight=4.0) for side in sides]
+        alone = tie.count < 2 and len(each) > 1
+        return np.minimum(*each) if alone else np.asarray(np.sum(each, axis=0))
+    if tie.kind == "around":
+        room = depth + 0.35
+        taken = [
+            _zone_cost(situation, _zone(rects, side, room), weight=2.5) for side in ("front", "back", "left", "right")
+        ]
+        return np.asarray(np.sort(taken, axis=0)[: 4 if tie.count > 2 else 2].sum(axis=0))
+    if tie.kind == "at":
+        return _zone_cost(situation, _zone(rects, "front", depth + 0.35, width=width), weight=4.0)
+    if tie.kind in ("in_front_of", "at_foot_of"):
+        return _zone_cost(situation, _zone(rects, "front", depth + 0.5, width=width), weight=4.0)
+    if tie.kind == "facing":
+        return _zone_cost(situation, _zone(rects, "front", 2.2 + depth, width=min(width, 1.2)), weight=2.0)
+    if tie.kind == "above" and CATALOGUE[follower.category].mount == "wall":
+        return _wall_behind_taken(situation, rects)
+    return np.zeros(len(rects))
+
+
+def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
+    """A window behind leaves nothing to hang something on."""
+    tall = Rects(rects.centre, rects.half + 0.05, rects.yaw, rects.top, rects.top + 1.0)
+    return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
+
+
+def _unmet(situation: Situation, idea: Idea) -> float:
+    """What the plan wants of it and this idea does not give."""
+    scene = situation.scene.with_placement(placement_of(situation, idea), situation.asset)
+    cost = 0.0
+    for tie in situation.target.ties:
+        if tie.kind in ("around", "in_rows") or any(a not in scene and a[-1].isdigit() for a in tie.anchors):
+            continue
+        if not measure(scene, tie.kind, situation.target.id, tie.anchors, rows=tie.rows).holds:
+            cost += UNMET_ASKED if tie.asked else UNMET_HABIT
+    return cost

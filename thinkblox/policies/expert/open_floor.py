@@ -1,0 +1,78 @@
+"""Ideas on the open floor: a grid over the room, and places that look at something."""
+
+import math
+from collections.abc import Iterator
+
+from thinkblox.phrases import Constraint
+from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.policies.expert.walls import SEATS
+from thinkblox.scene import Placement
+from thinkblox.value import Vec2
+
+VIEWING = {"sofa": (2.4, 2.0, 2.8, 1.7, 3.2), "armchair": (2.2, 1.8, 2.6, 1.4)}
+"""Free distance from a seat to what it looks at, the best first [m]."""
+USUAL_VIEWING = (0.6, 0.9, 1.3, 1.8, 2.4, 0.3)
+
+
+def grid(situation: Situation, *, step: float = 0.25, why: str = "it stands free in the room") -> Iterator[Idea]:
+    """Places on a grid over the floor, parallel to the walls; the middle of the room costs least."""
+    room = situation.room
+    x0, y0, x1, y1 = room.polygon.bounds
+    cx, cy = room.polygon.centroid.coords[0]
+    step = max(step, max(x1 - x0, y1 - y0) / 24)
+    turns: tuple[float, ...] = (0.0,) if situation.asset.front == "any" else (0.0, 90.0)
+    if situation.asset.front == "one":
+        turns = (0.0, 90.0, 180.0, 270.0)
+    nx, ny = int((x1 - x0) / 2 / step), int((y1 - y0) / 2 / step)
+    for i in range(-nx, nx + 1):
+        for j in range(-ny, ny + 1):
+            x, y = cx + i * step, cy + j * step
+            for turn in turns:
+                words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(turn))
+                cost = 0.5 * math.hypot(i * step, j * step) + _across_room(situation, turn)
+                yield Idea((x, y, 0.0), turn, words, why, cost)
+
+
+def _across_room(situation: Situation, yaw: float) -> float:
+    """A long thing lies along the long side of the room."""
+    depth, width = situation.size[0], situation.size[1]
+    ex, ey = situation.room.extent
+    if max(depth, width) < 1.2 * min(depth, width) or abs(ex - ey) < 0.3:
+        return 0.0
+    along_x = (depth > width) == (yaw % 180.0 == 0.0)
+    return 0.0 if along_x == (ex > ey) else 0.4
+
+
+def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
+    """Places about the anchor from which the front points at it; straight before its own front costs least."""
+    has_front = situation.scene.asset_of(anchor).front == "one"
+    distances = VIEWING.get(situation.target.category, USUAL_VIEWING)
+    for turn in range(0, 360, 15):
+        away = min(turn, 360 - turn) if has_front else 0
+        side = turn % 90
+        for rank, distance in enumerate(distances):
+            cost = 0.02 * away + 0.25 * rank + (0.3 if side else 0.0)
+            yield _looking(situation, anchor, float(turn), distance, cost)
+
+
+def _looking(situation: Situation, anchor: Placement, turn: float, distance: float, cost: float) -> Idea:
+    angle = math.radians(turn)
+    direction = (math.cos(angle), math.sin(angle))
+    edge = _reach(anchor, direction)
+    out = edge + distance + situation.size[0] / 2
+    x, y = anchor.to_room((direction[0] * out, direction[1] * out))
+    yaw = (anchor.yaw + turn + 180.0) % 360.0
+    words = (
+        Constraint(kind="facing", anchors=(anchor.id,)),
+        Constraint(kind="at", values=(round(x, 3), round(y, 3))),
+        turned(yaw),
+    )
+    seat = situation.target.category in SEATS
+    why = f"whoever sits in it looks at {anchor.id}" if seat else f"it is turned to {anchor.id}"
+    return Idea((x, y, 0.0), yaw, words, why, cost)
+
+
+def _reach(anchor: Placement, direction: Vec2) -> float:
+    """Distance from the anchor's centre to its edge in a direction of its own frame [m]."""
+    dx, dy = abs(direction[0]), abs(direction[1])
+    return min(anchor.size[0] / 2 / max(dx, 1e-9), anchor.size[1] / 2 / max(dy, 1e-9))

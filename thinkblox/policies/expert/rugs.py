@@ -1,0 +1,65 @@
+"""Ideas for rugs: under the group they belong to, parallel to it, no larger than the floor allows."""
+
+from collections.abc import Iterator
+
+from thinkblox.phrases import Constraint
+from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.scene import Placement
+from thinkblox.value import Vec2, Vec3
+
+BEDS = frozenset(("bed", "crib", "hospital_bed"))
+BEYOND_BED = 0.6
+"""How far a rug reaches past the sides and the foot of a bed [m]."""
+
+
+def under(situation: Situation, anchor: Placement) -> Iterator[Idea]:
+    """Centred under the anchor; under a bed it lies towards the foot."""
+    bed = anchor.category in BEDS
+    for rank, size in enumerate(_sizes(situation, anchor)):
+        shift = 0.25 * anchor.size[0] if bed else 0.0
+        for turn in (0.0, 90.0):
+            reach = size[0] if turn == 0.0 else size[1]
+            locals_: tuple[Vec2, ...] = ((shift, 0.0), (0.0, 0.0))
+            if bed:
+                locals_ = ((anchor.size[0] / 2 + BEYOND_BED - reach / 2, 0.0), *locals_)
+            for step, local in enumerate(dict.fromkeys(locals_)):
+                yield _lie(situation, anchor, local, turn, size, 0.3 * rank + 0.2 * step + _along(anchor, size, turn))
+
+
+def _along(anchor: Placement, size: Vec3, turn: float) -> float:
+    """The long side of a rug lies across a bed, and along everything else that is long."""
+    depth, width = (size[0], size[1]) if turn == 0.0 else (size[1], size[0])
+    if abs(depth - width) < 0.1:
+        return 0.0
+    wide = anchor.category in BEDS or anchor.size[1] >= anchor.size[0]
+    return 0.0 if (width > depth) == wide else 0.5
+
+
+def _sizes(situation: Situation, anchor: Placement) -> tuple[Vec3, ...]:
+    size = situation.size
+    larger = (size[0] * 1.25, size[1] * 1.25, size[2])
+    smaller = (size[0] * 0.8, size[1] * 0.8, size[2])
+    covers = max(size[0], size[1]) >= max(anchor.size[0], anchor.size[1]) + 0.3
+    return (size, smaller) if covers else (larger, size, smaller)
+
+
+def _lie(situation: Situation, anchor: Placement, local: Vec2, turn: float, size: Vec3, cost: float) -> Idea:
+    x, y = anchor.to_room(local)
+    yaw = (anchor.yaw + turn) % 360.0
+    words = (
+        Constraint(kind="under", anchors=(anchor.id,)),
+        Constraint(kind="offset", anchors=(anchor.id,), values=(round(local[0], 3), round(local[1], 3))),
+        turned(yaw),
+    )
+    rounded = (round(size[0], 3), round(size[1], 3), size[2])
+    return Idea((x, y, 0.0), yaw, words, f"{anchor.id} stands on it", cost, size=rounded)
+
+
+def before_seats(situation: Situation, seat: Placement) -> Iterator[Idea]:
+    """In front of a seat, its front legs on it."""
+    for turn in (0.0, 90.0):
+        for factor in (1.0, 0.85, 1.2):
+            size = (situation.size[0] * factor, situation.size[1] * factor, situation.size[2])
+            reach = size[0] if turn == 0.0 else size[1]
+            local = (seat.size[0] / 2 - 0.25 + reach / 2, 0.0)
+            yield _lie(situation, seat, local, turn, size, 0.3 * abs(factor - 1.0) + _along(seat, size, turn))

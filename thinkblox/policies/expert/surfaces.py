@@ -1,0 +1,167 @@
+"""Ideas on top of something: where a hand would put it, beside what stands there already."""
+
+import math
+from collections.abc import Iterator
+
+from thinkblox.asset import Surface
+from thinkblox.phrases import Constraint
+from thinkblox.plan import Tie
+from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.scene import Placement
+from thinkblox.value import Vec2
+
+EDGE = 0.03
+"""Kept free at the edge of a surface where there is room [m]."""
+SPOTS: dict[str, tuple[Vec2, ...]] = {
+    "monitor": ((-0.5, 0.0), (-0.5, 0.3), (-0.5, -0.3)),
+    "laptop": ((0.1, 0.0), (0.0, 0.3)),
+    "keyboard": ((0.55, 0.0), (0.5, 0.2)),
+    "mouse": ((0.55, 0.42), (0.55, 0.55), (0.4, 0.5)),
+    "computer": ((-0.3, -0.8), (-0.3, 0.8)),
+    "desk_lamp": ((-0.8, -0.85), (-0.8, 0.85)),
+    "table_lamp": ((-0.5, 0.0), (-0.6, 0.7), (-0.6, -0.7)),
+    "glass": ((0.4, 0.35), (0.4, -0.35)),
+    "cup": ((0.4, 0.35), (0.4, -0.35)),
+    "alarm_clock": ((0.4, -0.4), (0.4, 0.4)),
+    "phone": ((0.5, 0.4), (0.5, -0.4)),
+    "tv": ((-0.2, 0.0), (0.0, 0.0)),
+    "globe": ((0.0, 0.7), (0.0, -0.7), (0.0, 0.0)),
+    "photo_frame": ((-0.5, 0.5), (-0.5, -0.5)),
+    "printer": ((0.0, 0.0), (0.0, 0.5)),
+    "sink": ((0.0, 0.0),),
+    "hob": ((0.0, 0.0),),
+    "microwave": ((-0.4, 0.0),),
+    "coffee_machine": ((-0.3, 0.7), (-0.3, -0.7), (-0.3, 0.0)),
+    "cash_register": ((0.0, 0.5), (0.0, -0.5), (0.0, 0.0)),
+    "scale": ((0.0, -0.4), (0.0, 0.4)),
+    "cushion": ((-0.6, 0.85), (-0.6, -0.85)),
+}
+"""Where on a surface, from its centre (0) to its edge (1): towards the user, and to the surface's own left.
+Somebody sitting in front sees that left as their right."""
+CENTRED = frozenset(
+    ("vase", "bowl", "fruit_bowl", "candle", "flower_bucket", "potted_plant", "teapot", "games_console")
+)
+STAFF_SIDE = frozenset(("cash_register",))
+"""What turns its working side to the person behind a counter."""
+NEIGHBOURS: dict[str, tuple[str, Vec2]] = {"mouse": ("keyboard", (0.0, 1.0)), "keyboard": ("monitor", (1.0, 0.0))}
+"""What keeps its place by a companion rather than by the surface: the side of it that it takes."""
+HEADROOM = 0.02
+"""Air left under the next shelf [m]."""
+
+
+def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """Places on each surface of the anchor that is large and high enough."""
+    asset = situation.scene.asset_of(anchor)
+    for rank, surface in enumerate(_in_turn(asset.surfaces, situation, tie)):
+        for turn in _turns(situation, anchor, surface):
+            free = _free_half(situation, surface, turn)
+            if free is None:
+                continue
+            for spot, cost in _spots(situation, anchor, surface, tie, free):
+                yield _idea(situation, anchor, surface, spot, turn, cost + 0.4 * rank + (0.6 if turn % 180 else 0.0))
+
+
+def _in_turn(surfaces: tuple[Surface, ...], situation: Situation, tie: Tie) -> tuple[Surface, ...]:
+    """The surfaces in the order to try: alike things take the shelves in turn."""
+    fitting = [s for s in surfaces if s.headroom is None or situation.size[2] + HEADROOM <= s.headroom]
+    alike = [s for s in fitting if s.size == fitting[0].size] if fitting else []
+    if len(alike) < 2 or tie.count < 2:
+        return tuple(fitting)
+    start = tie.index % len(alike)
+    rest = [s for s in fitting if s not in alike]
+    return (*alike[start:], *alike[:start], *rest)
+
+
+def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
+    if situation.target.category in STAFF_SIDE and not _against_wall(situation, anchor):
+        return (180.0,)
+    if situation.asset.front == "any":
+        return (0.0,)
+    if situation.size[1] > surface.size[1] or situation.asset.front == "two":
+        return (0.0, 90.0)
+    return (0.0, 90.0, 270.0)
+
+
+def _against_wall(situation: Situation, anchor: Placement) -> bool:
+    back = anchor.to_room((-anchor.size[0] / 2, 0.0))
+    return any(abs(wall.coordinates(back)[1]) < 0.4 for wall in situation.room.walls)
+
+
+def _free_half(situation: Situation, surface: Surface, turn: float) -> Vec2 | None:
+    """Half extents over which the centre may move; None when it does not fit at all."""
+    depth, width = situation.size[0], situation.size[1]
+    if turn % 180.0:
+        depth, width = width, depth
+    half = ((surface.size[0] - depth) / 2, (surface.size[1] - width) / 2)
+    if min(half) < -0.001:
+        return None
+    margin_x, margin_y = min(EDGE, max(0.0, half[0]) / 2), min(EDGE, max(0.0, half[1]) / 2)
+    return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))
+
+
+def _spots(
+    situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2
+) -> Iterator[tuple[Vec2, float]]:
+    yield from _by_companion(situation, anchor, surface, free)
+    marked = SPOTS.get(situation.target.category, ((0.0, 0.0),) if situation.target.category in CENTRED else ())
+    if tie.count > 1:
+        marked = _spread(tie, surface)
+    for rank, (u, v) in enumerate(marked):
+        yield (u * free[0], v * free[1]), 0.1 * rank
+    columns = max(3, min(13, round(free[1] / 0.06)))
+    rows = max(3, min(7, round(free[0] / 0.06)))
+    wanted = marked[0] if marked else (0.0, 0.0)
+    for i in range(rows):
+        for j in range(columns):
+            u, v = 2 * i / (rows - 1) - 1, 2 * j / (columns - 1) - 1
+            yield (u * free[0], v * free[1]), 0.3 + 0.5 * math.hypot(u - wanted[0], v - wanted[1])
+
+
+def _by_companion(
+    situation: Situation, anchor: Placement, surface: Surface, free: Vec2
+) -> Iterator[tuple[Vec2, float]]:
+    companion, (du, dv) = NEIGHBOURS.get(situation.target.category, ("", (0.0, 0.0)))
+    for p in situation.scene.resting_on(anchor.id):
+        if p.category == companion:
+            x, y = anchor.to_local((p.position[0], p.position[1]))
+            u = x - surface.position[0] + du * (p.size[0] / 2 + situation.size[0] / 2 + 0.06)
+            v = y - surface.position[1] + dv * (p.size[1] / 2 + situation.size[1] / 2 + 0.06)
+            if abs(u) <= free[0] + EDGE and abs(v) <= free[1] + EDGE:
+                yield (u, v), -0.2
+
+
+def _spread(tie: Tie, surface: Surface) -> tuple[Vec2, ...]:
+    """Evenly along the longer side for up to six, in two staggered lines for more."""
+    lines = 1 if tie.count <= 6 else 2
+    per_line = -(-tie.count // lines)
+    line, place = divmod(tie.index, per_line)
+    along = 2 * (place + 0.5) / per_line - 1
+    across = 0.0 if lines == 1 else (0.5 if line else -0.5)
+    return ((across, along),) if surface.size[1] >= surface.size[0] else ((along, across),)
+
+
+def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float) -> Idea:
+    local = (surface.position[0] + spot[0], surface.position[1] + spot[1])
+    if surface.round:
+        cost += _off_ellipse(situation, surface, spot)
+    x, y = anchor.to_room(local)
+    z = anchor.position[2] + surface.position[2]
+    yaw = (anchor.yaw + turn) % 360.0
+    words = (
+        Constraint(kind="on", anchors=(anchor.id,)),
+        Constraint(kind="offset", anchors=(anchor.id,), values=(round(local[0], 3), round(local[1], 3))),
+        turned(yaw),
+    )
+    return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id,))
+
+
+def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2) -> float:
+    reach = (
+        max(situation.size[0], situation.size[1]) / 2
+        if situation.asset.front == "any"
+        else math.hypot(situation.size[0], situation.size[1]) / 2
+    )
+    a, b = surface.size[0] / 2 - reach, surface.size[1] / 2 - reach
+    if min(a, b) <= 0.0:
+        return 0.0 if math.hypot(*spot) < 0.01 else 30.0
+    return 0.0 if (spot[0] / a) ** 2 + (spot[1] / b) ** 2 <= 1.0 else 30.0

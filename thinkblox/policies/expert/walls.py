@@ -1,0 +1,204 @@
+"""Ideas along walls and in corners: backs to the wall, long sides along it."""
+
+import math
+from collections.abc import Iterable, Iterator
+
+from thinkblox.phrases import Constraint
+from thinkblox.policies.expert.idea import WALL_GAP, Idea, Situation, pose_words, turned
+from thinkblox.room import Room, Wall
+from thinkblox.scene import Placement
+from thinkblox.value import Vec2, Vec3
+
+FOCAL = frozenset(
+    [
+        "bed",
+        "hospital_bed",
+        "sofa",
+        "tv_stand",
+        "fireplace",
+        "piano",
+        "sideboard",
+        "credenza",
+        "console_table",
+        "dresser",
+        "dressing_table",
+        "desk",
+        "reception_desk",
+        "display_fridge",
+        "crib",
+        "aquarium",
+        "whiteboard",
+    ]
+)
+"""What looks best centred on its wall; the rest goes to its ends, or beside its like."""
+SEATS = frozenset(
+    [
+        "chair",
+        "office_chair",
+        "armchair",
+        "rocking_chair",
+        "sofa",
+        "bench",
+        "bean_bag",
+        "child_chair",
+        "stool",
+        "bar_stool",
+    ]
+)
+STEPS = 14
+"""Places tried along one wall besides the marked ones."""
+
+
+def named_walls(room: Room, place: str) -> tuple[Wall, ...]:
+    """The walls a Place means: all, the long or short ones, or those on one side of the room."""
+    walls = room.walls
+    if place in ("long_wall", "short_wall"):
+        lengths = sorted({round(w.length, 2) for w in walls})
+        wanted = lengths[-1] if place == "long_wall" else next((n for n in lengths if n > 1.0), lengths[0])
+        return tuple(w for w in walls if abs(w.length - wanted) < 0.011)
+    if place.endswith("_wall"):
+        return tuple(w for w in walls if w.name.startswith(place)) or walls
+    return walls
+
+
+def oriented(size: Vec3, front: str) -> tuple[float, Vec2]:
+    """Turn against a wall's yaw, and (depth, width) as seen from the wall; the long side goes along it."""
+    if front != "one" and size[0] > size[1]:
+        return 90.0, (size[1], size[0])
+    return 0.0, (size[0], size[1])
+
+
+def at_wall(
+    situation: Situation, wall: Wall, along: float, *, gap: float = WALL_GAP, why: str = "", cost: float = 0.0
+) -> Idea:
+    """Back to the wall, the centre of its side `along` metres from the wall's start."""
+    turn, (depth, _) = oriented(situation.size, situation.asset.front)
+    x, y = wall.point(along, gap + depth / 2)
+    yaw = (wall.yaw + turn) % 360.0
+    placement = _placement(situation, (x, y), yaw)
+    words = (
+        Constraint(kind="against", anchors=(wall.name,)),
+        *pose_words(situation.room, placement, beyond=(wall.name,)),
+        turned(yaw),
+    )
+    return Idea((x, y, 0.0), yaw, words, why or "its back belongs to a wall", cost)
+
+
+def _placement(situation: Situation, centre: Vec2, yaw: float) -> Placement:
+    target, asset = situation.target, situation.asset
+    return Placement(
+        id=target.id,
+        category=target.category,
+        asset=asset.id,
+        position=(*centre, 0.0),
+        yaw=yaw,
+        size=situation.size,
+        support="floor",
+    )
+
+
+def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> Iterator[Idea]:
+    """Along each wall: its middle, its ends, beside what stands there, before its windows, and evenly between."""
+    _, (depth, width) = oriented(situation.size, situation.asset.front)
+    focal = situation.target.category in FOCAL
+    for wall in situation.room.walls if walls is None else walls:
+        low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
+        if high < low:
+            continue
+        for along in sorted(_places(situation, wall, depth, width, low, high)):
+            yield at_wall(situation, wall, along, cost=_place_cost(wall, along, low, high, focal=focal))
+
+
+def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:
+    places = {low, high, (low + high) / 2}
+    places |= {low + (high - low) * i / STEPS for i in range(STEPS + 1)}
+    index = situation.room.walls.index(wall)
+    for opening in situation.room.openings:
+        if opening.wall == index:
+            places.add(opening.offset + opening.width / 2)
+            places |= {opening.offset - width / 2 - 0.05, opening.offset + opening.width + width / 2 + 0.05}
+    for p in situation.solid:
+        spots = [wall.coordinates(corner) for corner in p.corners]
+        if min(inward for _, inward in spots) < depth:
+            places |= {min(s for s, _ in spots) - width / 2 - 0.01, max(s for s, _ in spots) + width / 2 + 0.01}
+            places |= {min(s for s, _ in spots) - width / 2 - 0.3, max(s for s, _ in spots) + width / 2 + 0.3}
+    return {round(place, 3) for place in places if low <= place <= high}
+
+
+def _place_cost(wall: Wall, along: float, low: float, high: float, *, focal: bool) -> float:
+    middle = wall.length / 2
+    if focal:
+        return 0.9 * abs(along - middle) / max(0.5, middle)
+    end = min(along - low, high - along)
+    return min(0.6, 0.35 * end) + (0.2 if 0.05 < end < 0.3 else 0.0)
+
+
+def corners(situation: Situation) -> Iterator[Idea]:
+    """Every convex corner of the room: flush with both walls, or turned to the room where that suits."""
+    walls = situation.room.walls
+    for before, after in zip(walls[-1:] + walls[:-1], walls, strict=True):
+        cross = before.along[0] * after.along[1] - before.along[1] * after.along[0]
+        if cross <= 0.5:
+            continue
+        yield from _corner_ideas(situation, before, after)
+
+
+def _corner_ideas(situation: Situation, before: Wall, after: Wall) -> Iterator[Idea]:
+    _, (_, width) = oriented(situation.size, situation.asset.front)
+    words = Constraint(kind="corner", anchors=(before.name, after.name))
+    if min(before.length, after.length) < width:
+        return
+    diagonal = situation.target.category in SEATS or situation.asset.front == "any"
+    flush = 0.45 if diagonal and situation.asset.front == "one" else 0.0
+    for wall, along in ((after, width / 2 + WALL_GAP), (before, before.length - width / 2 - WALL_GAP)):
+        idea = at_wall(situation, wall, along, cost=flush, why="it fills the corner")
+        yield Idea(idea.position, idea.yaw, (words, *idea.words), idea.why, idea.cost)
+    if diagonal and abs(_dot(before, after)) < 0.01:
+        yield _diagonal(situation, before, after, words)
+
+
+def _dot(a: Wall, b: Wall) -> float:
+    return a.inward[0] * b.inward[0] + a.inward[1] * b.inward[1]
+
+
+def _diagonal(situation: Situation, before: Wall, after: Wall, words: Constraint) -> Idea:
+    size = situation.size
+    reach = (size[0] + size[1]) / 2 * math.sqrt(0.5) + WALL_GAP
+    round_thing = situation.asset.front == "any"
+    if round_thing:
+        reach = max(size[0], size[1]) / 2 + 0.06
+    x, y = after.point(reach, reach)
+    look = (before.inward[0] + after.inward[0], before.inward[1] + after.inward[1])
+    yaw = after.yaw if round_thing else round(math.degrees(math.atan2(look[1], look[0])) % 360.0, 2)
+    placement = _placement(situation, (x, y), yaw)
+    why = "it fills the corner" if round_thing else "it looks into the room from the corner"
+    rest = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(placement.yaw))
+    return Idea((x, y, 0.0), yaw, (words, *rest), why)
+
+
+def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
+    """Against the wall across the room from the anchor, looking at it, as nearly in line with it as can be."""
+    for wall in situation.room.walls:
+        along, inward = wall.coordinates((anchor.position[0], anchor.position[1]))
+        _, (_, width) = oriented(situation.size, situation.asset.front)
+        low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
+        if inward < 1.0 or high < low:
+            continue
+        facing = math.cos(math.radians(wall.yaw - anchor.yaw))
+        for shift in (0.0, -0.3, 0.3, -0.6, 0.6):
+            place = min(max(along + shift, low), high)
+            aside = abs(place - along)
+            if aside < 0.5 + inward / 2:
+                cost = aside + (0.0 if facing < -0.5 else 2.0)
+                idea = at_wall(situation, wall, place, cost=cost, why=f"it faces {anchor.id} across the room")
+                yield Idea(
+                    idea.position,
+                    idea.yaw,
+                    (*idea.words, *_facing(anchor, idea, aside)),
+                    idea.why,
+                    idea.cost,
+                )
+
+
+def _facing(anchor: Placement, idea: Idea, aside: float) -> tuple[Constraint, ...]:
+    return (Constraint(kind="facing", anchors=(anchor.id,)),) if aside < 0.05 else ()

@@ -1,0 +1,55 @@
+"""The report on a generated room: what physics says of the whole, and whether the prompt's words hold in it."""
+
+from collections.abc import Iterator, Sequence
+
+from msgspec import structs
+
+from thinkblox.brief import RelationKind
+from thinkblox.plan import Plan, Tie
+from thinkblox.relations import measure
+from thinkblox.scene import Scene
+from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.verify import verify
+from thinkblox.verdict import Absence, RelationResult, Report
+
+TOGETHER: frozenset[RelationKind] = frozenset({"around", "in_rows"})
+"""Relations that a whole company has, not each member by itself."""
+
+
+def report_on(scene: Scene, plan: Plan, *, absent: Sequence[Absence], tolerances: Tolerances) -> Report:
+    """Verify the scene and hold it against its plan."""
+    missing = [
+        Absence(id=word, category="unknown", asked=True, reason="the catalogue has nothing of that name")
+        for word in plan.brief.missing
+    ]
+    return structs.replace(
+        verify(scene, tolerances=tolerances),
+        absent=(*absent, *missing),
+        unknown=plan.brief.unknown,
+        relations=tuple(relations_of(scene, plan)),
+    )
+
+
+def relations_of(scene: Scene, plan: Plan) -> Iterator[RelationResult]:
+    """Measure every relation that the prompt names, once for a company and once for each other object."""
+    for (subject, tie), members in _companies(plan).items():
+        here = [id for id in members if id in scene]
+        gone = [id for id in (*members, *tie.anchors) if id[-1].isdigit() and id not in scene]
+        if gone:
+            names = ", ".join(gone)
+            yield RelationResult(
+                kind=tie.kind, subject=subject, anchors=tie.anchors, holds=False, measured=f"{names} not placed"
+            )
+        else:
+            yield measure(scene, tie.kind, here, tie.anchors, rows=tie.rows)
+
+
+def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:
+    groups: dict[tuple[str, Tie], list[str]] = {}
+    for target in plan.targets:
+        for tie in target.ties:
+            if tie.asked:
+                together = tie.kind in TOGETHER
+                alike = structs.replace(tie, index=0, count=1)
+                groups.setdefault((target.request if together else target.id, alike), []).append(target.id)
+    return groups
