@@ -32,34 +32,37 @@ class Contacts:
         return found
 
     def depths_of(self, data: mujoco.MjData, id: str) -> dict[str, float]:
-        """Deepest contact of one object with each other thing [m]."""
-        return {
-            (second if first == id else first): depth
-            for (first, second), depth in self.depths(data).items()
-            if id in (first, second) and first != second
-        }
+        """Deepest contact of one object with each other thing [m]; gaps are left out."""
+        found: dict[str, float] = {}
+        depth = -data.contact.dist
+        for index, other in self._contacts_of(data, id):
+            if depth[index] > 0.0:
+                found[other] = max(found.get(other, 0.0), float(depth[index]))
+        return found
 
-    def carriers(self, data: mujoco.MjData) -> dict[str, dict[str, float]]:
-        """For each object the vertical force that each other thing holds it up with [N]; loads from above left out."""
-        pairs, up = self._pairs(data), self._vertical_forces(data)
-        forces: dict[str, dict[str, float]] = {}
-        for (first, second), force in zip(pairs, up, strict=True):
-            if first != second:
-                _add(forces, self.names[second], self.names[first], force)
-                _add(forces, self.names[first], self.names[second], -force)
-        return {id: {by: f for by, f in others.items() if f > 0.0} for id, others in forces.items()}
+    def carriers_of(self, data: mujoco.MjData, id: str) -> dict[str, float]:
+        """Upward force that each other thing holds an object up with [N]; loads from above are left out."""
+        forces: dict[str, float] = {}
+        pairs, force, frames = self._pairs(data), np.zeros(6), data.contact.frame
+        for index, other in self._contacts_of(data, id):
+            mujoco.mj_contactForce(self._model, data, index, force)
+            on_second = float(frames[index].reshape(3, 3)[:, 2] @ force[:3])
+            sign = 1.0 if pairs[index, 1] == self._number[id] else -1.0
+            forces[other] = forces.get(other, 0.0) + sign * on_second
+        return {other: up for other, up in forces.items() if up > 0.0}
+
+    def _contacts_of(self, data: mujoco.MjData, id: str) -> list[tuple[int, str]]:
+        """Index of every contact of an object with something else, and with what."""
+        number = self._number.get(id, -1)
+        pairs = self._pairs(data)
+        mine = pairs == number
+        found = np.flatnonzero(mine[:, 0] != mine[:, 1])
+        others = np.where(mine[found, 0], pairs[found, 1], pairs[found, 0])
+        return [(int(index), self.names[other]) for index, other in zip(found, others, strict=True)]
 
     def _pairs(self, data: mujoco.MjData) -> NDArray[np.int64]:
         numbers: NDArray[np.int64] = self._of_geom[data.contact.geom[: data.ncon]]
         return numbers
-
-    def _vertical_forces(self, data: mujoco.MjData) -> list[float]:
-        """Upward force of every contact on its second geom [N]."""
-        force, up = np.zeros(6), []
-        for index in range(data.ncon):
-            mujoco.mj_contactForce(self._model, data, index, force)
-            up.append(float(data.contact.frame[index].reshape(3, 3)[:, 2] @ force[:3]))
-        return up
 
 
 def shares(forces: dict[str, float], weight: float) -> tuple[Support, ...]:
@@ -72,11 +75,6 @@ def shares(forces: dict[str, float], weight: float) -> tuple[Support, ...]:
     total = max(sum(forces.values()), weight)
     found = [Support(by=by, share=round(force / total, 4)) for by, force in forces.items()]
     return tuple(sorted((s for s in found if s.share >= LEAST_SHARE), key=lambda s: (-s.share, s.by)))
-
-
-def _add(forces: dict[str, dict[str, float]], id: str, by: str, force: float) -> None:
-    of_id = forces.setdefault(id, {})
-    of_id[by] = of_id.get(by, 0.0) + force
 
 
 def _owner(model: mujoco.MjModel, geom: int) -> str:

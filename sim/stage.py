@@ -49,7 +49,7 @@ class Stage:
         """What carries an object now, with which share of its weight."""
         self._compute_all_contacts()
         weight = float(self._model.body(id).subtreemass[0]) * -self._physics.gravity[2]
-        return shares(self._contacts.carriers(self._data).get(id, {}), weight)
+        return shares(self._contacts.carriers_of(self._data, id), weight)
 
     def _compute_all_contacts(self) -> None:
         """Contacts of sleeping bodies are left out of the state, so sleep is off while they are worked out."""
