@@ -1,0 +1,121 @@
+"""Shapes as USD prims: colliders one by one as they are, looks merged into one mesh for each material."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Vt
+
+from thinkblox.asset import Shape
+from thinkblox.exporters.usd_looks import BINDING, Colour, Looks, look_name
+from thinkblox.exporters.usd_prims import Prim, T, vectors
+from thinkblox.sim.render.tessellate import Mesh, capsule, cylinder, ellipsoid, hull
+from thinkblox.sim.solid import rotation
+from thinkblox.value import Vec3
+
+Floats = NDArray[np.float64]
+_COLLIDER = "PhysicsCollisionAPI"
+_CUBE = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+_SIDES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+"""Corners of each side of the cube, counter-clockwise seen from outside: -x, x, -y, y, -z, z."""
+
+
+@dataclass(frozen=True)
+class Polygons:
+    """Flat or curved polygons with a normal a vertex, in the frame of their prim [m]."""
+
+    points: Floats
+    normals: Floats
+    counts: list[int]
+    indices: list[int]
+
+
+def add_colliders(parent: Prim, shapes: Sequence[Shape], looks: Looks, friction: float) -> None:
+    """Add a scope "Collision" (purpose guide) with one convex collider for each shape that can be touched."""
+    solid = [shape for shape in shapes if shape.collide]
+    if solid:
+        scope = parent.child("Collision", "Scope", apis=[BINDING]).put("purpose", T.Token, "guide", uniform=True)
+        looks.bind_friction(scope, friction)
+        for shape in solid:
+            _add_collider(scope, shape)
+
+
+def _add_collider(scope: Prim, shape: Shape) -> None:
+    (x, y, z), name = shape.size, shape.kind
+    if shape.kind in ("hull", "ellipsoid"):
+        _add_hull(scope, shape)
+    elif shape.kind == "box":
+        prim = scope.child(name, "Cube", apis=[_COLLIDER]).put("size", T.Double, 1.0)
+        prim.extent((-0.5,) * 3, (0.5,) * 3).place(shape.position, shape.quat_wxyz, shape.size)
+    elif shape.kind == "sphere":
+        prim = scope.child(name, "Sphere", apis=[_COLLIDER]).put("radius", T.Double, x / 2)
+        prim.extent((-x / 2,) * 3, (x / 2,) * 3).place(shape.position, shape.quat_wxyz)
+    else:
+        prim = scope.child(name, shape.kind.capitalize(), apis=[_COLLIDER]).put("axis", T.Token, "Z", uniform=True)
+        prim.put("radius", T.Double, x / 2).put("height", T.Double, z if shape.kind == "cylinder" else z - x)
+        prim.extent((-x / 2, -y / 2, -z / 2), (x / 2, y / 2, z / 2)).place(shape.position, shape.quat_wxyz)
+
+
+def _add_hull(scope: Prim, shape: Shape) -> None:
+    mesh = _rounded(shape)
+    points, index = np.unique(np.round(mesh.vertices, 6), axis=0, return_inverse=True)
+    faces = index.reshape(-1)[mesh.faces]
+    faces = faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])]
+    prim = scope.child(shape.kind, "Mesh", apis=[_COLLIDER, "PhysicsMeshCollisionAPI"])
+    prim.put("physics:approximation", T.Token, "convexHull", uniform=True)
+    _put_mesh(prim, points, [3] * len(faces), faces.ravel().tolist())
+    prim.place(shape.position, shape.quat_wxyz)
+
+
+def add_visuals(parent: Prim, shapes: Sequence[Shape], looks: Looks) -> None:
+    """Add a scope "Visual" with one mesh for each look that the shapes have."""
+    scope = parent.child("Visual", "Scope")
+    groups: dict[str, list[Shape]] = {}
+    for shape in shapes:
+        groups.setdefault(look_name(shape.material, shape.colour), []).append(shape)
+    for name, group in groups.items():
+        add_mesh(scope, name, [_placed(shape) for shape in group], looks, group[0].material, group[0].colour)
+
+
+def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, material: str, colour: Colour) -> Prim:
+    """Add one visible mesh made of all parts."""
+    prim = parent.child(name, "Mesh", apis=[BINDING])
+    starts = np.cumsum([0] + [len(part.points) for part in parts]).tolist()
+    indices = [index + start for part, start in zip(parts, starts, strict=False) for index in part.indices]
+    points = np.vstack([part.points for part in parts])
+    _put_mesh(prim, points, [count for part in parts for count in part.counts], indices)
+    normals = np.vstack([part.normals for part in parts])
+    prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="vertex")
+    looks.bind(prim, material, colour)
+    return prim
+
+
+def _put_mesh(prim: Prim, points: Floats, counts: list[int], indices: list[int]) -> None:
+    prim.put("points", T.Point3fArray, vectors(points, 6)).put("faceVertexCounts", T.IntArray, Vt.IntArray(counts))
+    prim.put("faceVertexIndices", T.IntArray, Vt.IntArray(indices))
+    prim.put("subdivisionScheme", T.Token, "none", uniform=True)
+    prim.extent(np.round(points.min(axis=0), 6).tolist(), np.round(points.max(axis=0), 6).tolist())
+
+
+def box_polygons(size: Vec3, centre: Vec3 = (0.0, 0.0, 0.0), turn: Floats | None = None) -> Polygons:
+    """Six quadrilaterals; `turn` is the 3x3 matrix of the box's orientation."""
+    turn = np.eye(3) if turn is None else turn
+    corners = (_CUBE * size) @ turn.T + centre
+    outward = np.vstack([sign * turn[:, axis] for axis in range(3) for sign in (-1.0, 1.0)])
+    return Polygons(corners[np.ravel(_SIDES)], np.repeat(outward, 4, axis=0), [4] * 6, list(range(24)))
+
+
+def _placed(shape: Shape) -> Polygons:
+    turn = rotation(shape.quat_wxyz)
+    if shape.kind == "box":
+        return box_polygons(shape.size, shape.position, turn)
+    mesh = _rounded(shape)
+    points = mesh.vertices.astype(np.float64) @ turn.T + shape.position
+    return Polygons(points, mesh.normals @ turn.T, [3] * len(mesh.faces), mesh.faces.ravel().tolist())
+
+
+def _rounded(shape: Shape) -> Mesh:
+    if shape.kind == "hull":
+        return hull(shape.points, smooth=shape.smooth)
+    return {"cylinder": cylinder, "capsule": capsule}.get(shape.kind, ellipsoid)(shape.size)
