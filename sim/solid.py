@@ -15,7 +15,10 @@ from thinkblox.value import Quat
 
 Array = NDArray[np.float64]
 SEGMENTS = 48
-"""Sides of the polygon that stands for a circle."""
+"""Sides of the polygon that stands for a circle where distances are measured."""
+COARSE = 24
+"""The same where volumes are."""
+_CUBE = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 
 
 def rotation(quat_wxyz: Quat) -> Array:
@@ -39,39 +42,40 @@ def pose(placement: Placement) -> Array:
 
 def shape_points(shape: Shape) -> Array:
     """Points in the asset's frame [m] whose convex hull is the shape, shape (n, 3); round ones are sampled."""
-    local = _local_points(shape)
+    return _placed(shape, _local_points(shape, SEGMENTS))
+
+
+def _placed(shape: Shape, local: Array) -> Array:
     placed: Array = local @ rotation(shape.quat_wxyz).T + np.asarray(shape.position)
     return placed
 
 
-def _local_points(shape: Shape) -> Array:
+def _local_points(shape: Shape, segments: int) -> Array:
     half = np.asarray(shape.size) / 2
     if shape.kind == "hull":
         return np.asarray(shape.points, dtype=np.float64)
     if shape.kind == "box":
-        corners: Array = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * half
-        return corners
+        return _CUBE * half
     if shape.kind == "cylinder":
-        ring = _ring() * half[:2]
-        return np.vstack([np.column_stack([ring, np.full(SEGMENTS, z)]) for z in (-half[2], half[2])])
-    ball = _ball()
+        ring = _ring(segments) * half[:2]
+        return np.vstack([np.column_stack([ring, np.full(segments, z)]) for z in (-half[2], half[2])])
+    ball = _ball(segments)
     if shape.kind == "capsule":
         straight = half[2] - half[0]
         return np.vstack([ball * half[0] + (0.0, 0.0, z) for z in (-straight, straight)])
-    round_points: Array = ball * half
-    return round_points
+    return ball * half
 
 
-@lru_cache(maxsize=1)
-def _ring() -> Array:
-    angles = np.arange(SEGMENTS) * (2 * math.pi / SEGMENTS)
+@lru_cache(maxsize=4)
+def _ring(segments: int) -> Array:
+    angles = np.arange(segments) * (2 * math.pi / segments)
     return np.column_stack([np.cos(angles), np.sin(angles)])
 
 
-@lru_cache(maxsize=1)
-def _ball() -> Array:
-    levels = np.linspace(-math.pi / 2, math.pi / 2, SEGMENTS // 2 + 1)
-    rings = [np.column_stack([_ring() * math.cos(t), np.full(SEGMENTS, math.sin(t))]) for t in levels[1:-1]]
+@lru_cache(maxsize=4)
+def _ball(segments: int) -> Array:
+    levels = np.linspace(-math.pi / 2, math.pi / 2, segments // 4 + 1)[1:-1]
+    rings = [np.column_stack([_ring(segments) * math.cos(t), np.full(segments, math.sin(t))]) for t in levels]
     return np.vstack([*rings, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
 
 
@@ -85,7 +89,7 @@ def shape_volume(shape: Shape) -> float:
     if shape.kind == "capsule":
         return math.pi / 4 * x * x * (z - x) + math.pi / 6 * x**3
     if shape.kind == "hull":
-        return float(Manifold.hull_points(shape_points(shape)).volume())
+        return float(Manifold.hull_points(np.asarray(shape.points)).volume())
     return math.pi / 6 * x * y * z
 
 
@@ -113,8 +117,7 @@ class Solid:
     @cached_property
     def manifold(self) -> Manifold:
         """Union of the colliding shapes; round ones keep their volume."""
-        pairs = zip(self._shapes, self._points, strict=True)
-        return Manifold.batch_boolean([_hull(shape, points) for shape, points in pairs if shape.collide], OpType.Add)
+        return Manifold.batch_boolean([_hull(shape) for shape in self._shapes if shape.collide], OpType.Add)
 
     @cached_property
     def volume(self) -> float:
@@ -152,11 +155,15 @@ def solid_of(asset: Asset) -> Solid:
     return Solid(asset)
 
 
-def _hull(shape: Shape, points: Array) -> Manifold:
-    hull = Manifold.hull_points(points)
-    grow = (shape_volume(shape) / hull.volume()) ** (1 / 3)
-    centre = points.mean(axis=0)
-    return hull.translate(tuple(-centre)).scale((grow, grow, grow)).translate(tuple(centre))
+def _hull(shape: Shape) -> Manifold:
+    """A polyhedron of the shape's volume: what sampling cuts off a round one is given back by widening it."""
+    local = _local_points(shape, COARSE)
+    missing = shape_volume(shape) / Manifold.hull_points(local).volume()
+    if shape.kind == "cylinder":
+        local = local * (missing**0.5, missing**0.5, 1.0)
+    elif shape.kind in ("sphere", "ellipsoid", "capsule"):
+        local = local * missing ** (1 / 3)
+    return Manifold.hull_points(_placed(shape, local))
 
 
 def on_floor(local: BaseGeometry, placement: Placement) -> BaseGeometry:

@@ -1,0 +1,124 @@
+import mujoco
+import numpy as np
+import pytest
+from msgspec import structs
+from shapely import Point
+from sim_rooms import asset, put, scene, table, wardrobe
+
+from thinkblox.asset import Shape, Surface
+from thinkblox.room import Opening, Room, rectangle
+from thinkblox.scene import Scene
+from thinkblox.sim.build import build_spec
+from thinkblox.sim.walls import wall_slabs
+
+POINTS = ((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.0, 0.3, 0.0), (0.0, 0.0, 0.3))
+
+
+def every_kind() -> Scene:
+    shapes = [
+        Shape(kind="box", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.1)),
+        Shape(kind="cylinder", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.3)),
+        Shape(kind="capsule", size=(0.2, 0.2, 0.4), position=(0.0, 0.0, 0.6)),
+        Shape(kind="sphere", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.9)),
+        Shape(kind="ellipsoid", size=(0.2, 0.1, 0.2), position=(0.0, 0.0, 1.1)),
+        Shape(kind="hull", size=(0.3, 0.3, 0.3), position=(0.0, 0.0, 1.2), points=POINTS, smooth=True),
+        Shape(kind="hull", size=(0.3, 0.3, 0.3), position=(0.2, 0.0, 1.2), points=POINTS, smooth=True),
+        Shape(kind="box", size=(0.3, 0.3, 0.01), position=(0.0, 0.0, 1.5), collide=False),
+    ]
+    totem = asset("totem", (0.5, 0.5, 1.6), *shapes, mass=7.0)
+    return scene(None, (put(totem, 1.234567, 2.0, yaw=33.0), totem))
+
+
+def test_visuals_change_nothing_that_is_measured() -> None:
+    room = every_kind().with_placement(put(wardrobe(), 0.301, 4.0), wardrobe())
+    plain, seen = (build_spec(room, visuals=visuals).compile() for visuals in (False, True))
+    assert plain.nq == seen.nq
+    for name in ("body_mass", "body_inertia", "body_ipos", "body_pos", "body_quat", "jnt_range", "qpos0"):
+        np.testing.assert_array_equal(getattr(plain, name), getattr(seen, name), err_msg=name)
+    assert seen.ngeom == plain.ngeom + 1
+
+
+def test_mass_is_the_assets_and_spread_by_volume() -> None:
+    model = build_spec(every_kind()).compile()
+    assert model.body("totem_1").subtreemass[0] == pytest.approx(7.0)
+    mass = {int(kind): 0.0 for kind in model.geom_type}
+    volumes = {
+        mujoco.mjtGeom.mjGEOM_BOX: 0.008,
+        mujoco.mjtGeom.mjGEOM_CYLINDER: np.pi * 0.01 * 0.2,
+        mujoco.mjtGeom.mjGEOM_SPHERE: np.pi / 6 * 0.008,
+    }
+    spec = build_spec(every_kind())
+    for geom in spec.body("totem_1").geoms:
+        mass[int(geom.type)] = geom.mass
+    densities = [mass[int(kind)] / volume for kind, volume in volumes.items()]
+    assert densities == pytest.approx([densities[0]] * 3)
+
+
+def test_equal_hulls_share_one_mesh() -> None:
+    assert build_spec(every_kind()).compile().nmesh == 1
+
+
+def test_poses_survive_the_xml() -> None:
+    model = mujoco.MjModel.from_xml_string(build_spec(every_kind(), visuals=True).to_xml())
+    np.testing.assert_allclose(model.body("totem_1").pos, (1.234567, 2.0, 0.0), atol=1e-5)
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    assert np.degrees(np.arctan2(*data.body("totem_1").xmat.reshape(3, 3)[[1, 0], 0])) == pytest.approx(33.0, abs=1e-3)
+
+
+def test_names_of_bodies_and_joints() -> None:
+    room = scene(None, (put(wardrobe(), 0.301, 4.0), wardrobe()), (put(table(), 2.0, 2.0), table()))
+    model = build_spec(room).compile()
+    assert [model.body(i).name for i in range(1, model.nbody)] == [
+        "wardrobe_1", "wardrobe_1/door_left", "wardrobe_1/door_right", "table_1",
+    ]  # fmt: skip
+    assert [model.joint(i).name for i in range(model.njnt)] == [
+        "wardrobe_1_free", "wardrobe_1/door_left", "wardrobe_1/door_right", "table_1_free",
+    ]  # fmt: skip
+    assert np.degrees(model.joint("wardrobe_1/door_left").range[1]) == pytest.approx(110.0)
+    assert model.nexclude == 3
+
+
+def test_doors_open_outwards() -> None:
+    room = scene(None, (put(wardrobe(), 1.0, 2.0), wardrobe()))
+    model = build_spec(room).compile()
+    data = mujoco.MjData(model)
+    for side in ("left", "right"):
+        data.joint(f"wardrobe_1/door_{side}").qpos[0] = np.radians(90.0)
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    assert data.body("wardrobe_1/door_left").xipos[0] > 1.4
+    assert data.body("wardrobe_1/door_right").xipos[0] > 1.4
+
+
+def test_fixed_things_have_no_joint_and_rugs_no_mass_to_fall() -> None:
+    picture = asset("picture", (0.03, 0.6, 0.4), mount="wall", mass=2.0)
+    model = build_spec(scene(None, (put(picture, 2.0, 4.985, 1.4, on="north_wall"), picture))).compile()
+    assert model.njnt == 0
+
+
+def test_surfaces_become_sites() -> None:
+    kind = table()
+    kind = structs.replace(kind, surfaces=(Surface(name="top", position=(0.0, 0.0, 0.75), size=(1.2, 0.8)),))
+    model = build_spec(scene(None, (put(kind, 2.0, 2.0), kind)), visuals=True).compile()
+    np.testing.assert_allclose(model.site("table_1/top").pos, (0.0, 0.0, 0.75))
+
+
+def test_walls_leave_openings_open() -> None:
+    door = Opening(id="door_1", kind="door", wall=0, offset=1.0, width=0.9, height=2.0)
+    window = Opening(id="window_1", kind="window", wall=0, offset=2.5, width=1.0, height=1.2, sill=0.9)
+    slabs = [s for s in wall_slabs(rectangle(4.0, 5.0, openings=(door, window)), 0.1) if s.name.startswith("south")]
+    solid = sum(s.size[0] * s.size[2] for s in slabs)
+    assert solid == pytest.approx(4.0 * 2.6 - 0.9 * 2.0 - 1.0 * 1.2)
+    assert all(s.position[1] == pytest.approx(-0.05) for s in slabs)
+
+
+def test_walls_stay_out_of_the_floor_of_any_shape() -> None:
+    notched = Room(
+        floor=((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.05, 3.0), (2.05, 1.0), (2.0, 1.0), (2.0, 3.0), (0.0, 3.0))
+    )
+    model = build_spec(scene(notched)).compile()
+    for geom in range(1, model.ngeom):
+        x, y = model.geom_pos[geom][:2]
+        assert not notched.polygon.buffer(-1e-6).contains(Point(x, y))
+    assert all(s.size[1] <= 0.1 for s in wall_slabs(notched, 0.1))
