@@ -95,6 +95,7 @@ class Brief(Value, frozen=True, kw_only=True):
         shape: of the floor.
         width, depth: of the floor [m], where the prompt gives both.
         area: of the floor [m2], where the prompt gives that.
+        height: of the room [m], where the prompt gives it.
         style: adjectives about the whole ("calm", "cosy").
         missing: things asked for that the catalogue does not have ("hoverboard"), with their count in words.
         unknown: words that meant nothing to us.
@@ -108,6 +109,7 @@ class Brief(Value, frozen=True, kw_only=True):
     width: float | None = None
     depth: float | None = None
     area: float | None = None
+    height: float | None = None
     openings: tuple[OpeningRequest, ...] = ()
     requests: tuple[Request, ...] = ()
     relations: tuple[Relation, ...] = ()

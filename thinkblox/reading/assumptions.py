@@ -1,0 +1,129 @@
+"""What a prompt leaves unsaid: the usual furniture of a room that is only named, seats for people, a table for a vase."""
+
+import tomllib
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+
+from thinkblox.reading.attach import relation_kind
+from thinkblox.reading.draft import Bond, Draft, Thing
+from thinkblox.reading.habits import load_habits
+
+_PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
+_SEATING = {"dining_room": "dining_table", "restaurant": "dining_table", "meeting_room": "conference_table", "kitchen": "kitchen_table"}
+_A_PLACE_EACH = {"classroom": "school_desk", "office": "desk", "computer_room": "desk", "home_office": "desk"}
+_SLEEPING = ("bedroom", "kids_room", "dorm_room", "hospital_room")
+_FURNISH = "furnished"
+
+
+@dataclass(frozen=True, slots=True)
+class Usual:
+    """One thing that a type of room usually holds."""
+
+    count: int
+    category: str
+    relations: tuple[tuple[str, str, bool], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RoomType:
+    """A typical room: floor area [m2], height [m], contents."""
+
+    area: float
+    height: float
+    usual: tuple[Usual, ...]
+
+
+@lru_cache(maxsize=1)
+def room_types() -> dict[str, RoomType]:
+    """Every type of room we know, by name; "room" is the one to take when nothing is said."""
+    data = tomllib.loads((files("thinkblox.reading") / "rooms.toml").read_text(encoding="utf-8"))
+    return {name: _room_type(entry) for name, entry in data.items()}
+
+
+def _room_type(entry: dict[str, object]) -> RoomType:
+    usual, area, height = entry["usual"], entry["area"], entry.get("height", 2.6)
+    assert isinstance(usual, list) and isinstance(area, int | float) and isinstance(height, int | float)  # noqa: PT018
+    return RoomType(float(area), float(height), tuple(_usual(str(line)) for line in usual))
+
+
+def _usual(line: str) -> Usual:
+    what, _, how = line.partition(" : ")
+    count, _, category = what.rpartition(" ")
+    relations = []
+    for relation in filter(None, how.split(", ")):
+        kind, anchor, *each = [*relation.split(), ""]
+        relations.append((kind, anchor, "each" in each))
+    return Usual(int(count or 1), category, tuple(relations))
+
+
+def assume(draft: Draft) -> None:
+    """Add what the prompt takes for granted, marked as not asked for."""
+    if not draft.empty:
+        furnish = _FURNISH in draft.style
+        if (not draft.things and not draft.missing) or furnish:
+            _fill(draft)
+        _seat(draft)
+        _carry(draft)
+
+
+def _fill(draft: Draft) -> None:
+    present = {thing.noun for thing in draft.things}
+    made: dict[str, Thing] = {thing.noun: thing for thing in draft.things}
+    for usual in room_types()[draft.room or "room"].usual:
+        if usual.category in present or usual.category in draft.excluded:
+            continue
+        if any(anchor not in made and anchor not in _PLACES and anchor for _, anchor, _ in usual.relations):
+            continue
+        thing = made[usual.category] = _add(draft, usual.category, usual.count)
+        for kind, anchor, each in usual.relations:
+            anchors = (made.get(anchor, anchor),) if anchor else ()
+            draft.bonds.append(Bond(relation_kind(kind), thing, anchors, each=each, asked=False))
+    _scale(draft)
+
+
+def _scale(draft: Draft) -> None:
+    """As many seats, desks or beds as the people the room is for."""
+    if not draft.people:
+        return
+    names = ("chair", "office_chair", _A_PLACE_EACH.get(draft.room, ""), *(("bed", "hospital_bed") if draft.room in _SLEEPING else ()))
+    for thing in draft.things:
+        if not thing.asked and thing.noun in names and (thing.many or draft.room in _SLEEPING):
+            thing.count = draft.people
+
+
+def _seat(draft: Draft) -> None:
+    """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
+    for thing in [t for t in draft.things if t.seats]:
+        if not any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+            _chairs(draft, thing, thing.seats)
+    if draft.people and draft.room in _SEATING and not _has(draft, "seats"):
+        table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
+        _chairs(draft, table or _add(draft, _SEATING[draft.room], 1), draft.people)
+
+
+def _chairs(draft: Draft, table: Thing, count: int) -> None:
+    seat = _add(draft, "chair", count)
+    kind = "at" if load_habits().is_in(table.noun, "desks") else "around"
+    draft.bonds.append(Bond(relation_kind(kind), seat, (table,), asked=False))
+
+
+def _has(draft: Draft, group: str) -> bool:
+    return any(load_habits().is_in(thing.noun, group) for thing in draft.things)
+
+
+def _carry(draft: Draft) -> None:
+    """Something to put small things on, where the prompt names nothing that could carry them."""
+    habits = load_habits()
+    for thing in [t for t in draft.things if habits.is_in(t.noun, "small") and not draft.bonds_of(t)]:
+        carriers = [anchor for habit in habits.of(thing.noun) if habit.kind == "on" for anchor in habit.anchors]
+        if not any(t.noun in carriers for t in draft.things):
+            noun = next((c for c in carriers if not c.startswith("any_") and c not in draft.excluded), None)
+            if noun is not None:
+                _add(draft, noun, 1)
+
+
+def _add(draft: Draft, noun: str, count: int) -> Thing:
+    thing = Thing(noun, count, asked=False)
+    draft.things.append(thing)
+    return thing

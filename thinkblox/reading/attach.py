@@ -1,0 +1,67 @@
+"""Makes bonds: which relation really holds, who its subject is, and what a place of the room means for it."""
+
+from thinkblox.brief import RelationKind
+from thinkblox.reading.draft import Bond, Draft, Thing
+from thinkblox.reading.habits import load_habits
+
+_WALLS = ("wall", "long_wall", "short_wall", "north_wall", "east_wall", "south_wall", "west_wall")
+_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall"}
+_BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
+_COVERS = ("rug", "bath_mat", "door_mat", "yoga_mat")
+
+
+def place_bond(kind: str, place: str) -> tuple[RelationKind, str] | None:
+    """The relation and place that "<kind> the <place>" means; None when it says nothing ("on the floor")."""
+    if place in _WALLS:
+        return ("facing", place) if kind == "facing" else ("opposite", place) if kind == "opposite" else ("against_wall", place)
+    if place == "corner":
+        return ("in_corner", place)
+    if place == "centre":
+        return ("in_centre", place)
+    if place in ("window", "door"):
+        keep = kind in ("facing", "opposite", "left_of", "right_of", "above")
+        return (relation_kind(kind) if keep else "near", place)
+    return None
+
+
+def relation_kind(kind: str) -> RelationKind:
+    """The relation a preposition stands for before an object ("in" a basket is "on" it)."""
+    return _KINDS.get(kind, kind)  # type: ignore[arg-type, return-value]
+
+
+def bind(draft: Draft, bond: Bond) -> None:
+    """Add a bond, turned the right way round, in place of a weaker one that it makes more exact."""
+    anchor = bond.anchors[0] if bond.anchors else None
+    if isinstance(anchor, Thing):
+        if anchor is bond.subject and bond.kind not in ("facing", "next_to"):
+            return
+        if bond.kind == "on" and anchor.noun in _COVERS and bond.subject.noun not in _COVERS:
+            bond = Bond("under", anchor, (bond.subject,), each=bond.each)
+        elif bond.kind == "against_wall":
+            bond.kind = "next_to"
+    draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
+    draft.bonds.append(bond)
+
+
+def _is_sharper(bond: Bond, old: Bond) -> bool:
+    """Whether `bond` says better what `old` only supposed ("a bed with a lamp next to it")."""
+    return old.implied and old.subject is bond.subject and (not bond.implied)
+
+
+def subjects_of(current: Thing, kind: str, anchors: tuple[Thing | str, ...], run: list[Thing], *, pronoun: bool) -> list[Thing]:
+    """Which things a relation that follows `current` is about.
+
+    "a desk with a chair by the window": the desk. "a vase and two candles on the table": both.
+    """
+    habits = load_habits()
+    owner = current.owner
+    place = bool(anchors) and isinstance(anchors[0], str)
+    if owner is not None and not pronoun and owner not in anchors:
+        if place and not (habits.is_in(current.noun, "wallpieces", "ceiling")):
+            return [owner]
+        if kind in _BY_OWNER and habits.is_in(current.noun, "small", "seats") and kind != "facing":
+            return [owner]
+    group = "small" if kind == "on" else "wallpieces" if kind in ("against_wall", "above") else ""
+    if group and habits.is_in(current.noun, group):
+        return [t for t in run if habits.is_in(t.noun, group) and t not in anchors and t.owner is owner] or [current]
+    return [current]

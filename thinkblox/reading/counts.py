@@ -1,0 +1,78 @@
+"""How many of each: what was said, shared out over anchors, or a sensible number for a bare plural."""
+
+from thinkblox.reading.draft import Draft, Thing
+from thinkblox.reading.habits import load_habits
+
+MAX_OF_A_KIND = 200
+"""Most objects that one request may ask for."""
+MAX_OBJECTS = 400
+"""Most objects that one prompt may ask for; the rest is listed as missing."""
+_CORNERS = 4
+_PER_ROW, _ROWS = 3, 2
+_BARE = {"school_desk": 6, "chair": 4, "office_chair": 4, "bar_stool": 3, "child_chair": 2, "desk": 4, "dining_table": 3}
+_BARE |= {"bookcase": 2, "cushion": 2, "base_cabinet": 3, "curtain": 2, "potted_plant": 4, "plant": 3, "locker": 4}
+
+
+def settle_counts(draft: Draft) -> None:
+    """Give every thing its final count, anchors before what is counted by them."""
+    done: set[int] = set()
+    for thing in draft.things:
+        _settle(draft, thing, done)
+    _limit(draft)
+
+
+def _settle(draft: Draft, thing: Thing, done: set[int]) -> None:
+    if id(thing) in done:
+        return
+    done.add(id(thing))
+    bonds = draft.bonds_of(thing)
+    for bond in bonds:
+        for anchor in bond.anchors:
+            if isinstance(anchor, Thing):
+                _settle(draft, anchor, done)
+    shares = next((bond for bond in bonds if bond.each and thing.asked), None)
+    anchors = shares.anchors if shares else ()
+    if shares and any(isinstance(a, str) and a == "corner" for a in anchors):
+        thing.count = (thing.count or 1) * _CORNERS
+    elif shares and any(isinstance(a, Thing) for a in anchors):
+        each = thing.count if thing.count is not None else _each(thing)
+        thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Thing))
+    elif thing.count is None:
+        thing.count = _bare(draft, thing)
+    _carriers(draft, thing)
+
+
+def _each(thing: Thing) -> int:
+    return 4 if thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
+
+
+def _bare(draft: Draft, thing: Thing) -> int:
+    if thing.rows:
+        return (_ROWS if thing.rows < 0 else thing.rows) * (_PER_ROW if thing.rows != 1 else _PER_ROW + 1)
+    if any(b.kind == "in_rows" for b in draft.bonds_of(thing)):
+        rows = next(b.rows for b in draft.bonds_of(thing) if b.kind == "in_rows")
+        return max(rows, _ROWS) * _PER_ROW
+    return _BARE.get(thing.noun, 3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
+
+
+def _carriers(draft: Draft, thing: Thing) -> None:
+    """Base cabinets that carry a sink, a hob and a microwave are at least three."""
+    if thing.noun == "base_cabinet" and thing.plural and thing.text and not _is_counted(thing):
+        carried = sum(b.kind == "on" and thing in b.anchors for b in draft.bonds)
+        thing.count = max(thing.count or 1, carried)
+
+
+def _is_counted(thing: Thing) -> bool:
+    return thing.count is not None and thing.count != _BARE.get(thing.noun) and not thing.vague
+
+
+def _limit(draft: Draft) -> None:
+    total = 0
+    for thing in list(draft.things):
+        wanted = thing.count or 1
+        thing.count = max(0, min(wanted, MAX_OF_A_KIND, MAX_OBJECTS - total))
+        total += thing.count
+        if thing.count < wanted:
+            draft.missing.append(f"{wanted - thing.count} more of {thing.text or thing.noun!r}")
+        if thing.count == 0:
+            draft.drop(thing)

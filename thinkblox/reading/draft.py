@@ -1,0 +1,85 @@
+"""What has been understood so far: things, their bonds, the room. Mutable; `read_brief` makes a Brief of it."""
+
+from dataclasses import dataclass, field
+
+from thinkblox.brief import RelationKind
+from thinkblox.reading.sizes import Size
+
+
+@dataclass(eq=False)
+class Thing:
+    """Objects of one kind that were mentioned together.
+
+    Attributes:
+        noun: a category, or a generic noun ("any_table") until its sense is chosen.
+        count: as said; None for a bare plural.
+        owner: what it was said to belong to ("a desk with a chair"), if anything.
+        seats: how many people it was said to be for.
+        general: only said of the room as a whole ("a shop full of plants").
+    """
+
+    noun: str
+    count: int | None = 1
+    vague: bool = False
+    plural: bool = False
+    rows: int = 0
+    attributes: list[str] = field(default_factory=list)
+    text: str = ""
+    asked: bool = True
+    owner: "Thing | None" = None
+    seats: int = 0
+    general: bool = False
+
+    @property
+    def many(self) -> bool:
+        """Whether it stands for more than one object."""
+        return self.plural or self.count is None or self.count > 1
+
+
+@dataclass(eq=False)
+class Bond:
+    """A relation between things, or of a thing to places of the room (strings)."""
+
+    kind: RelationKind
+    subject: Thing
+    anchors: tuple[Thing | str, ...] = ()
+    each: bool = False
+    asked: bool = True
+    rows: int = 0
+    implied: bool = False
+
+
+@dataclass(eq=False)
+class Gap:
+    """A door or window that was asked for; count 0 when there is to be none."""
+
+    kind: str
+    count: int
+    wall: str = ""
+
+
+@dataclass
+class Draft:
+    """Everything read from a prompt."""
+
+    things: list[Thing] = field(default_factory=list)
+    bonds: list[Bond] = field(default_factory=list)
+    openings: list[Gap] = field(default_factory=list)
+    room: str = ""
+    people: int = 0
+    sizes: list[Size] = field(default_factory=list)
+    room_attributes: list[str] = field(default_factory=list)
+    style: list[str] = field(default_factory=list)
+    missing: list[str] = field(default_factory=list)
+    unknown: list[str] = field(default_factory=list)
+    excluded: set[str] = field(default_factory=set)
+    empty: bool = False
+
+    def bonds_of(self, thing: Thing) -> list[Bond]:
+        """The bonds whose subject is `thing`."""
+        return [bond for bond in self.bonds if bond.subject is thing]
+
+    def drop(self, thing: Thing) -> None:
+        """Forget a thing and its bonds."""
+        self.things = [t for t in self.things if t is not thing]
+        self.bonds = [b for b in self.bonds if b.subject is not thing and thing not in b.anchors]

@@ -1,0 +1,213 @@
+"""What the words of one language mean, read from lexicon/<code>.toml."""
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib.resources import files
+from typing import Literal
+
+from thinkblox.reading.tokens import Token, tokenise
+
+Sort = Literal[
+    "object",
+    "room",
+    "place",
+    "relation",
+    "having",
+    "adverb",
+    "measure",
+    "count",
+    "vague",
+    "attribute",
+    "style",
+    "unit",
+    "part",
+    "word",
+]
+_SORTS: Mapping[str, Sort] = {
+    "objects": "object",
+    "rooms": "room",
+    "places": "place",
+    "relations": "relation",
+    "having": "having",
+    "adverbs": "adverb",
+    "measures": "measure",
+    "attributes": "attribute",
+    "styles": "style",
+    "units": "unit",
+    "parts": "part",
+    "words": "word",
+}
+LANGUAGES: Mapping[str, str] = {"en": "English", "de": "German", "fr": "French", "es": "Spanish"}
+"""The languages that can be read, by code."""
+_LONGEST = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One meaning of a phrase: `value` is a category, room type, relation, ..., according to `sort`."""
+
+    sort: Sort
+    value: str
+    plural: bool = False
+    attribute: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Lexeme:
+    """A stretch of tokens and what it can mean; no entries when it is unknown."""
+
+    shown: str
+    entries: tuple[Entry, ...]
+    length: int
+    first: Token
+
+    def entry(self, *sorts: Sort, value: str | None = None) -> Entry | None:
+        """Its meaning of one of these sorts (and with this value), if it has one."""
+        for entry in self.entries:
+            if entry.sort in sorts and (value is None or entry.value == value):
+                return entry
+        return None
+
+
+@dataclass(frozen=True)
+class Lexicon:
+    """The phrases of one language, each as a tuple of folded words."""
+
+    code: str
+    name: str
+    adjectives_after: bool
+    endings: tuple[str, ...]
+    compounds: bool
+    complement: tuple[str, ...]
+    contractions: Mapping[str, tuple[str, ...]]
+    phrases: dict[tuple[str, ...], tuple[Entry, ...]] = field(default_factory=dict)
+    prefixes: set[tuple[str, ...]] = field(default_factory=set)
+
+    def tokens(self, text: str) -> list[Token]:
+        """The tokens of a text, with contractions ("zum", "du") spelt out."""
+        tokens: list[Token] = []
+        for token in tokenise(text):
+            whole = self.contractions.get(token.text)
+            tokens += [Token(word, token.shown, "word") for word in whole] if whole else [token]
+        return tokens
+
+    def longest(self, tokens: list[Token], start: int) -> Lexeme:
+        """The longest phrase that begins at `start`, or a single token without a meaning."""
+        found, length = self._single(tokens[start]), 1
+        key = (tokens[start].text,)
+        for end in range(start + 1, min(start + _LONGEST, len(tokens)) + 1):
+            if end > start + 1:
+                key = (*key, tokens[end - 1].text)
+            if entries := self.phrases.get(key):
+                found, length = entries, end - start
+            if key not in self.prefixes:
+                break
+        shown = " ".join(token.shown for token in tokens[start : start + length])
+        return Lexeme(shown, found, length, tokens[start])
+
+    def _single(self, token: Token) -> tuple[Entry, ...]:
+        if token.kind == "number":
+            return (Entry("count", token.text),)
+        if token.kind != "word":
+            return ()
+        for stem in self._stems(token.text):
+            entries = tuple(e for e in self.phrases.get((stem,), ()) if e.sort in ("attribute", "style", "object"))
+            if entries:
+                return entries
+        return self._compound(token.text) if self.compounds else ()
+
+    def _stems(self, word: str) -> Iterator[str]:
+        for ending in self.endings:
+            if word.endswith(ending) and len(word) - len(ending) >= 3:
+                yield word[: len(word) - len(ending)]
+
+    def _compound(self, word: str) -> tuple[Entry, ...]:
+        for cut in range(3, len(word) - 3):
+            entries = tuple(e for e in self.phrases.get((word[cut:],), ()) if e.sort in ("object", "room"))
+            if entries:
+                return entries
+        return ()
+
+    def add(self, phrase: str, entry: Entry) -> None:
+        """Let `phrase` mean `entry`, besides what it means already."""
+        key = tuple(token.text for token in tokenise(phrase))
+        if not key or entry in self.phrases.get(key, ()):
+            return
+        self.phrases[key] = (*self.phrases.get(key, ()), entry)
+        for end in range(1, len(key)):
+            self.prefixes.add(key[:end])
+
+
+@lru_cache(maxsize=len(LANGUAGES))
+def load(code: str) -> Lexicon:
+    """The lexicon of a language of LANGUAGES."""
+    path = files("thinkblox.reading") / "lexicon" / f"{code}.toml"
+    data = tomllib.loads(path.read_text(encoding="utf-8"))
+    contractions = {short: tuple(whole.split()) for short, whole in data.get("contractions", {}).items()}
+    lexicon = Lexicon(
+        code=code,
+        name=data["language"],
+        adjectives_after=data["adjectives_after"],
+        endings=tuple(data.get("endings", "").split()),
+        compounds=data.get("compounds", False),
+        complement=tuple(data.get("complement", "").split()),
+        contractions=contractions,
+    )
+    plurals = data.get("plural", "")
+    for section, sort in _SORTS.items():
+        for value, phrases in data.get(section, {}).items():
+            _add_all(lexicon, phrases, sort, value, plurals)
+    for sort in ("count", "vague"):
+        for item in _split(data["numbers"].get(sort, "")):
+            number, _, phrase = item.partition(" ")
+            lexicon.add(phrase, Entry("count" if sort == "count" else "vague", number))
+    return lexicon
+
+
+def _split(phrases: str) -> Iterator[str]:
+    return (phrase.strip() for phrase in phrases.split(",") if phrase.strip())
+
+
+def _add_all(lexicon: Lexicon, phrases: str, sort: Sort, value: str, plurals: str) -> None:
+    for item in _split(phrases):
+        item, _, attribute = item.partition(":")
+        singular, _, plural = item.partition("|")
+        lexicon.add(singular, Entry(sort, value, singular == plural, attribute))
+        if plural and plural != singular:
+            lexicon.add(plural, Entry(sort, value, True, attribute))
+        elif not plural and sort in ("object", "room", "place"):
+            for form in _plural_forms(singular, plurals):
+                lexicon.add(form, Entry(sort, value, True, attribute))
+
+
+def _plural_forms(phrase: str, rule: str) -> Iterator[str]:
+    head, _, last = phrase.rpartition(" ")
+    before = f"{head} " if head else ""
+    match rule:
+        case "english":
+            yield before + _english_plural(last)
+        case "french":
+            yield before + last + ("x" if last.endswith(("eau", "eu")) else "" if last.endswith("s") else "s")
+            if head:
+                first, _, rest = phrase.partition(" ")
+                yield f"{first}{'x' if first.endswith('eau') else 's'} {rest}"
+        case "spanish":
+            first, _, rest = phrase.partition(" ")
+            yield f"{_spanish_plural(first)} {rest}".strip()
+            yield before + _spanish_plural(last)
+
+
+def _english_plural(word: str) -> str:
+    if word.endswith("y") and word[-2:-1] not in "aeiou":
+        return word[:-1] + "ies"
+    if word.endswith(("s", "x", "ch", "sh", "z")):
+        return word + "es"
+    return word + "s"
+
+
+def _spanish_plural(word: str) -> str:
+    if word.endswith("z"):
+        return word[:-1] + "ces"
+    return word + ("s" if word[-1:] in "aeiouáéó" else "es")

@@ -1,0 +1,143 @@
+"""Puts the stages of reading together: items, grammar, senses, counts, assumptions, and a Brief of them."""
+
+from typing import Literal
+
+from thinkblox.brief import Brief, OpeningRequest, Relation, Request
+from thinkblox.errors import InputError
+from thinkblox.reading.assumptions import assume, room_types
+from thinkblox.reading.counts import settle_counts
+from thinkblox.reading.draft import Bond, Draft, Gap, Thing
+from thinkblox.reading.grammar import Walker
+from thinkblox.reading.language import read_items
+from thinkblox.reading.reference import are_alike
+from thinkblox.reading.senses import choose_senses
+from thinkblox.reading.sizes import Size, check_area, check_side
+
+MAX_LENGTH = 20_000
+"""Longest prompt that is read [characters]."""
+
+
+def read_brief(prompt: str) -> Brief:
+    """What a prompt asks for, read by rules in one of the languages of `LANGUAGES`.
+
+    Raises:
+        InputError: the prompt is blank, longer than MAX_LENGTH, in a language we do not know, or asks for a room of
+            an impossible size.
+    """
+    if not prompt.strip():
+        raise InputError("the prompt is empty; describe a room, such as 'A bedroom, 4 m by 5 m, with a double bed.'")
+    if len(prompt) > MAX_LENGTH:
+        raise InputError(f"the prompt is {len(prompt)} characters long; at most {MAX_LENGTH} are read")
+    lexicon, items = read_items(prompt)
+    draft = Walker(items).walk()
+    _finish(draft)
+    return _brief(prompt, lexicon.code, draft)
+
+
+def _finish(draft: Draft) -> None:
+    draft.things = [t for t in draft.things if not any(are_alike(x, t.noun) for x in draft.excluded) or t.count]
+    _drop_general(draft)
+    choose_senses(draft)
+    assume(draft)
+    settle_counts(draft)
+
+
+def _drop_general(draft: Draft) -> None:
+    """ "a shop full of plants: fifteen potted plants ..." asks for the plants once."""
+    for thing in list(draft.things):
+        others = [t for t in draft.things if t is not thing and t.asked and are_alike(t.noun, thing.noun)]
+        if thing.general and others:
+            draft.drop(thing)
+
+
+def _brief(prompt: str, code: str, draft: Draft) -> Brief:
+    keys = _keys(draft.things)
+    width, depth, area, height = _room_size(draft.sizes)
+    shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
+    sizes = [a for a in draft.room_attributes if a in ("small", "tiny", "large", "long", "narrow", "square", "tall", "low", "wide")]
+    return Brief(
+        prompt=prompt,
+        language=code,
+        room_type=draft.room or "room",
+        shape=shape,
+        width=width,
+        depth=depth,
+        area=area,
+        height=height,
+        openings=_openings(draft.openings),
+        requests=tuple(_request(thing, keys) for thing in draft.things),
+        relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
+        style=tuple(dict.fromkeys(sizes + draft.style)),
+        missing=tuple(dict.fromkeys(draft.missing)),
+        unknown=tuple(dict.fromkeys(draft.unknown)),
+        empty=draft.empty,
+    )
+
+
+def _keys(things: list[Thing]) -> dict[int, str]:
+    counts: dict[str, int] = {}
+    keys: dict[int, str] = {}
+    for thing in things:
+        number = counts[thing.noun] = counts.get(thing.noun, 0) + 1
+        keys[id(thing)] = thing.noun if number == 1 else f"{thing.noun}-{number}"
+    return keys
+
+
+def _request(thing: Thing, keys: dict[int, str]) -> Request:
+    return Request(
+        key=keys[id(thing)],
+        category=thing.noun,
+        count=thing.count or 1,
+        asked=thing.asked,
+        attributes=tuple(dict.fromkeys(thing.attributes)),
+        phrase=thing.text,
+    )
+
+
+def _relation(bond: Bond, keys: dict[int, str]) -> Relation:
+    return Relation(
+        kind=bond.kind,
+        subject=keys[id(bond.subject)],
+        anchors=tuple(a if isinstance(a, str) else keys[id(a)] for a in bond.anchors),
+        each=bond.each,
+        asked=bond.asked,
+        rows=bond.rows,
+    )
+
+
+def _openings(gaps: list[Gap]) -> tuple[OpeningRequest, ...]:
+    return tuple(
+        OpeningRequest(kind="door" if gap.kind == "door" else "window", wall=gap.wall, count=min(gap.count, 20))
+        for gap in gaps
+    )
+
+
+def _room_size(sizes: list[Size]) -> tuple[float | None, float | None, float | None, float | None]:
+    """Width, depth, area and height that the prompt gives [m, m2]; the first of each kind counts."""
+    width = depth = area = height = None
+    for size in sizes:
+        if size.area is not None:
+            area = area or check_area(size.area, size.text)
+            continue
+        height = height or _height(size)
+        sides = [length.metres for length in size.lengths if length.axis != "height"][:2]
+        checked = [check_side(side, size.text) for side in sides]
+        if len(checked) == 2 and width is None:
+            width, depth = checked
+        elif len(checked) == 1 and width is None and area is None:
+            area = check_area(checked[0] ** 2, size.text)
+    return width, depth, area, height
+
+
+def _height(size: Size) -> float | None:
+    named = size.along("height")
+    third = size.lengths[2].metres if len(size.lengths) == 3 else None
+    height = named if named is not None else third
+    if height is not None and not 2.0 <= height <= 10.0:
+        raise InputError(f"the room's height in {size.text!r} is {height:g} m; it must be 2 to 10 m")
+    return height
+
+
+def known_rooms() -> tuple[str, ...]:
+    """The types of room that are known, in alphabetical order."""
+    return tuple(sorted(room_types()))

@@ -1,0 +1,95 @@
+"""What "it", "them", "each" and "the table" refer to."""
+
+from collections.abc import Iterator
+
+from thinkblox.reading.draft import Draft, Thing
+from thinkblox.reading.habits import load_habits
+from thinkblox.reading.phrases import Phrase
+
+_RELATIVES = (
+    ("beds",),
+    ("any_table", "tables", "console_table", "display_table"),
+    ("any_lamp", "lamps"),
+    ("any_shelf", "shelves"),
+    ("any_board", "boards"),
+    ("any_screen", "tv", "monitor", "projector_screen"),
+    ("any_counter", "counters", "base_cabinet"),
+    ("chair", "office_chair", "armchair", "child_chair", "rocking_chair"),
+    ("desks",),
+    ("plants",),
+    ("cabinet", "nightstand", "filing_cabinet", "china_cabinet", "base_cabinet"),
+    ("any_stand", "tv_stand", "nightstand"),
+    ("stool", "bar_stool"),
+    ("base_cabinet", "any_counter", "counter"),
+    ("tv_stand", "any_tv_stand"),
+)
+
+
+class References:
+    """Finds the things that pronouns and definite phrases point back to."""
+
+    def __init__(self, draft: Draft) -> None:
+        self.draft = draft
+        self.pairs: list[tuple[Thing, Thing]] = []
+
+    def named(self, phrase: Phrase) -> Thing | None:
+        """The latest thing that "the <noun>" can mean; None when nothing like it was mentioned."""
+        same = (t for t in reversed(self.draft.things) if t.noun == phrase.value)
+        like = (t for t in reversed(self.draft.things) if are_alike(t.noun, phrase.value))
+        return next(same, None) or next(like, None)
+
+    def single(self, subject: Thing | None, kind: str) -> Thing | None:
+        """What "it" means as the anchor of a relation of this kind; None when there is nothing."""
+        if subject is not None and subject.owner is not None and _fits(subject.owner, kind):
+            return subject.owner
+        candidates = [t for t in reversed(self.draft.things) if t is not subject]
+        for wanted in (
+            lambda t: not t.many and _fits(t, kind) and not _is_small(t),
+            lambda t: not _is_small(t) and _fits(t, kind),
+            lambda t: True,
+        ):
+            if (found := next(filter(wanted, candidates), None)) is not None:
+                return found
+        return None
+
+    def several(self, subject: Thing | None, kind: str) -> tuple[Thing, ...]:
+        """What "them" means: a plural thing, or two that were just related or joined."""
+        for thing in self._before(subject):
+            pair = next((p for p in reversed(self.pairs) if thing in p and subject not in p), None)
+            if pair and (kind == "between" or not thing.many):
+                return pair
+            if thing.many and not (_is_small(thing) and kind in ("between", "around")):
+                return (thing,)
+        found = self.single(subject, kind)
+        return (found,) if found is not None else ()
+
+    def _before(self, subject: Thing | None) -> Iterator[Thing]:
+        return (
+            t
+            for t in reversed(self.draft.things)
+            if t is not subject and (subject is None or t.owner is not subject) and t is not getattr(subject, "owner", None)
+        )
+
+
+def are_alike(one: str, other: str) -> bool:
+    """Whether "the <other>" can point at a <one>: a dining table is a table."""
+    return one == other or any(one in family and other in family for family in _families())
+
+
+def _families() -> list[set[str]]:
+    groups = load_habits().groups
+    return [{member for name in family for member in groups.get(name, (name,))} for family in _RELATIVES]
+
+
+def _is_small(thing: Thing) -> bool:
+    return load_habits().is_in(thing.noun, "small")
+
+
+def _fits(thing: Thing, kind: str) -> bool:
+    habits = load_habits()
+    match kind:
+        case "on":
+            return habits.is_in(thing.noun, "surfaces", "beds", "lounges")
+        case "at_foot_of":
+            return habits.is_in(thing.noun, "beds")
+    return True

@@ -1,0 +1,60 @@
+"""Chooses what a general word means from its company: a "lamp" on a nightstand is a table lamp."""
+
+import tomllib
+from functools import lru_cache
+from importlib.resources import files
+
+from thinkblox.reading.draft import Bond, Draft, Thing
+
+_ROUNDS = 2
+
+
+@lru_cache(maxsize=1)
+def _rules() -> dict[str, tuple[tuple[str, tuple[str, ...]], ...]]:
+    data = tomllib.loads((files("thinkblox.reading") / "senses.toml").read_text(encoding="utf-8"))
+    return {noun: tuple(_rule(line) for line in lines) for noun, lines in data.items()}
+
+
+def _rule(line: str) -> tuple[str, tuple[str, ...]]:
+    category, _, conditions = line.partition(" if ")
+    return category, tuple(conditions.split())
+
+
+def generic_nouns() -> frozenset[str]:
+    """Nouns that are no categories themselves ("any_table")."""
+    return frozenset(noun for noun in _rules() if noun.startswith("any_"))
+
+
+def choose_senses(draft: Draft) -> None:
+    """Give every thing a category. Twice over, as the sense of one word can hang on that of another."""
+    for _ in range(_ROUNDS):
+        company = {thing.noun for thing in draft.things}
+        bonds: dict[int, list[Bond]] = {}
+        for bond in draft.bonds:
+            for thing in {bond.subject, *(a for a in bond.anchors if isinstance(a, Thing))}:
+                bonds.setdefault(id(thing), []).append(bond)
+        final = [_sense(thing, draft.room, company, bonds.get(id(thing), [])) for thing in draft.things]
+        for thing, noun in zip(draft.things, final, strict=True):
+            thing.noun = noun
+
+
+def _sense(thing: Thing, room: str, company: set[str], bonds: list[Bond]) -> str:
+    facts = {
+        "attr": set(thing.attributes),
+        "room": {room},
+        "rel": {str(b.kind) for b in bonds if b.subject is thing},
+        "to": {a.noun for b in bonds if b.subject is thing for a in b.anchors if isinstance(a, Thing)},
+        "from": {b.subject.noun for b in bonds if b.subject is not thing},
+        "has": company,
+    }
+    for category, conditions in _rules().get(thing.noun, ()):
+        if all(_holds(condition, facts, thing) for condition in conditions):
+            return category
+    return thing.noun
+
+
+def _holds(condition: str, facts: dict[str, set[str]], thing: Thing) -> bool:
+    if condition == "many":
+        return thing.many
+    name, _, values = condition.partition(":")
+    return not facts[name].isdisjoint(values.split("|"))
