@@ -50,6 +50,7 @@ _ID = f"({_PLAIN_ID})"
 _SIDES_OF_ROOM = "north-east|north-west|south-east|south-west|north|south|east|west"
 _PLAIN_WALL = rf"the (?:{_SIDES_OF_ROOM}) wall(?: \d+)?"
 _WALL = rf"the ((?:{_SIDES_OF_ROOM}) wall(?: \d+)?)"
+_WALL_NAME = re.compile(rf"(?:{_SIDES_OF_ROOM.replace('-', '_')})_wall(?:_\d+)?")
 _SIDE = "(" + "|".join(SIDES.values()) + ")"
 
 
@@ -79,7 +80,7 @@ def _wall_name(words: str) -> str:
 def _thing(name: str) -> str:
     if name == "floor":
         return "the floor"
-    return name if re.fullmatch(_ID, name) and "_wall" not in name else wall_words(name)
+    return wall_words(name) if _WALL_NAME.fullmatch(name) else name
 
 
 def _unthing(words: str) -> str:
