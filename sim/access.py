@@ -17,7 +17,7 @@ ROUNDNESS = 3
 """Segments of a quarter circle where an outline is widened."""
 
 
-class Access(Value, kw_only=True):
+class Access(Value, kw_only=True, frozen=True):
     """What can be walked to.
 
     Attributes:

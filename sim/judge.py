@@ -19,7 +19,7 @@ GATE = frozenset({"collision", "outside", "size"})
 """After any of these a settle would measure an explosion, so none is run."""
 
 
-class Motion(Value, kw_only=True):
+class Motion(Value, kw_only=True, frozen=True):
     """What an object did while settling [m, degrees]; `unstable` when the engine gave up."""
 
     drift: float = 0.0
@@ -28,7 +28,7 @@ class Motion(Value, kw_only=True):
     unstable: bool = False
 
 
-class Static(Value, kw_only=True):
+class Static(Value, kw_only=True, frozen=True):
     """What can be said of a pose before any simulation."""
 
     reasons: frozenset[Reason]

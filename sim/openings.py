@@ -4,6 +4,7 @@ from functools import lru_cache
 
 import shapely
 from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from thinkblox.asset import Asset
 from thinkblox.room import Opening, Room
@@ -18,18 +19,18 @@ STANDING = 0.05
 
 
 @lru_cache(maxsize=256)
-def door_zone(room: Room, door: Opening, walking: Walking) -> Polygon:
+def door_zone(room: Room, door: Opening, walking: Walking) -> BaseGeometry:
     """The floor inside a door that stays free: as wide as the door, `walking.door_zone` times as deep."""
     return _zone(room, door, door.width * walking.door_zone)
 
 
 @lru_cache(maxsize=256)
-def window_zone(room: Room, window: Opening, walking: Walking) -> Polygon:
+def window_zone(room: Room, window: Opening, walking: Walking) -> BaseGeometry:
     """The floor right in front of a window."""
     return _zone(room, window, walking.window_zone)
 
 
-def _zone(room: Room, opening: Opening, depth: float) -> Polygon:
+def _zone(room: Room, opening: Opening, depth: float) -> BaseGeometry:
     wall, start, end = room.walls[opening.wall], opening.offset, opening.offset + opening.width
     corners = [wall.point(start), wall.point(end), wall.point(end, depth), wall.point(start, depth)]
     return shapely.intersection(Polygon(corners), room.polygon)
@@ -73,7 +74,7 @@ def _before_window(room: Room, window: Opening, placement: Placement, solid: Sol
     )
 
 
-def _span(room: Room, opening: Opening, area: shapely.Geometry) -> float:
+def _span(room: Room, opening: Opening, area: BaseGeometry) -> float:
     """Extent of an area along the opening's wall [m]."""
     ax, ay = room.walls[opening.wall].along
     xy = shapely.get_coordinates(area)

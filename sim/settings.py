@@ -3,7 +3,7 @@
 from thinkblox.value import Value, Vec2, Vec3
 
 
-class Tolerances(Value, kw_only=True):
+class Tolerances(Value, kw_only=True, frozen=True):
     """Where a verdict draws its lines.
 
     Attributes:
@@ -32,7 +32,7 @@ class Tolerances(Value, kw_only=True):
     size: float = 0.010
 
 
-class Physics(Value, kw_only=True):
+class Physics(Value, kw_only=True, frozen=True):
     """How the engine is run; the exported model carries the same options.
 
     Attributes:
@@ -65,7 +65,7 @@ class Physics(Value, kw_only=True):
     wall_thickness: float = 0.1
 
 
-class Walking(Value, kw_only=True):
+class Walking(Value, kw_only=True, frozen=True):
     """What a walkable way and a clear opening are.
 
     Attributes:

@@ -24,7 +24,7 @@ WARNINGS = (
 Pose = tuple[Vec3, Quat]
 
 
-class SettledState(Value, kw_only=True):
+class SettledState(Value, kw_only=True, frozen=True):
     """A scene at rest.
 
     Attributes:

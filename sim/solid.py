@@ -7,6 +7,7 @@ import numpy as np
 import shapely
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
+from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.asset import Asset, Link, Shape
@@ -144,7 +145,7 @@ class Solid:
         key = (above, below)
         if key not in self._outlines:
             reaching = [p for p in self._points if p[:, 2].min() < below and p[:, 2].max() > above]
-            hulls = [shapely.convex_hull(shapely.multipoints(points[:, :2])) for points in reaching]
+            hulls = [MultiPoint(points[:, :2]).convex_hull for points in reaching]
             self._outlines[key] = shapely.union_all(hulls)
         return self._outlines[key]
 

@@ -19,7 +19,7 @@ from thinkblox.value import Value
 from thinkblox.verdict import Report, Verdict
 
 
-class Hold(Value, kw_only=True):
+class Hold(Value, kw_only=True, frozen=True):
     """How a settled scene stood still.
 
     Attributes:

@@ -13,7 +13,7 @@ THINNEST = 0.005
 """Below this a slab between two parts of one floor is left out [m]."""
 
 
-class Slab(Value, kw_only=True):
+class Slab(Value, kw_only=True, frozen=True):
     """One box of a wall: centre [m], full size along the wall, across and up [m], yaw of its length [degrees]."""
 
     name: str

@@ -3,8 +3,8 @@ import numpy as np
 import pytest
 from msgspec import structs
 from shapely import Point
-from sim_rooms import asset, put, scene, table, wardrobe
 
+from tests.sim_rooms import asset, put, scene, table, wardrobe
 from thinkblox.asset import Shape, Surface
 from thinkblox.room import Opening, Room, rectangle
 from thinkblox.scene import Scene

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec import structs
-from sim_rooms import asset, box, put, scene, table, vase
 
+from tests.sim_rooms import asset, box, put, scene, table, vase
 from thinkblox.asset import Asset, Shape
 from thinkblox.room import Opening, Room, rectangle
 from thinkblox.scene import Placement, Scene

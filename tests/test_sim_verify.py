@@ -2,8 +2,8 @@ import mujoco
 import numpy as np
 import pytest
 from msgspec import structs
-from sim_rooms import asset, put, scene, table, vase, wardrobe
 
+from tests.sim_rooms import asset, put, scene, table, vase, wardrobe
 from thinkblox.room import Opening, rectangle
 from thinkblox.scene import Scene
 from thinkblox.sim.build import build_spec
