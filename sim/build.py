@@ -56,9 +56,8 @@ def build_spec(
     add_room(spec, scene.room, physics, visuals=visuals)
     for placement in scene.placements:
         asset = scene.asset_of(placement)
-        body = add_placement(spec, placement, asset, visuals=visuals, free=asset.free or (loose and asset.collides))
-        if sleeping and asset.free:
-            body.sleep = mujoco.mjtSleepPolicy.mjSLEEP_INIT
+        free = asset.free or (loose and asset.collides)
+        add_placement(spec, placement, asset, visuals=visuals, free=free, asleep=sleeping)
     if sleeping:
         spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     return spec
@@ -124,13 +123,20 @@ def yaw_quat(yaw: float) -> tuple[float, float, float, float]:
 
 
 def add_placement(
-    spec: mujoco.MjSpec, placement: Placement, asset: Asset, *, visuals: bool = False, free: bool | None = None
-) -> mujoco.MjsBody:
-    """Add one object; `free` overrides whether it has a freejoint. Returns its body."""
+    spec: mujoco.MjSpec,
+    placement: Placement,
+    asset: Asset,
+    *,
+    visuals: bool = False,
+    free: bool | None = None,
+    asleep: bool = False,
+) -> None:
+    """Add one object; `free` overrides whether it has a freejoint, and what has one can start asleep."""
     id, masses = placement.id, solid_of(asset).masses
     root = spec.worldbody.add_body(name=id, pos=placement.position, quat=yaw_quat(placement.yaw))
     if asset.free if free is None else free:
         root.add_freejoint(name=id + FREE_SUFFIX)
+        root.sleep = mujoco.mjtSleepPolicy.mjSLEEP_INIT if asleep else mujoco.mjtSleepPolicy.mjSLEEP_AUTO
     bodies = {asset.links[0].name: root}
     for number, (link, link_masses) in enumerate(zip(asset.links, masses, strict=True)):
         body = root
@@ -142,7 +148,6 @@ def add_placement(
     _exclude_each_other(spec, [body.name for body in bodies.values()])
     if visuals:
         _add_sites(root, id, asset)
-    return root
 
 
 def _exclude_each_other(spec: mujoco.MjSpec, names: list[str]) -> None:

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from functools import cached_property
 
+import mujoco
+
 from thinkblox.asset import Asset
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.access import Access, FreeFloor, free_floor
@@ -47,6 +49,15 @@ class World:
         """
         return [self._looking_past(candidate.id)._check(candidate, asset, way) for candidate in candidates]
 
+    def with_placement(self, placement: Placement, asset: Asset) -> "World":
+        """The world of a scene with one object more, made out of this one: cheaper than a new one, and the same."""
+        grown = self._like(self.scene.with_placement(placement, asset))
+        if placement.id not in self.scene:
+            grown._base = self._base.copy()
+            add_placement(grown._base, placement, asset, asleep=True)
+            grown._floor = self._floor.with_objects([(placement, solid_of(asset))])
+        return grown
+
     def cut_off(self, candidate: Placement, asset: Asset) -> tuple[str, ...]:
         """Ids of the doors and large objects, itself among them, that have no walkable way once it stands there."""
         after = self._floor.with_objects([(candidate, solid_of(asset))]).access()
@@ -56,10 +67,11 @@ class World:
         if id not in self.scene:
             return self
         if id not in self._without:
-            self._without[id] = World(
-                self.scene.without(id), tolerances=self._tolerances, physics=self._physics, walking=self._walking
-            )
+            self._without[id] = self._like(self.scene.without(id))
         return self._without[id]
+
+    def _like(self, scene: Scene) -> "World":
+        return World(scene, tolerances=self._tolerances, physics=self._physics, walking=self._walking)
 
     def _check(self, candidate: Placement, asset: Asset, way: bool) -> Verdict:
         depths = self._touch(candidate, asset) if asset.collides else {}
@@ -77,10 +89,14 @@ class World:
 
     def _stage(self, asset: Asset) -> Stage:
         if asset.id not in self._stages:
-            spec = build_spec(self.scene, physics=self._physics, sleeping=True)
+            spec = self._base.copy()
             add_placement(spec, _parked(asset, self.scene.room.height + PARKED), asset, free=True)
             self._stages[asset.id] = Stage(spec, self._physics)
         return self._stages[asset.id]
+
+    @cached_property
+    def _base(self) -> mujoco.MjSpec:
+        return build_spec(self.scene, physics=self._physics, sleeping=True)
 
     @cached_property
     def _floor(self) -> FreeFloor:

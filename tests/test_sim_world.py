@@ -203,6 +203,18 @@ def test_candidates_do_not_influence_each_other() -> None:
     assert together[0] == together[-1]
 
 
+def test_a_world_grown_object_by_object_is_the_world_of_the_scene() -> None:
+    picture = put(PICTURE, 2.0, 4.985, 1.4, yaw=270.0, on="north_wall")
+    objects = [(put(table(), 2.0, 2.0), table()), (put(wardrobe(), 0.301, 4.0), wardrobe()), (picture, PICTURE)]
+    grown = World(scene())
+    for placement, kind in objects:
+        grown = grown.with_placement(placement, kind)
+    fresh = World(scene(None, *objects))
+    assert grown.scene == fresh.scene
+    poses = [put(vase(), x, 2.0, z, on="table_1") for x, z in ((2.0, 0.751), (2.61, 0.75), (2.0, 0.7), (0.3, 0.0))]
+    assert grown.check(poses, vase()) == fresh.check(poses, vase())
+
+
 def test_an_object_already_in_the_scene_is_looked_past() -> None:
     room = scene(None, (put(CRATE, 2.0, 2.0), CRATE))
     assert check(room, put(CRATE, 2.1, 2.0), CRATE).valid
