@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from thinkblox.scene import Scene
 from thinkblox.sim.build import FREE_SUFFIX, build_spec
 from thinkblox.sim.judge import Motion
+from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics
 from thinkblox.value import Quat, Value, Vec3
 
@@ -63,6 +64,7 @@ def turn(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
     return math.degrees(float(np.linalg.norm(difference)))
 
 
+@quiet_engine()
 def settle_body(model: mujoco.MjModel, data: mujoco.MjData, address: int, physics: Physics) -> Motion:
     """Let one free body, whose pose is at qpos[address:address + 7], come to rest from the state in `data`.
 
@@ -85,6 +87,7 @@ def settle(scene: Scene, *, physics: Physics | None = None) -> SettledState:
     return rest(build_spec(scene, physics=physics).compile(), physics)
 
 
+@quiet_engine()
 def rest(model: mujoco.MjModel, physics: Physics) -> SettledState:
     """Let a compiled scene come to rest from its reference pose; sleep is used to know when, and then taken back."""
     model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)

@@ -6,6 +6,7 @@ from thinkblox.scene import Placement
 from thinkblox.sim.build import yaw_quat
 from thinkblox.sim.contacts import Contacts, shares
 from thinkblox.sim.judge import Motion, Static, judge_motion, verdict
+from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics, Tolerances
 from thinkblox.sim.settle import free_addresses, settle_body
 from thinkblox.verdict import Reason, Support, Verdict
@@ -24,6 +25,7 @@ class Stage:
         self._contacts = Contacts(self._model)
         self._addresses = free_addresses(self._model)
 
+    @quiet_engine()
     def put(self, id: str, placement: Placement) -> None:
         """Reset, and put the free body called `id` where a placement says."""
         address = self._addresses[id]
@@ -31,6 +33,7 @@ class Stage:
         self._data.qpos[address : address + 7] = (*placement.position, *yaw_quat(placement.yaw))
         mujoco.mj_forward(self._model, self._data)
 
+    @quiet_engine()
     def wake(self, id: str) -> None:
         """Reset, and wake the free body called `id` where it is."""
         mujoco.mj_resetData(self._model, self._data)

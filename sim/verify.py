@@ -11,6 +11,7 @@ from thinkblox.sim.access import access
 from thinkblox.sim.build import build_spec, package_version
 from thinkblox.sim.contacts import Contacts
 from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
+from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.settle import SettledState, diverged, free_addresses, motion_between, rest
 from thinkblox.sim.stage import Stage, settled_verdict
@@ -79,6 +80,7 @@ def verify(
     )
 
 
+@quiet_engine()
 def hold(model: mujoco.MjModel, state: SettledState, physics: Physics) -> Hold:
     """Run a compiled scene from its settled state for `physics.hold_time`, everything awake and free."""
     data = mujoco.MjData(model)

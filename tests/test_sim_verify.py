@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import mujoco
 import numpy as np
 import pytest
@@ -7,9 +9,11 @@ from tests.sim_rooms import asset, put, scene, table, vase, wardrobe
 from thinkblox.room import Opening, rectangle
 from thinkblox.scene import Scene
 from thinkblox.sim.build import build_spec
+from thinkblox.sim.settings import Physics
 from thinkblox.sim.settle import add_keyframe, settle
 from thinkblox.sim.verify import verify
 from thinkblox.sim.world import World
+from thinkblox.value import to_json
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))
 PICTURE = asset("picture", (0.03, 0.6, 0.4), mount="wall", mass=2.0)
@@ -98,6 +102,20 @@ def test_settle_names_every_moving_body() -> None:
     assert state.rested
     assert set(state.poses) == {"table_1", "vase_1", "wardrobe_1", "wardrobe_1/door_left", "wardrobe_1/door_right"}
     assert state.poses["vase_1"][0] == pytest.approx((2.2, 2.0, 0.75), abs=2e-4)
+
+
+def test_a_simulation_that_fails_is_a_verdict_and_no_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    violent = Physics(gravity=(0.0, 0.0, -1e12))
+    verdict = World(scene(), physics=violent).check([put(CRATE, 2.0, 2.0, 0.01)], CRATE)[0]
+    assert verdict.reasons == ("unstable",)
+    report = verify(scene(None, (put(CRATE, 2.0, 2.0, 0.01), CRATE)), physics=violent)
+    assert not report.valid
+    assert to_json(report)
+    assert list(tmp_path.iterdir()) == []
+    assert capfd.readouterr().err == ""
 
 
 def test_an_empty_room_is_valid() -> None:
