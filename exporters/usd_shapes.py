@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,7 +92,7 @@ def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, m
     return prim
 
 
-def _put_mesh(prim: Prim, points: Floats, counts: list[int], indices: list[int]) -> None:
+def _put_mesh(prim: Prim, points: NDArray[Any], counts: list[int], indices: list[int]) -> None:
     prim.put("points", T.Point3fArray, vectors(points, 6)).put("faceVertexCounts", T.IntArray, Vt.IntArray(counts))
     prim.put("faceVertexIndices", T.IntArray, Vt.IntArray(indices))
     prim.put("subdivisionScheme", T.Token, "none", uniform=True)

@@ -1,0 +1,267 @@
+"""scene.usda as OpenUSD reads it, held against the compiled model and against faults that validators miss."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+import pytest
+from msgspec import structs
+from pxr import Gf, Kind, Sdf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
+
+from tests.export_rooms import L_ROOM, sample_scene
+from thinkblox.exporters.usd import usd_text, write_usd
+from thinkblox.scene import Scene
+from thinkblox.sim.build import build_spec
+from thinkblox.sim.settle import settle
+
+
+@pytest.fixture(scope="module")
+def stage() -> Any:
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    assert layer.ImportFromString(usd_text(sample_scene()))
+    return Usd.Stage.Open(layer)
+
+
+@pytest.fixture(scope="module")
+def physics() -> tuple[mujoco.MjModel, mujoco.MjData]:
+    model = build_spec(sample_scene()).compile()
+    data = mujoco.MjData(model)
+    data.qpos[:] = settle(sample_scene()).qpos
+    mujoco.mj_kinematics(model, data)
+    return model, data
+
+
+def prims(stage: Any, api: Any) -> Iterator[Any]:
+    return (prim for prim in stage.Traverse() if prim.HasAPI(api))
+
+
+def path_of(body: str) -> str:
+    id, _, link = body.partition("/")
+    if link:
+        return f"/World/Objects/{id}/{link}"
+    jointed = {"wardrobe_1", "cupboard_1"}
+    return f"/World/Objects/{id}/body" if id in jointed else f"/World/Objects/{id}"
+
+
+def world_pose(prim: Any) -> tuple[np.ndarray, np.ndarray]:
+    matrix = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
+    quat = matrix.ExtractRotationQuat()
+    return np.array(matrix.ExtractTranslation()), np.array([quat.real, *quat.imaginary])
+
+
+def test_stage_metadata(stage: Any) -> None:
+    root = stage.GetDefaultPrim()
+    assert [prim.GetName() for prim in stage.GetPseudoRoot().GetChildren()] == ["World"]
+    assert (root.GetPath(), root.GetTypeName(), Usd.ModelAPI(root).GetKind()) == ("/World", "Xform", "assembly")
+    assert UsdGeom.GetStageUpAxis(stage) == "Z"
+    assert (UsdGeom.GetStageMetersPerUnit(stage), UsdPhysics.GetStageKilogramsPerUnit(stage)) == (1.0, 1.0)
+    assert stage.GetRootLayer().customLayerData["mujoco"] == mujoco.__version__
+
+
+def test_one_physics_scene_with_its_gravity(stage: Any) -> None:
+    (scene,) = [UsdPhysics.Scene(prim) for prim in stage.Traverse() if prim.IsA(UsdPhysics.Scene)]
+    assert scene.GetGravityDirectionAttr().Get() == Gf.Vec3f(0, 0, -1)
+    assert scene.GetGravityMagnitudeAttr().Get() == pytest.approx(9.81)
+
+
+def test_openusd_finds_nothing_wrong(stage: Any) -> None:
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    assert [f"{error.GetName()}: {error.GetMessage()}" for error in errors] == []
+
+
+def test_poses_are_those_of_the_settled_model(stage: Any, physics: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
+    model, data = physics
+    for number in range(1, model.nbody):
+        name = model.body(number).name
+        position, quat = world_pose(stage.GetPrimAtPath(path_of(name)))
+        np.testing.assert_allclose(position, data.xpos[number], atol=1e-6, err_msg=name)
+        assert abs(quat @ data.xquat[number]) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_masses_are_those_of_the_model(stage: Any, physics: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
+    model, _ = physics
+    bodies = list(prims(stage, UsdPhysics.RigidBodyAPI))
+    for prim in bodies:
+        name = prim.GetPath().pathString.removeprefix("/World/Objects/").removesuffix("/body")
+        body, mass = model.body(name).id, UsdPhysics.MassAPI(prim)
+        assert mass.GetMassAttr().Get() == pytest.approx(model.body_mass[body])
+        np.testing.assert_allclose(mass.GetCenterOfMassAttr().Get(), model.body_ipos[body], atol=1e-6)
+        np.testing.assert_allclose(mass.GetDiagonalInertiaAttr().Get(), model.body_inertia[body], rtol=1e-5)
+        axes = mass.GetPrincipalAxesAttr().Get()
+        np.testing.assert_allclose([axes.real, *axes.imaginary], model.body_iquat[body], atol=1e-6)
+    assert len(bodies) == 3 + 3 + 3  # table, vase, sampler; wardrobe and doors; cupboard, drawer and flap
+
+
+def test_inertias_are_possible(stage: Any) -> None:
+    for prim in prims(stage, UsdPhysics.MassAPI):
+        low, middle, high = sorted(UsdPhysics.MassAPI(prim).GetDiagonalInertiaAttr().Get())
+        assert 0.0 < low <= middle <= high <= (low + middle) * (1 + 1e-5)
+
+
+def test_joint_frames_agree_and_limits_are_in_order(stage: Any) -> None:
+    joints = [UsdPhysics.Joint(prim) for prim in stage.Traverse() if prim.IsA(UsdPhysics.Joint)]
+    assert len(joints) == 5
+    for joint in joints:
+        ends = []
+        for side, body in enumerate((joint.GetBody0Rel(), joint.GetBody1Rel())):
+            position = getattr(joint, f"GetLocalPos{side}Attr")().Get()
+            turn = getattr(joint, f"GetLocalRot{side}Attr")().Get()
+            frame = Gf.Matrix4d().SetRotate(Gf.Quatd(turn)) * Gf.Matrix4d().SetTranslate(Gf.Vec3d(position))
+            target = body.GetTargets()
+            prim = stage.GetPrimAtPath(target[0]) if target else stage.GetPseudoRoot()
+            above = UsdGeom.XformCache().GetLocalToWorldTransform(prim)
+            ends.append(np.array(frame * above))
+        np.testing.assert_allclose(ends[0], ends[1], atol=1e-4, err_msg=str(joint.GetPath()))
+
+
+@pytest.mark.parametrize(
+    ("path", "kind", "axis", "lower", "upper"),
+    [
+        ("wardrobe_1/Joints/door_left", UsdPhysics.RevoluteJoint, (0.0, 0.0, 1.0), 0.0, 110.0),
+        ("wardrobe_1/Joints/door_right", UsdPhysics.RevoluteJoint, (0.0, 0.0, -1.0), 0.0, 110.0),
+        ("cupboard_1/Joints/drawer", UsdPhysics.PrismaticJoint, (1.0, 0.0, 0.0), 0.0, 0.25),
+        ("cupboard_1/Joints/flap", UsdPhysics.RevoluteJoint, (0.0, -0.8, 0.6), 0.0, 60.0),
+    ],
+)
+def test_joints(stage: Any, path: str, kind: Any, axis: tuple[float, float, float], lower: float, upper: float) -> None:
+    joint = kind(stage.GetPrimAtPath(f"/World/Objects/{path}"))
+    assert (joint.GetLowerLimitAttr().Get(), joint.GetUpperLimitAttr().Get()) == (lower, upper)
+    unit = Gf.Vec3d(*(float(joint.GetAxisAttr().Get() == name) for name in "XYZ"))
+    turned = Gf.Rotation(Gf.Quatd(joint.GetLocalRot0Attr().Get())).TransformDir(unit)
+    np.testing.assert_allclose(turned, axis, atol=1e-6)
+
+
+def test_articulations_are_roots_with_links_side_by_side(stage: Any) -> None:
+    roots = list(prims(stage, UsdPhysics.ArticulationRootAPI))
+    assert [root.GetName() for root in roots] == ["wardrobe_1", "cupboard_1"]
+    for prim in prims(stage, UsdPhysics.RigidBodyAPI):
+        above = prim.GetParent()
+        while above:
+            assert not above.HasAPI(UsdPhysics.RigidBodyAPI)
+            above = above.GetParent()
+    mount = UsdPhysics.FixedJoint(stage.GetPrimAtPath("/World/Objects/cupboard_1/Joints/mount"))
+    assert not mount.GetBody0Rel().GetTargets()
+    right = UsdPhysics.FilteredPairsAPI(stage.GetPrimAtPath("/World/Objects/wardrobe_1/door_right"))
+    assert right.GetFilteredPairsRel().GetTargets() == ["/World/Objects/wardrobe_1/door_left"]
+
+
+def test_every_body_is_solid_and_unscaled(stage: Any) -> None:
+    for prim in prims(stage, UsdPhysics.RigidBodyAPI):
+        assert any(child.HasAPI(UsdPhysics.CollisionAPI) for child in Usd.PrimRange(prim)), prim.GetPath()
+        matrix = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
+        assert Gf.Transform(matrix).GetScale() == pytest.approx((1.0, 1.0, 1.0), abs=1e-9)
+
+
+def test_what_is_fixed_has_no_body_and_a_rug_no_collider(stage: Any) -> None:
+    picture, rug = (stage.GetPrimAtPath(f"/World/Objects/{id}") for id in ("picture_1", "rug_1"))
+    assert not picture.HasAPI(UsdPhysics.RigidBodyAPI)
+    assert any(prim.HasAPI(UsdPhysics.CollisionAPI) for prim in Usd.PrimRange(picture))
+    assert not any(prim.HasAPI(UsdPhysics.CollisionAPI) for prim in Usd.PrimRange(rug))
+    assert not any(prim.HasAPI(UsdPhysics.RigidBodyAPI) for prim in Usd.PrimRange(stage.GetPrimAtPath("/World/Room")))
+
+
+def test_colliders_are_convex_and_have_friction(stage: Any) -> None:
+    kinds = set()
+    for prim in prims(stage, UsdPhysics.CollisionAPI):
+        kinds.add(prim.GetTypeName())
+        if prim.IsA(UsdGeom.Mesh):
+            assert UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() == "convexHull"
+        material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")
+        rubbing = UsdPhysics.MaterialAPI(material.GetPrim())
+        assert rubbing.GetStaticFrictionAttr().Get() == rubbing.GetDynamicFrictionAttr().Get() > 0.0
+        assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
+    assert kinds == {"Cube", "Cylinder", "Capsule", "Sphere", "Mesh"}
+
+
+def test_colliders_fill_what_the_model_fills(stage: Any, physics: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
+    model, data = physics
+    mujoco.mj_forward(model, data)
+    cache = UsdGeom.BBoxCache(Usd.TimeCode.Default(), ["guide"])
+    for id in ("sampler_1", "table_1", "vase_1"):
+        box = cache.ComputeWorldBound(stage.GetPrimAtPath(f"/World/Objects/{id}/Collision")).ComputeAlignedRange()
+        geoms = [g for g in range(model.ngeom) if model.body(int(model.geom_bodyid[g])).name == id]
+        low = min(_lowest(model, data, g) for g in geoms)
+        assert box.GetMin()[2] == pytest.approx(low, abs=2e-3)
+
+
+def _lowest(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
+    centre, half = model.geom_aabb[geom][:3], model.geom_aabb[geom][3:]
+    turn = data.geom_xmat[geom].reshape(3, 3)
+    return float(data.geom_xpos[geom][2] + turn[2] @ centre - np.abs(turn[2]) @ half)
+
+
+def test_visible_meshes_are_complete(stage: Any) -> None:
+    meshes = [prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh) and not prim.HasAPI(UsdPhysics.CollisionAPI)]
+    assert meshes
+    for prim in meshes:
+        mesh = UsdGeom.Mesh(prim)
+        points, normals = np.array(mesh.GetPointsAttr().Get()), np.array(mesh.GetNormalsAttr().Get())
+        counts, index = mesh.GetFaceVertexCountsAttr().Get(), np.array(mesh.GetFaceVertexIndicesAttr().Get())
+        assert mesh.GetSubdivisionSchemeAttr().Get() == "none"
+        assert len(points) == len(normals)
+        assert sum(counts) == len(index)
+        assert (index.min(), index.max()) == (0, len(points) - 1)
+        np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-3)
+        np.testing.assert_allclose(mesh.GetExtentAttr().Get(), [points.min(axis=0), points.max(axis=0)], atol=1e-6)
+        material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+        shader, _, _ = material.ComputeSurfaceSource()
+        assert shader.GetShaderId() == "UsdPreviewSurface"
+
+
+def test_faces_and_normals_point_outwards(stage: Any) -> None:
+    prim = UsdGeom.Mesh(stage.GetPrimAtPath("/World/Objects/table_1/Visual").GetChildren()[0])
+    points, normals = np.array(prim.GetPointsAttr().Get()), np.array(prim.GetNormalsAttr().Get())
+    for quad in np.array(prim.GetFaceVertexIndicesAttr().Get()).reshape(-1, 4):
+        a, b, c, _ = points[quad]
+        winding = np.cross(b - a, c - b)
+        np.testing.assert_allclose(winding / np.linalg.norm(winding), normals[quad[0]], atol=1e-3)
+
+
+def test_walls_leave_their_openings_free(stage: Any) -> None:
+    walls = [p for p in stage.GetPrimAtPath("/World/Room").GetChildren() if p.GetName().endswith(("wall", "wall_2"))]
+    assert {wall.GetName() for wall in walls} == {wall.name for wall in L_ROOM.walls}
+    south = stage.GetPrimAtPath("/World/Room/south_wall/Collision").GetChildren()
+    assert len(south) == 3  # left of the door, right of it, above it
+    floor = UsdGeom.Mesh(stage.GetPrimAtPath("/World/Room/floor/Visual/floor"))
+    points, faces = np.array(floor.GetPointsAttr().Get()), np.array(floor.GetFaceVertexIndicesAttr().Get())
+    corners = points[faces.reshape(-1, 3)]
+    area = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2].sum() / 2
+    assert area == pytest.approx(L_ROOM.polygon.area)
+
+
+def test_kinds_and_labels(stage: Any) -> None:
+    for placement in sample_scene().placements:
+        prim = stage.GetPrimAtPath(f"/World/Objects/{placement.id}")
+        assert Usd.ModelAPI(prim).GetKind() == Kind.Tokens.component
+        assert prim.IsModel()
+        assert list(UsdSemantics.LabelsAPI(prim, "class").GetLabelsAttr().Get()) == [placement.category]
+
+
+def test_ids_that_are_no_identifiers_stay_apart() -> None:
+    scene = sample_scene()
+    first = scene.placements[0]
+    twins = tuple(structs.replace(first, id=id, position=(1.0, y, 0.0)) for id, y in (("a b", 1.0), ("a-b", 3.0)))
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.ImportFromString(usd_text(structs.replace(scene, placements=twins)))
+    stage = Usd.Stage.Open(layer)
+    names = [prim.GetName() for prim in stage.GetPrimAtPath("/World/Objects").GetChildren()]
+    assert names == ["a_b", "a_b_2"]
+
+
+def test_the_same_scene_gives_the_same_bytes(tmp_path: Path) -> None:
+    write_usd(sample_scene(), tmp_path / "scene.usda")
+    text = (tmp_path / "scene.usda").read_text()
+    assert text == usd_text(sample_scene())
+    assert text.startswith("#usda 1.0")
+    assert "/tmp" not in text
+
+
+def test_an_empty_room_is_a_stage_too() -> None:
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    assert layer.ImportFromString(usd_text(Scene(room=L_ROOM, prompt='say "hi"\n\\ {} ü')))
+    assert layer.customLayerData["prompt"] == 'say "hi"\n\\ {} ü'
+    assert math.isclose(UsdPhysics.GetStageKilogramsPerUnit(Usd.Stage.Open(layer)), 1.0)
