@@ -242,7 +242,7 @@ class Walker:
     def _antecedent(self, subject: Thing | None, kind: str) -> tuple[Thing | str, ...]:
         if kind == "between":
             return self.references.several(subject, kind)
-        found = self.references.single(subject, kind)
+        found = self.references.beside(subject, kind)
         return (found,) if found is not None else ()
 
     # Phrases ----------------------------------------------------------------------------------------------------------
@@ -350,7 +350,8 @@ class Walker:
         small = self.habits.is_in(thing.noun, "small")
         match frame.kind:
             case "carry":
-                return "on" if small or not frame.members or usual == "on" else None
+                fits = small or self.habits.is_in(thing.noun, "fitted")
+                return "on" if fits or not frame.members or usual == "on" else None
             case "with":
                 carries = self.habits.is_in(frame.head.noun, "surfaces")
                 return usual or ("on" if small and carries else "next_to" if frame.each else None)

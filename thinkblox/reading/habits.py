@@ -12,10 +12,11 @@ from thinkblox.brief import RelationKind
 
 @dataclass(frozen=True, slots=True)
 class Habit:
-    """A usual relation to any of `anchors`: categories, or one place of the room."""
+    """A usual relation to any of `anchors`: categories, or one place of the room; where there is a `company`."""
 
     kind: RelationKind
     anchors: tuple[str, ...]
+    company: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +60,7 @@ def load_habits() -> Habits:
 
 
 def _habit(line: str, groups: dict[str, tuple[str, ...]]) -> Habit:
+    line, _, company = line.partition(" if ")
     kind, _, anchor = line.partition(" ")
     anchors = groups[anchor[1:]] if anchor.startswith("@") else (anchor,) if anchor else ()
-    return Habit(cast(RelationKind, kind), anchors)
+    return Habit(cast(RelationKind, kind), anchors, company)

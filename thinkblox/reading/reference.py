@@ -25,6 +25,9 @@ _RELATIVES = (
 )
 
 
+_ON_THE_FLOOR = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "opposite")
+
+
 class References:
     """Finds the things that pronouns and definite phrases point back to."""
 
@@ -51,6 +54,14 @@ class References:
             if (found := next(filter(wanted, candidates), None)) is not None:
                 return found
         return None
+
+    def beside(self, subject: Thing | None, kind: str) -> Thing | None:
+        """As `single`, but what is carried stands for what carries it: a fridge at the end of the cabinets."""
+        found = self.single(subject, kind)
+        if found is None or found.owner is None or kind not in _ON_THE_FLOOR:
+            return found
+        carried = any(bond.kind == "on" and found.owner in bond.anchors for bond in self.draft.bonds_of(found))
+        return found.owner if carried and found.owner is not subject else found
 
     def several(self, subject: Thing | None, kind: str) -> tuple[Thing, ...]:
         """What "them" means: a plural thing, or two that were just related or joined."""

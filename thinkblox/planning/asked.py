@@ -1,0 +1,109 @@
+"""Relations of a brief to ties of the very objects: who stands at which table, who faces whom."""
+
+import math
+
+from thinkblox.brief import Brief, Relation, RelationKind
+from thinkblox.plan import Tie
+from thinkblox.planning.members import Member, Members
+
+_TOGETHER = ("between", "above", "around", "facing", "opposite", "behind", "under", "near")
+"""Relations that one object can have to several anchors at once."""
+_MIRRORED: dict[str, RelationKind] = {
+    "next_to": "next_to",
+    "near": "near",
+    "opposite": "opposite",
+    "facing": "facing",
+    "left_of": "right_of",
+    "right_of": "left_of",
+    "in_front_of": "behind",
+    "behind": "in_front_of",
+    "above": "under",
+    "under": "above",
+}
+
+
+def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
+    """Give every object of the relation's subject its tie."""
+    subjects = members.by_request.get(relation.subject, [])
+    keys = [anchor for anchor in relation.anchors if anchor in members.by_request]
+    if relation.kind == "in_rows" or (relation.anchors and not keys):
+        _tie_to_place(relation, subjects)
+    elif relation.subject in keys:
+        _tie_among(relation, subjects)
+    elif len(keys) > 1 or relation.kind == "between":
+        anchors = [member for key in keys for member in members.by_request[key]]
+        for index, subject in enumerate(subjects):
+            _add(members, subject, anchors, relation, index, len(subjects))
+    elif keys:
+        _share_out(relation, subjects, members.by_request[keys[0]], members)
+
+
+def _tie_to_place(relation: Relation, subjects: list[Member]) -> None:
+    rows = (relation.rows or rows_for(len(subjects))) if relation.kind == "in_rows" else 0
+    for index, subject in enumerate(subjects):
+        subject.ties.append(
+            Tie(
+                kind=relation.kind,
+                anchors=relation.anchors,
+                index=index,
+                count=len(subjects),
+                rows=rows,
+                asked=relation.asked,
+            )
+        )
+
+
+def rows_for(count: int) -> int:
+    """Rows for so many alike when nobody says: the nearest to half as many rows as places in a row."""
+    divisors = [n for n in range(1, count + 1) if count % n == 0 and n * n <= count]
+    even = divisors[-1] if divisors else 1
+    return even if even > 1 or count < 5 else max(1, round(math.sqrt(count / 2.0)))
+
+
+def _tie_among(relation: Relation, subjects: list[Member]) -> None:
+    """Objects related to each other: side by side in a chain; facing in pairs, or row to row."""
+    rows = next((tie.rows for tie in subjects[0].ties if tie.kind == "in_rows"), 0)
+    half = len(subjects) // 2 if relation.kind in ("facing", "opposite") and (rows == 2 or len(subjects) > 1) else 0
+    for index, subject in enumerate(subjects):
+        if half:
+            partner = subjects[index - half] if index >= half else None
+        else:
+            partner = subjects[index - 1] if index else None
+        anchors = (partner.id,) if partner else ()
+        subject.ties.append(
+            Tie(kind=relation.kind, anchors=anchors, index=index, count=len(subjects), asked=relation.asked)
+        )
+
+
+def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member], members: Members) -> None:
+    """Spread subjects evenly over the anchors, in order; a few may have them all."""
+    together = relation.kind in _TOGETHER and not relation.each and len(subjects) < len(anchors)
+    for number, subject in enumerate(subjects):
+        if together:
+            _add(members, subject, anchors, relation, number, len(subjects))
+            continue
+        which = share(number, len(subjects), len(anchors))
+        alike = [n for n in range(len(subjects)) if share(n, len(subjects), len(anchors)) == which]
+        _add(members, subject, [anchors[which]], relation, alike.index(number), len(alike))
+
+
+def share(number: int, count: int, anchors: int) -> int:
+    """Which anchor the `number`-th of `count` alike goes to."""
+    return number * anchors // count if count >= anchors else number
+
+
+def _add(
+    members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int
+) -> None:
+    """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject."""
+    if relation.kind in ("between", "in_front_of", "opposite"):
+        anchors = [members.support(anchor) or anchor for anchor in anchors]
+    anchors = [anchor for anchor in dict.fromkeys(anchors) if anchor is not subject]
+    free = [anchor for anchor in anchors if not members.depends(anchor, subject)]
+    for anchor in anchors:
+        mirrored = _MIRRORED.get(relation.kind)
+        if anchor not in free and mirrored and not any(subject.id in tie.anchors and tie.kind == mirrored for tie in anchor.ties):
+            anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked))
+    if free:
+        ids = tuple(anchor.id for anchor in free)
+        subject.ties.append(Tie(kind=relation.kind, anchors=ids, index=index, count=count, asked=relation.asked))

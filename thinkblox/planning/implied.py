@@ -1,0 +1,145 @@
+"""Ties that nobody has to mention: a nightstand stands by the bed, a lamp on the nightstand."""
+
+from msgspec.structs import replace
+
+from thinkblox.plan import Tie
+from thinkblox.planning.asked import rows_for, share
+from thinkblox.planning.members import Member, Members
+from thinkblox.reading.habits import Habit, load_habits
+
+_PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
+_WITHOUT_PLACE = ("facing", "opposite")
+"""Relations that say where a thing looks, not where it stands."""
+_EXCLUSIVE = ("at", "above", "under", "in_front_of", "at_foot_of", "opposite", "in_centre", "in_corner")
+"""Relations whose space is taken by whatever came first."""
+_CAPACITY = {"at": 1, "above": 1, "under": 1, "in_front_of": 1, "at_foot_of": 1, "opposite": 1, "in_centre": 1}
+_CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
+_LONG_SIDES = ("kitchen_island", "counter", "workbench", "reception_desk")
+_UNLIMITED = 1000
+
+
+def imply(members: Members, windows: bool) -> None:
+    """Complete the ties of every object that has none that says where it stands."""
+    for request in members.by_request.values():
+        waiting = [member for member in request if _needs_place(member)]
+        if waiting and all(member.mount == "surface" for member in waiting):
+            waiting = [member for member in waiting if not _join_neighbour(members, member)]
+        for habit in load_habits().of(request[0].category):
+            if waiting:
+                waiting = _follow(members, waiting, habit, windows=windows)
+        _number(request)
+
+
+def _needs_place(member: Member) -> bool:
+    if member.mount == "surface":
+        return not any(tie.kind == "on" for tie in member.ties)
+    return all(tie.kind in _WITHOUT_PLACE for tie in member.ties)
+
+
+def _join_neighbour(members: Members, member: Member) -> bool:
+    """A cup next to a laptop stands on the laptop's desk."""
+    for anchor in (members.by_id.get(a) for tie in member.ties for a in tie.anchors):
+        support = members.support(anchor) if anchor else None
+        if support is not None and not members.depends(support, member):
+            member.ties.insert(0, Tie(kind="on", anchors=(support.id,), asked=False))
+            return True
+    return False
+
+
+def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: bool) -> list[Member]:
+    """Tie as many as the habit has room for; returns the others."""
+    if waiting[0].mount == "surface" and habit.kind != "on" and waiting[0].ties:
+        return waiting
+    if not _applies(members, waiting, habit):
+        return waiting
+    if not habit.anchors:
+        return _in_rows(waiting) if habit.kind == "in_rows" else waiting
+    if habit.anchors[0] in _PLACES:
+        return _at_place(members, waiting, habit, windows=windows)
+    for category in habit.anchors:
+        anchors = [m for m in members.of_category(category) if not any(members.depends(m, w) for w in waiting)]
+        anchors = [m for m in anchors if m.request is not waiting[0].request]
+        waiting = _at_anchors(members, waiting, habit, anchors)
+        if not waiting:
+            break
+    return waiting
+
+
+def _applies(members: Members, waiting: list[Member], habit: Habit) -> bool:
+    """Whether the habit's company is there, and nobody has been told to look at what would have to look at others."""
+    if habit.company and not members.of_category(habit.company):
+        return False
+    if habit.kind != "opposite":
+        return True
+    shown = {member.id for member in waiting}
+    shown |= {m.id for m in members.all if (support := members.support(m)) and support.id in shown}
+    return not any(tie.kind in _WITHOUT_PLACE and shown & set(tie.anchors) for m in members.all for tie in m.ties)
+
+
+def _at_place(members: Members, waiting: list[Member], habit: Habit, *, windows: bool) -> list[Member]:
+    place = habit.anchors[0]
+    if place == "window" and not windows:
+        return waiting
+    if place == "centre" and len(waiting) > 1:
+        return _in_rows(waiting)
+    free = _free(members, waiting[0], habit, place)
+    for member in waiting[:free]:
+        _put(member, habit, place)
+    return waiting[free:]
+
+
+def _in_rows(waiting: list[Member]) -> list[Member]:
+    for index, member in enumerate(waiting):
+        tie = Tie(kind="in_rows", index=index, count=len(waiting), rows=rows_for(len(waiting)), asked=False)
+        member.ties.append(tie)
+    return []
+
+
+def _at_anchors(members: Members, waiting: list[Member], habit: Habit, anchors: list[Member]) -> list[Member]:
+    """Spread over the anchors in order, as far as each has space."""
+    space = {anchor.id: _free(members, waiting[0], habit, anchor.id) for anchor in anchors}
+    open_anchors = [anchor for anchor in anchors if space[anchor.id] > 0]
+    if not open_anchors:
+        return waiting
+    left: list[Member] = []
+    for number, member in enumerate(waiting):
+        first = share(number, len(waiting), len(open_anchors))
+        order = [*open_anchors[first:], *open_anchors[:first]]
+        anchor = next((a for a in order if space[a.id] > 0), None)
+        if anchor is None:
+            left.append(member)
+        else:
+            space[anchor.id] -= 1
+            _put(member, habit, anchor.id)
+    return left
+
+
+def _put(member: Member, habit: Habit, anchor: str) -> None:
+    tie = Tie(kind=habit.kind, anchors=(anchor,), asked=False)
+    if habit.kind == "on":
+        member.ties.insert(0, tie)
+    else:
+        member.ties.append(tie)
+
+
+def _free(members: Members, member: Member, habit: Habit, anchor: str) -> int:
+    """How many more can have this relation to the anchor."""
+    capacity = _CAPACITY.get(habit.kind, _UNLIMITED)
+    if habit.kind == "at" and anchor.rsplit("_", 1)[0] in _LONG_SIDES:
+        capacity = 4
+    rivals = (m for m in members.all if m.mount == member.mount and m.flat == member.flat)
+    if habit.kind not in _EXCLUSIVE:
+        rivals = (m for m in rivals if m.category == member.category)
+    return max(0, capacity - sum(any(t.kind == habit.kind and anchor in t.anchors for t in m.ties) for m in rivals))
+
+
+def _number(members: list[Member]) -> None:
+    """Count off those of a request that share an implied tie."""
+    groups: dict[tuple[str, tuple[str, ...]], list[tuple[Member, int]]] = {}
+    for member in members:
+        for place, tie in enumerate(member.ties):
+            if not tie.asked and tie.kind != "in_rows":
+                groups.setdefault((tie.kind, tie.anchors), []).append((member, place))
+    for group in groups.values():
+        for index, (member, place) in enumerate(group):
+            member.ties[place] = replace(member.ties[place], index=index, count=len(group))

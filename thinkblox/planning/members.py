@@ -1,0 +1,82 @@
+"""The objects of a brief one by one, and what they are like."""
+
+from dataclasses import dataclass, field
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.brief import Brief, Request
+from thinkblox.plan import Tie
+
+
+@dataclass(eq=False)
+class Member:
+    """One object to be: the `index`-th of its request. Ties are collected here before they become a Target."""
+
+    id: str
+    request: Request
+    index: int
+    ties: list[Tie] = field(default_factory=list)
+
+    @property
+    def category(self) -> str:
+        """Its category."""
+        return self.request.category
+
+    @property
+    def mount(self) -> str:
+        """What it is placed on; "floor" for what the catalogue does not have."""
+        category = CATALOGUE.get(self.category)
+        return category.mount if category else "floor"
+
+    @property
+    def footprint(self) -> float:
+        """Area it usually covers [m2]."""
+        category = CATALOGUE.get(self.category)
+        return category.size[0] * category.size[1] if category else 0.25
+
+    @property
+    def flat(self) -> bool:
+        """Whether it is walked on."""
+        category = CATALOGUE.get(self.category)
+        return category is not None and category.flat
+
+
+class Members:
+    """All objects of a brief, by request and by id."""
+
+    def __init__(self, brief: Brief) -> None:
+        numbers: dict[str, int] = {}
+        self.by_request: dict[str, list[Member]] = {}
+        self.by_id: dict[str, Member] = {}
+        for request in brief.requests:
+            for index in range(request.count):
+                numbers[request.category] = numbers.get(request.category, 0) + 1
+                member = Member(f"{request.category}_{numbers[request.category]}", request, index)
+                self.by_request.setdefault(request.key, []).append(member)
+                self.by_id[member.id] = member
+
+    @property
+    def all(self) -> list[Member]:
+        """Every object, in the order of the prompt."""
+        return list(self.by_id.values())
+
+    def of_category(self, category: str) -> list[Member]:
+        """The objects of a category."""
+        return [member for member in self.by_id.values() if member.category == category]
+
+    def support(self, member: Member) -> "Member | None":
+        """What it stands on, if that is another object."""
+        on = next((tie for tie in member.ties if tie.kind == "on" and tie.anchors), None)
+        return self.by_id.get(on.anchors[0]) if on else None
+
+    def depends(self, member: Member, other: Member) -> bool:
+        """Whether `member` has to wait for `other`, be it through others."""
+        seen, queue = {member.id}, [member]
+        while queue:
+            current = queue.pop()
+            if current is other:
+                return True
+            for anchor in {a for tie in current.ties for a in tie.anchors} - seen:
+                if anchor in self.by_id:
+                    seen.add(anchor)
+                    queue.append(self.by_id[anchor])
+        return False

@@ -1,0 +1,116 @@
+"""Where the doors and windows of a room go."""
+
+import numpy as np
+
+from thinkblox.brief import Brief
+from thinkblox.room import Opening, Room, Wall
+
+DOOR = (0.9, 2.1)
+"""Width and height of a door [m]."""
+_WINDOW_HEIGHT, _SILL = 1.2, 0.9
+_CORNER = 0.2
+"""Least distance of an opening to a corner [m]."""
+_SIDES = ("north_wall", "east_wall", "south_wall", "west_wall")
+_WINDOWLESS = frozenset(
+    {"bathroom", "hallway", "storage_room", "laundry_room", "home_cinema", "walk_in_closet", "computer_room", "locker_room"}
+)
+_MANY_WINDOWS = 30.0
+"""Floor from which a room has two windows, where the prompt does not say [m2]."""
+
+
+def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
+    """The room with the doors and windows that the brief asks for, and those that go without saying."""
+    planner = _Openings(room, rng)
+    for kind, wall in _wanted(brief, room):
+        planner.add(kind, wall)
+    return Room(floor=room.floor, height=room.height, openings=tuple(planner.openings))
+
+
+def _wanted(brief: Brief, room: Room) -> list[tuple[str, str]]:
+    """Kind and wall ("" for any) of every opening, doors first."""
+    asked = {kind: [r for r in brief.openings if r.kind == kind] for kind in ("door", "window")}
+    wanted = [(kind, r.wall) for kind in ("door", "window") for r in asked[kind] for _ in range(r.count)]
+    if not any(kind == "door" for kind, _ in wanted):
+        wanted.insert(0, ("door", ""))
+    if not asked["window"]:
+        named = any("window" in relation.anchors for relation in brief.relations)
+        usual = brief.room_type not in _WINDOWLESS
+        count = 2 if room.polygon.area > _MANY_WINDOWS else 1
+        wanted += [("window", "")] * (count if usual else int(named))
+    return wanted
+
+
+class _Openings:
+    """Takes openings one at a time and finds each a free stretch of wall."""
+
+    def __init__(self, room: Room, rng: np.random.Generator) -> None:
+        self.room = room
+        self.rng = rng
+        self.openings: list[Opening] = []
+
+    def add(self, kind: str, wall: str) -> None:
+        """Put a door or window into the named wall, or into the best one that has space for it."""
+        for index in self._walls(kind, wall):
+            if (opening := self._fit(kind, index)) is not None:
+                self.openings.append(opening)
+                return
+
+    def _walls(self, kind: str, name: str) -> list[int]:
+        """Indices of the walls to try, best first; of a named wall only those it can mean."""
+        walls = self.room.walls
+        lengths = [wall.length for wall in walls]
+        if name in _SIDES:
+            return [i for i, wall in enumerate(walls) if wall.name.startswith(name)]
+        if name in ("long_wall", "short_wall"):
+            wanted = max(lengths) if name == "long_wall" else min(lengths)
+            return [i for i, length in enumerate(lengths) if abs(length - wanted) < 0.05] or list(range(len(walls)))
+        taken = {opening.wall for opening in self.openings}
+        return sorted(range(len(walls)), key=lambda i: (i in taken, _dislike(kind, walls[i]), lengths[i]))
+
+    def _fit(self, kind: str, index: int) -> Opening | None:
+        wall = self.room.walls[index]
+        width = DOOR[0] if kind == "door" else self._window_width(wall)
+        number = sum(opening.kind == kind for opening in self.openings) + 1
+        offset = self._offset(kind, index, width)
+        top = self.room.height - 0.1
+        if offset is None:
+            return None
+        if kind == "door":
+            hinge = "start" if offset < wall.length / 2.0 else "end"
+            return Opening(
+                id=f"door_{number}", kind="door", wall=index, offset=offset, width=width, height=min(DOOR[1], top), hinge=hinge
+            )
+        sill = min(_SILL, top - 0.5)
+        height = min(_WINDOW_HEIGHT, top - sill)
+        return Opening(
+            id=f"window_{number}", kind="window", wall=index, offset=offset, width=width, height=round(height, 3), sill=sill
+        )
+
+    def _window_width(self, wall: Wall) -> float:
+        usual = float(self.rng.uniform(1.2, 2.0))
+        return round(max(0.4, min(usual, 0.5 * wall.length)), 2)
+
+    def _offset(self, kind: str, index: int, width: float) -> float | None:
+        """Near a corner for a door, in the middle of the largest free stretch for a window [m]."""
+        length = self.room.walls[index].length
+        gaps = [(a, b) for a, b in self._gaps(index, length) if b - a >= width]
+        if not gaps:
+            return None
+        if kind == "window":
+            start, end = max(gaps, key=lambda gap: gap[1] - gap[0])
+            return round((start + end - width) / 2.0, 3)
+        corners = [gaps[0][0], gaps[-1][1] - width]
+        return round(corners[int(index == 0)], 3)
+
+    def _gaps(self, index: int, length: float) -> list[tuple[float, float]]:
+        taken = sorted((o.offset, o.offset + o.width) for o in self.openings if o.wall == index)
+        starts = [_CORNER, *(end + _CORNER for _, end in taken)]
+        ends = [*(start - _CORNER for start, _ in taken), length - _CORNER]
+        return [(start, end) for start, end in zip(starts, ends, strict=True) if end > start]
+
+
+def _dislike(kind: str, wall: Wall) -> int:
+    """The camera looks in from the south: windows are seen in the north and west, doors stay out of the way."""
+    side = "_".join(wall.name.split("_")[:2])
+    order = ("west_wall", "north_wall") if kind == "window" else ("east_wall", "south_wall")
+    return 0 if side in order else 1

@@ -1,0 +1,84 @@
+"""Brief to Plan: anchors first, then what belongs to them, then small things."""
+
+import heapq
+
+from thinkblox.brief import Brief
+from thinkblox.plan import Plan, Target
+from thinkblox.planning.asked import tie_relation
+from thinkblox.planning.implied import imply
+from thinkblox.planning.members import Member, Members
+from thinkblox.room import Room
+
+_PLACED = ("against_wall", "in_corner", "in_centre", "near", "in_rows")
+_NAMED_PLACE_BONUS = 1.0
+"""What a place that the prompt names counts for, as footprint, in the order of anchors [m2]."""
+_STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
+_Rank = tuple[int, float, int]
+
+
+def plan_brief(brief: Brief, room: Room) -> Plan:
+    """Who is placed in which order, tied to whom; every relation of the brief becomes ties.
+
+    Two ties may have no anchors: "in_rows", and "facing" or "next_to" of the first among its like.
+    """
+    members = Members(brief)
+    for relation in sorted(brief.relations, key=lambda r: not r.asked):
+        tie_relation(brief, relation, members)
+    imply(members, windows=any(opening.kind == "window" for opening in room.openings))
+    return Plan(brief=brief, targets=tuple(_target(member) for member in _ordered(members)))
+
+
+def _target(member: Member) -> Target:
+    request = member.request
+    return Target(
+        id=member.id,
+        category=request.category,
+        request=request.key,
+        asked=request.asked,
+        attributes=request.attributes,
+        index=member.index,
+        count=request.count,
+        ties=tuple(dict.fromkeys(member.ties)),
+    )
+
+
+def _ordered(members: Members) -> list[Member]:
+    """A topological order that takes the highest-ranking object that waits for nobody."""
+    needs = {m.id: {a for tie in m.ties for a in tie.anchors if a in members.by_id} for m in members.all}
+    ranks = _ranks(members, needs)
+    users: dict[str, list[str]] = {m.id: [] for m in members.all}
+    for id, anchors in needs.items():
+        for anchor in anchors:
+            users[anchor].append(id)
+    ready = [(ranks[id], id) for id, anchors in needs.items() if not anchors]
+    heapq.heapify(ready)
+    order: list[Member] = []
+    while ready:
+        _, id = heapq.heappop(ready)
+        order.append(members.by_id[id])
+        for user in users[id]:
+            needs[user].discard(id)
+            if not needs[user]:
+                heapq.heappush(ready, (ranks[user], user))
+    return order
+
+
+def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
+    """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
+    ranks = {member.id: _rank(member, number) for number, member in enumerate(members.all)}
+    queue = list(ranks)
+    while queue:
+        id = queue.pop()
+        for anchor in needs[id]:
+            if members.by_id[id].mount == "floor" and ranks[id][:2] < ranks[anchor][:2]:
+                ranks[anchor] = (*ranks[id][:2], ranks[anchor][2])
+                queue.append(anchor)
+    return ranks
+
+
+def _rank(member: Member, number: int) -> _Rank:
+    stage = 2 if member.flat else _STAGES[member.mount]
+    dependent = any(anchor.rsplit("_", 1)[-1].isdigit() for tie in member.ties for anchor in tie.anchors)
+    named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
+    weight = member.footprint + _NAMED_PLACE_BONUS * named
+    return (stage + int(dependent and stage == 0), -round(weight, 6), number)

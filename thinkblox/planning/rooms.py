@@ -1,0 +1,66 @@
+"""The room of a brief: its floor, height, doors and windows."""
+
+import math
+
+import numpy as np
+
+from thinkblox.brief import Brief
+from thinkblox.planning.openings import with_openings
+from thinkblox.planning.space import needed_area
+from thinkblox.reading.assumptions import room_types
+from thinkblox.reading.sizes import MAX_SIDE
+from thinkblox.room import Room, rectangle
+from thinkblox.value import Vec2
+
+_NOTCH = 0.4
+"""Share of each side that the missing corner of an L takes."""
+_SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
+_PROPORTIONS = {"hallway": (0.4, 0.45)}
+_USUAL_PROPORTION = (0.75, 0.8)
+_LEAST_SIDE = 1.8
+
+
+def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
+    """A room for the brief: as large as it says, or as its furniture needs; the same `rng` gives the same room.
+
+    Raises:
+        InputError: the brief's size is not that of a room.
+    """
+    draw = np.random.default_rng(rng)
+    width, depth = _sides(brief, draw)
+    height = brief.height or room_types().get(brief.room_type, room_types()["room"]).height
+    room = _l_shape(width, depth, height) if brief.shape == "L" else rectangle(width, depth, height=height)
+    return with_openings(room, brief, draw)
+
+
+def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
+    """Sides of the floor's bounding box along x and y [m]; the longer lies along x where the prompt leaves it open."""
+    proportion = _proportion(brief, rng)
+    if brief.width is not None and brief.depth is not None:
+        return brief.width, brief.depth
+    area = brief.area if brief.area is not None else needed_area(brief) * _scale(brief)
+    if brief.shape == "L":
+        area /= 1.0 - _NOTCH**2
+    digits = 2 if brief.area is not None else 1
+    depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
+    return round(min(MAX_SIDE, area / depth), digits), depth
+
+
+def _proportion(brief: Brief, rng: np.random.Generator) -> float:
+    if "square" in brief.style:
+        return 1.0
+    low, high = _PROPORTIONS.get(brief.room_type, _USUAL_PROPORTION)
+    if {"long", "narrow"} & set(brief.style):
+        low, high = 0.4, 0.5
+    return float(rng.uniform(low, high))
+
+
+def _scale(brief: Brief) -> float:
+    return next((scale for word, scale in _SCALES.items() if word in brief.style), 1.0)
+
+
+def _l_shape(width: float, depth: float, height: float) -> Room:
+    """An L whose missing corner is the north-east one, where it hides nothing from a camera in the south."""
+    x, y = round(width * (1.0 - _NOTCH), 3), round(depth * (1.0 - _NOTCH), 3)
+    floor = ((0.0, 0.0), (width, 0.0), (width, y), (x, y), (x, depth), (0.0, depth))
+    return Room(floor=floor, height=height)

@@ -1,0 +1,87 @@
+"""How much floor a brief needs, from the footprints of what it asks for and the room to use them."""
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.brief import Brief, Request
+from thinkblox.reading.assumptions import room_types
+from thinkblox.reading.habits import load_habits
+
+_DOOR_AREA = 1.6
+"""Free floor that a door and the way in take [m2]."""
+_WALL_SHARE = 0.6
+"""Share of the walls that furniture can stand against; the rest is door, window and corners."""
+_TYPICAL_SHARE = 0.5
+"""A room is not made smaller than this share of its type's usual floor."""
+_EMPTY_AREA = 10.0
+
+
+def needed_area(brief: Brief) -> float:
+    """Floor that the brief's furniture takes with the space to use it, at least half of what is usual [m2]."""
+    typical = room_types().get(brief.room_type, room_types()["room"]).area
+    if brief.empty:
+        return max(_EMPTY_AREA, _furniture_area(brief))
+    area = max(_furniture_area(brief), _TYPICAL_SHARE * typical)
+    return max(area, _walls_area(brief))
+
+
+def _furniture_area(brief: Brief) -> float:
+    return _DOOR_AREA + sum(r.count * _own_area(brief, r) for r in brief.requests)
+
+
+def _walls_area(brief: Brief) -> float:
+    """Floor whose walls are long enough for what stands against them, at a proportion of 4:5 [m2]."""
+    widths = sum(r.count * _size(r)[1] for r in brief.requests if _is_against_wall(brief, r))
+    perimeter = widths / _WALL_SHARE
+    return (perimeter / 4.0) ** 2
+
+
+def _own_area(brief: Brief, request: Request) -> float:
+    category = CATALOGUE.get(request.category)
+    if category is None or category.mount != "floor" or category.flat or _belongs_to_seating(brief, request):
+        return 0.0
+    depth, across, _ = _size(request)
+    beside, before = _margins(brief, request)
+    return (across + beside) * (depth + max(before, category.clearance))
+
+
+def _margins(brief: Brief, request: Request) -> tuple[float, float]:
+    """Free width beside and free depth before a piece [m]."""
+    habits = load_habits()
+    name = request.category
+    seated = any(r.kind == "around" and request.key in r.anchors for r in brief.relations)
+    if name in ("pool_table", "table_tennis"):
+        return 2.2, 2.2
+    if name == "school_desk":
+        return 0.6, 1.0
+    if seated and habits.is_in(name, "meal_tables"):
+        return 1.5, 1.5
+    if habits.is_in(name, "beds"):
+        return 0.9, 0.7
+    if habits.is_in(name, "desks"):
+        return 0.2, 1.1
+    if name in ("sofa", "counter"):
+        return 0.4, 1.2
+    return 0.25, 0.5
+
+
+def _belongs_to_seating(brief: Brief, request: Request) -> bool:
+    """Seats drawn up to a table stand on floor that was counted with the table."""
+    return any(r.subject == request.key and r.kind in ("at", "around", "on") for r in brief.relations)
+
+
+def _is_against_wall(brief: Brief, request: Request) -> bool:
+    category = CATALOGUE.get(request.category)
+    if category is None or category.mount != "floor" or category.flat:
+        return False
+    own = [r for r in brief.relations if r.subject == request.key]
+    if own:
+        return any(r.kind == "against_wall" for r in own)
+    first = next(iter(load_habits().of(request.category)), None)
+    return first is not None and first.kind == "against_wall"
+
+
+def _size(request: Request) -> tuple[float, float, float]:
+    """Usual size of what is requested (along the front axis, across, up) [m]."""
+    category = CATALOGUE.get(request.category)
+    if category is None:
+        return (0.5, 0.5, 0.5)
+    return next((category.variants[a] for a in request.attributes if a in category.variants), category.size)
