@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 
 from thinkblox.scene import Placement, Scene
-from thinkblox.sim.access import access
+from thinkblox.sim.access import Access, access
 from thinkblox.sim.build import build_spec, package_version
 from thinkblox.sim.contacts import Contacts
 from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
@@ -76,7 +76,7 @@ def verify(
         way=walking.width,
         reach=walkable.reach,
         unreachable=walkable.unreachable,
-        notes=_notes(state, held, tolerances, physics),
+        notes=(*_motion_notes(state, held, tolerances, physics), *_way_notes(walkable, walking)),
     )
 
 
@@ -161,7 +161,7 @@ def _blockers(scene: Scene, walking: Walking) -> dict[str, tuple[str, ...]]:
     return found
 
 
-def _notes(state: SettledState, held: Hold, tolerances: Tolerances, physics: Physics) -> tuple[str, ...]:
+def _motion_notes(state: SettledState, held: Hold, tolerances: Tolerances, physics: Physics) -> tuple[str, ...]:
     notes = []
     if not state.rested:
         notes.append(f"The scene still moved after {physics.rest_time:g} s; its keyframe is the state at that time.")
@@ -173,3 +173,9 @@ def _notes(state: SettledState, held: Hold, tolerances: Tolerances, physics: Phy
             f" and turned {held.tilt:.1f} degrees, with a contact {held.depth * 1000:.2f} mm deep."
         )
     return tuple(notes)
+
+
+def _way_notes(walkable: Access, walking: Walking) -> tuple[str, ...]:
+    if not walkable.unreachable:
+        return ()
+    return (f"There is no way {walking.width:g} m wide from the door to {', '.join(walkable.unreachable)}.",)

@@ -134,7 +134,9 @@ def test_unreachable_objects_are_reported_and_blamed() -> None:
     report = verify(room)
     assert report.unreachable == ("bed_1",)
     assert {v.id: v.reasons for v in report.objects} == {"bed_1": ("blocks_way",), "sideboard_1": ("blocks_way",)}
-    assert verify(room, way=False).valid
+    without_blame = verify(room, way=False)
+    assert without_blame.valid
+    assert without_blame.notes == ("There is no way 0.5 m wide from the door to bed_1.",)
 
 
 def test_the_same_scene_gives_the_same_report_and_state() -> None:

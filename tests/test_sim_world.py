@@ -63,7 +63,9 @@ def test_the_inner_corner_of_an_l_shaped_room() -> None:
     assert check(scene(L_ROOM), put(CRATE, 1.749, 2.25), CRATE).valid
     verdict = check(scene(L_ROOM), put(CRATE, 1.80, 1.80), CRATE)
     assert verdict.reasons == ("outside",)
-    assert verdict.outside == pytest.approx(0.05 * 2**0.5, abs=0.03)
+    assert verdict.outside == pytest.approx(0.05, abs=1e-6)
+    edge_on = check(scene(L_ROOM), put(CRATE, 1.85, 1.85, yaw=45.0), CRATE)
+    assert edge_on.outside == pytest.approx(0.25 - 0.15 * 2**0.5, abs=1e-6)
 
 
 def test_a_lamp_on_a_table_is_carried_by_it() -> None:
