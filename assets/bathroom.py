@@ -1,0 +1,158 @@
+"""Bathroom fittings."""
+
+from thinkblox.assets.appliances import tap
+from thinkblox.assets.carcasses import Cell, cabinet_parts
+from thinkblox.assets.palette import CHROME, GLASS, PORCELAIN, WHITE_PLASTIC
+from thinkblox.assets.part import Build, Part, hull
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, oval, prism, top_surface
+from thinkblox.assets.spec import Spec
+from thinkblox.value import Vec3
+
+
+def bathtub(spec: Spec) -> Build:
+    """Return a bath with a real hollow, longest across its front; the tap is at its right end."""
+    x, y, z = spec.size
+    white, rim = spec.main(PORCELAIN), 0.07
+    inner = ((-x / 2 + rim, x / 2 - rim), (-y / 2 + rim + 0.06, y / 2 - rim))
+    deep = z - 0.06
+    body: list[Part] = [
+        *(cushion(white, (-x / 2, inner[0][0]) if s < 0 else (inner[0][1], x / 2), (-y / 2, y / 2), (0, deep), radius=0.02) for s in (-1, 1)),
+        cushion(white, inner[0], (-y / 2, inner[1][0]), (0, deep), radius=0.02),
+        cushion(white, inner[0], (inner[1][1], y / 2), (0, deep), radius=0.02),
+        box(white, *inner, (0, 0.12)),
+        prism(white, [(inner[1][1], 0.12), (inner[1][1] - 0.25, 0.12), (inner[1][1], deep - 0.01)], inner[0], axis=0),
+        disc(CHROME, (0, -y / 2 + 0.065), 0.012, (deep, z)),
+        box(CHROME, around(0, 0.022), (-y / 2 + 0.06, -y / 2 + 0.22), (z - 0.02, z)),
+        *(disc(CHROME, (s * 0.1, -y / 2 + 0.065), 0.022, (deep, deep + 0.035)) for s in (-1, 1)),
+    ]  # fmt: skip
+    return Build(body=body)
+
+
+def toilet(spec: Spec) -> Build:
+    """Return a close-coupled WC; the cistern is at -x."""
+    x, y, z = spec.size
+    white, seat = spec.main(PORCELAIN), 0.52 * z
+    bowl = x - 0.2
+    middle = x / 2 - bowl / 2
+    rings = ((0.0, 0.62, 0.6, -0.04), (0.35, 0.6, 0.56, -0.05), (0.8, 0.96, 0.94, 0.0), (1.0, 1.0, 1.0, 0.0))
+    body: list[Part] = []
+    for low, high in zip(rings, rings[1:], strict=False):
+        points: list[Vec3] = []
+        for h, sx, sy, shift in (low, high):
+            points += [
+                (middle + shift * x + a, b, h * (seat - 0.05))
+                for a, b in oval(bowl * sx, y * sy, sides=28, squareness=2.3)
+            ]
+        body.append(hull(white, points, smooth=True))
+    lid = [(middle + a, b) for a, b in oval(bowl, y, squareness=2.3)]
+    body.append(prism(WHITE_PLASTIC, lid, (seat - 0.048, seat), smooth=True))
+    body += [
+        box(white, (-x / 2 + 0.02, -x / 2 + 0.24), around(0, 0.62 * y), (0, seat - 0.05)),
+        cushion(white, (-x / 2, -x / 2 + 0.19), (-y / 2, y / 2), (seat - 0.04, z - 0.03), radius=0.025),
+        cushion(white, (-x / 2, -x / 2 + 0.195), (-y / 2 + 0.001, y / 2 - 0.001), (z - 0.03, z - 0.008), radius=0.008),
+        disc(CHROME, (-x / 2 + 0.1, 0), 0.022, (z - 0.008, z)),
+    ]
+    return Build(body=body)
+
+
+def washbasin(spec: Spec) -> Build:
+    """Return a basin on a cabinet with two doors, and a tap."""
+    x, y, z = spec.size
+    rim = z - 0.13
+    white = PORCELAIN
+    parts = cabinet_parts(
+        spec,
+        (-x / 2, x / 2 - 0.015),
+        (-y / 2 + 0.01, y / 2 - 0.01),
+        (0.0, rim - 0.1),
+        [[Cell("door")], [Cell("door")]],
+        plinth=0.1,
+        finish=spec.wood,
+    )
+    hollow = ((-x / 2 + 0.13, x / 2 - 0.04), (-y / 2 + 0.07, y / 2 - 0.07))
+    body = [
+        box(white, (-x / 2, x / 2), (-y / 2, y / 2), (rim - 0.1, rim - 0.08)),
+        box(white, (-x / 2, hollow[0][0]), (-y / 2, y / 2), (rim - 0.08, rim)),
+        box(white, (hollow[0][1], x / 2), (-y / 2, y / 2), (rim - 0.08, rim)),
+        *(box(white, hollow[0], (s * y / 2, s * (y / 2 - 0.07)), (rim - 0.08, rim)) for s in (-1, 1)),
+        disc(CHROME, (0.04, 0), 0.025, (rim - 0.08, rim - 0.077)),
+        *tap(-x / 2 + 0.06, rim, z),
+    ]  # fmt: skip
+    surface = top_surface("rim", (-x / 2, hollow[0][0]), (0.06, y / 2), rim)
+    return Build(body=parts.body + body, moving=parts.moving, surfaces=[surface])
+
+
+def shower_cabin(spec: Spec) -> Build:
+    """Return a shower: a tray, two walls at -x and -y, and a pane of glass; one enters from +x."""
+    x, y, z = spec.size
+    body = [
+        box(WHITE_PLASTIC, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.06)),
+        box(WHITE_PLASTIC, (-x / 2, -x / 2 + 0.02), (-y / 2, y / 2), (0.06, z)),
+        box(WHITE_PLASTIC, (-x / 2 + 0.02, x / 2), (-y / 2, -y / 2 + 0.02), (0.06, z)),
+        box(GLASS, (-x / 2 + 0.02, x / 2), (y / 2 - 0.01, y / 2), (0.06, z - 0.05)),
+        box(CHROME, (-x / 2 + 0.02, x / 2), around(y / 2 - 0.01, 0.02), (z - 0.05, z - 0.03)),
+        cylinder(CHROME, around(-x / 2 + 0.05, 0.022), around(0, 0.022), (0.9, z - 0.06)),
+        box(CHROME, (-x / 2 + 0.05, -x / 2 + 0.3), around(0, 0.02), (z - 0.08, z - 0.06)),
+        disc(CHROME, (-x / 2 + 0.3, 0), 0.1, (z - 0.095, z - 0.08)),
+        box(CHROME, (-x / 2 + 0.02, -x / 2 + 0.07), around(0, 0.2), (1.0, 1.05)),
+        disc(CHROME, (0, 0), 0.05, (0.06, 0.063)),
+    ]
+    return Build(body=body)
+
+
+def towel_stack(spec: Spec) -> Build:
+    """Return folded towels on each other."""
+    x, y, z = spec.size
+    count = max(2, round(z / 0.06))
+    tones = (spec.main(spec.style.accent), spec.main(spec.style.fabric))
+    body = [
+        cushion(
+            tones[k % 2], (-x / 2, x / 2), (-y / 2, y / 2), (k * z / count, (k + 1) * z / count), radius=0.4 * z / count
+        )
+        for k in range(count)
+    ]
+    return Build(body=body)
+
+
+def toilet_paper(spec: Spec) -> Build:
+    """Return a holder with a roll, for the wall."""
+    x, y, z = spec.size
+    size = min(x - 0.02, z)
+    body: list[Part] = [
+        box(CHROME, (-x / 2, -x / 2 + 0.01), around(0, 0.04), around(z / 2, 0.05)),
+        box(CHROME, (-x / 2 + 0.01, x / 2 - size / 2), around(-y / 2 + 0.006, 0.012), around(z / 2, 0.012)),
+        box(CHROME, (-x / 2 + 0.01, -x / 2 + 0.02), (-y / 2, 0.02), around(z / 2, 0.012)),
+        cylinder(
+            PORCELAIN, (x / 2 - size, x / 2), (-y / 2 + 0.012, y / 2), (z / 2 - size / 2, z / 2 + size / 2), axis=1
+        ),
+    ]
+    return Build(body=body)
+
+
+def soap_dispenser(spec: Spec) -> Build:
+    """Return a bottle of soap with a pump."""
+    x, y, z = spec.size
+    radius = y / 2
+    at = -x / 2 + radius
+    return Build(body=[
+        disc(spec.main(spec.style.glaze), (at, 0), radius, (0, 0.68 * z)),
+        ellipsoid(spec.main(spec.style.glaze), (at - radius, at + radius), (-radius, radius), (0.6 * z, 0.76 * z)),
+        disc(CHROME, (at, 0), 0.18 * radius, (0.74 * z, z - 0.012)),
+        box(CHROME, (at, x / 2), around(0, 0.012), (z - 0.012, z)),
+    ])  # fmt: skip
+
+
+def massage_table(spec: Spec) -> Build:
+    """Return a padded couch with a head part, along x."""
+    x, y, z = spec.size
+    cover, wood = spec.main(spec.style.accent), spec.style.wood
+    body: list[Part] = [cushion(cover, (-x / 2 + 0.34, x / 2), (-y / 2, y / 2), (z - 0.1, z), radius=0.03)]
+    body.append(cushion(cover, (-x / 2, -x / 2 + 0.33), around(0, 0.5 * y), (z - 0.1, z), radius=0.04))
+    body += [box(wood, (-x / 2 + 0.2, x / 2 - 0.05), around(s * 0.3 * y, 0.04), (z - 0.16, z - 0.1)) for s in (-1, 1)]
+    body += [
+        box(wood, around(a, 0.06), around(s * 0.4 * y, 0.05), (0, z - 0.1))
+        for a in (-x / 2 + 0.5, x / 2 - 0.12)
+        for s in (-1, 1)
+    ]
+    body += [box(wood, around(a, 0.03), around(0, 0.8 * y), (0.2, 0.26)) for a in (-x / 2 + 0.5, x / 2 - 0.12)]
+    return Build(body=body, surfaces=[top_surface("couch", (-x / 2 + 0.38, x / 2 - 0.04), around(0, y - 0.08), z)])

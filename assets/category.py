@@ -1,0 +1,60 @@
+"""What the catalogue says of a category."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from thinkblox.asset import Mount
+from thinkblox.assets.part import Build
+from thinkblox.assets.spec import Spec
+from thinkblox.value import Vec3
+
+Generator = Callable[[Spec], Build]
+
+
+@dataclass(frozen=True)
+class Category:
+    """One kind of thing that can be made.
+
+    Attributes:
+        name: in snake_case, as in ids.
+        noun: for people ("floor lamp").
+        generator: makes it.
+        size: of an ordinary one (along the front axis, across, up) [m].
+        mass: of one of that size [kg].
+        mount: what it is placed on.
+        front: how many ways round look the same.
+        friction: sliding coefficient.
+        clearance: depth to keep free before its front [m].
+        variation: share by which the seed changes each length.
+        variants: sizes that attributes stand for.
+        seats: how many a reference one seats; 0 where "for six" means nothing.
+        large: people walk to it: it needs walkable access.
+        flat: a rug or mat, that is walked on.
+        low, high: sizes that can be made, as shares of the smallest and largest of its sizes.
+    """
+
+    name: str
+    noun: str
+    generator: Generator
+    size: Vec3
+    mass: float
+    mount: Mount = "floor"
+    front: Literal["one", "two", "any"] = "one"
+    friction: float = 0.5
+    clearance: float = 0.0
+    variation: float = 0.06
+    variants: Mapping[str, Vec3] = field(default_factory=dict)
+    seats: int = 0
+    large: bool = False
+    flat: bool = False
+    low: float = 0.5
+    high: float = 2.0
+
+    @property
+    def size_range(self) -> tuple[Vec3, Vec3]:
+        """Smallest and largest size that can be made [m]."""
+        sizes = (self.size, *self.variants.values())
+        least = [round(self.low * min(s[i] for s in sizes), 4) for i in range(3)]
+        most = [round(self.high * max(s[i] for s in sizes), 4) for i in range(3)]
+        return (least[0], least[1], least[2]), (most[0], most[1], most[2])

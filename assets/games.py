@@ -1,0 +1,438 @@
+"""Things for play, music and sport."""
+
+from math import cos, pi, sin
+
+from thinkblox.assets.palette import (
+    BLACK_GLASS,
+    BLACK_PLASTIC,
+    CHARCOAL_WOOL,
+    CHROME,
+    COGNAC,
+    DARK_PLASTIC,
+    EBONY,
+    FELT,
+    GREY_METAL,
+    IRON,
+    SCREEN,
+    STEEL,
+    WALNUT,
+    WHITE_PLASTIC,
+    YELLOW_PLASTIC,
+)
+from thinkblox.assets.part import Build, Finish, Part, turned
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, oval, prism, rod, sphere, top_surface
+from thinkblox.assets.spec import Spec
+
+
+def pool_table(spec: Spec) -> Build:
+    """Return a pool table with rails, pockets, a rack of balls and a cue; it is longest across its front."""
+    x, y, z = spec.size
+    wood, rail, bed = spec.main(WALNUT), 0.14, z - 0.045
+    cloth = Finish(spec.style.accent.colour, "fabric") if spec.rng.random() < 0.0 else FELT
+    body = [
+        box(wood, around(0, x - 0.06), around(0, y - 0.06), (bed - 0.16, bed - 0.03)),
+        box(cloth, around(0, x - 2 * rail + 0.04), around(0, y - 2 * rail + 0.04), (bed - 0.03, bed)),
+        *(cushion(wood, (s * x / 2, s * (x / 2 - rail)) if s > 0 else (-x / 2, -x / 2 + rail), (-y / 2, y / 2), (bed - 0.03, z), radius=0.015) for s in (-1,)),
+        cushion(wood, (x / 2 - rail, x / 2), (-y / 2, y / 2), (bed - 0.03, z), radius=0.015),
+        *(cushion(wood, (-x / 2 + rail, x / 2 - rail), (s * (y / 2 - rail / 2) - rail / 2, s * (y / 2 - rail / 2) + rail / 2), (bed - 0.03, z), radius=0.015) for s in (-1, 1)),
+    ]  # fmt: skip
+    body += [
+        box(cloth, (s * (x / 2 - rail) - 0.02, s * (x / 2 - rail) + 0.02), around(0, y - 2 * rail), (bed, z - 0.008))
+        for s in (-1, 1)
+    ]
+    body += [
+        box(
+            cloth,
+            around(0, x - 2 * rail - 0.04),
+            (s * (y / 2 - rail) - 0.02, s * (y / 2 - rail) + 0.02),
+            (bed, z - 0.008),
+        )
+        for s in (-1, 1)
+    ]
+    pockets = [(sx * (x / 2 - rail + 0.01), sy * (y / 2 - rail + 0.01)) for sx in (-1, 1) for sy in (-1, 0, 1)]
+    body += [disc(BLACK_PLASTIC, at, 0.062, (z - 0.001, z + 0.0005), collide=False) for at in pockets]
+    for sx in (-1, 1):
+        body += [
+            leg(
+                wood,
+                (sx * (x / 2 - 0.2), sy * (y / 2 - 0.22)),
+                (sx * (x / 2 - 0.2), sy * (y / 2 - 0.22)),
+                (0, bed - 0.16),
+                0.1,
+                0.17,
+            )
+            for sy in (-1, 1)
+        ]
+    body += _balls(0.18 * y, bed)
+    body.append(
+        rod(
+            Finish((0.80, 0.64, 0.42), "wood"),
+            (-0.2 * x, -0.34 * y, bed + 0.014),
+            (0.1 * x, 0.1 * y, bed + 0.011),
+            0.013,
+            end_radius=0.006,
+        )
+    )
+    return Build(
+        body=body, surfaces=[top_surface("bed", around(0, x - 2 * rail - 0.1), around(0, y - 2 * rail - 0.1), bed)]
+    )
+
+
+def _balls(start: float, bed: float) -> list[Part]:
+    colours = (
+        (0.90, 0.72, 0.20),
+        (0.20, 0.30, 0.60),
+        (0.74, 0.20, 0.18),
+        (0.40, 0.24, 0.48),
+        (0.88, 0.46, 0.20),
+        (0.16, 0.40, 0.28),
+        (0.45, 0.16, 0.14),
+        (0.08, 0.08, 0.09),
+    )
+    radius, parts, k = 0.028, [], 0
+    for row in range(4):
+        for place in range(row + 1):
+            at = ((place - row / 2) * 2.05 * radius, start + row * 1.78 * radius, bed + radius)
+            parts.append(sphere(Finish(colours[k % len(colours)], "ceramic"), at, radius))
+            k += 1
+    parts.append(sphere(Finish((0.95, 0.94, 0.90), "ceramic"), (0, -start, bed + radius), radius))
+    return parts
+
+
+def table_football(spec: Spec) -> Build:
+    """Return a football table: a pitch between boards, with rods of players."""
+    x, y, z = spec.size
+    wood, wide = spec.main(spec.choice((WALNUT, EBONY))), min(0.7, 0.62 * x)
+    floor, rods = 0.82 * z, 0.94 * z
+    body = [
+        box(wood, around(0, wide), (-y / 2, y / 2), (0.68 * z, floor - 0.01)),
+        box(FELT, around(0, wide - 0.05), around(0, y - 0.05), (floor - 0.01, floor)),
+        *(box(wood, around(s * (wide / 2 - 0.0125), 0.025), (-y / 2, y / 2), (floor - 0.01, z)) for s in (-1, 1)),
+        *(box(wood, around(0, wide - 0.05), around(s * (y / 2 - 0.0125), 0.025), (floor - 0.01, z)) for s in (-1, 1)),
+        *(leg(wood, (sx * (wide / 2 - 0.06), sy * (y / 2 - 0.08)), (sx * (wide / 2 - 0.07), sy * (y / 2 - 0.1)), (0, 0.68 * z), 0.06, 0.1) for sx in (-1, 1) for sy in (-1, 1)),
+    ]  # fmt: skip
+    for k in range(6):
+        at, side = (k - 2.5) * 0.15 * y, 1 if k % 2 else -1
+        reach = (-wide / 2 - 0.06, x / 2 - 0.1) if side > 0 else (-x / 2 + 0.1, wide / 2 + 0.06)
+        body.append(cylinder(CHROME, reach, around(at, 0.016), around(rods, 0.016), axis=0))
+        grip = (x / 2 - 0.1, x / 2) if side > 0 else (-x / 2, -x / 2 + 0.1)
+        body.append(cylinder(BLACK_PLASTIC, grip, around(at, 0.032), around(rods, 0.032), axis=0))
+        team = Finish((0.74, 0.2, 0.18) if side > 0 else (0.2, 0.32, 0.58), "plastic")
+        body += [
+            box(team, around((p - 1) * 0.26 * wide, 0.025), around(at, 0.02), (floor + 0.01, rods + 0.035))
+            for p in range(3)
+        ]
+    return Build(body=body)
+
+
+def table_tennis(spec: Spec) -> Build:
+    """Return a table-tennis table with lines and a net."""
+    x, y, z = spec.size
+    top, white = z - 0.155, Finish((0.95, 0.95, 0.95), "plastic")
+    body = [box(spec.main(Finish((0.14, 0.34, 0.46), "wood")), around(0, x - 0.02), (-y / 2, y / 2), (top - 0.03, top))]
+    body += [
+        box(white, around(a, 0.02), around(0, y), (top, top + 0.001), collide=False)
+        for a in (-x / 2 + 0.02, 0, x / 2 - 0.02)
+    ]
+    body += [
+        box(white, around(0, x - 0.02), around(s * (y / 2 - 0.01), 0.02), (top, top + 0.001), collide=False)
+        for s in (-1, 1)
+    ]
+    body.append(box(white, (-x / 2, x / 2), around(0, 0.006), (top + 0.002, z)))
+    for sy in (-1, 1):
+        body += [
+            box(GREY_METAL, around(sx * 0.4 * x, 0.05), around(sy * 0.35 * y, 0.05), (0, top - 0.03)) for sx in (-1, 1)
+        ]
+        body.append(box(GREY_METAL, around(0, 0.8 * x - 0.05), around(sy * 0.35 * y, 0.03), (0.3, 0.34)))
+    halves = [
+        top_surface(f"half {k + 1}", around(0, x - 0.1), (0.05, y / 2 - 0.05) if k else (-y / 2 + 0.05, -0.05), top)
+        for k in range(2)
+    ]
+    return Build(body=body, surfaces=halves)
+
+
+def arcade_cabinet(spec: Spec) -> Build:
+    """Return an upright arcade machine: leaning screen, controls and a lit sign."""
+    x, y, z = spec.size
+    colour = spec.main(
+        Finish(spec.choice(((0.20, 0.24, 0.42), (0.58, 0.20, 0.22), (0.16, 0.40, 0.40), (0.14, 0.14, 0.16))), "wood")
+    )
+    inner, back = (-y / 2 + 0.025, y / 2 - 0.025), -x / 2
+    body: list[Part] = []
+    for span in ((-y / 2, inner[0]), (inner[1], y / 2)):
+        body += [
+            box(colour, (back, 0.34 * x), span, (0, 0.5 * z)),
+            prism(
+                colour,
+                [(back, 0.5 * z), (x / 2, 0.5 * z), (x / 2, 0.57 * z), (0.2 * x, 0.63 * z), (back, 0.63 * z)],
+                span,
+                axis=1,
+            ),
+            prism(
+                colour, [(back, 0.63 * z), (0.2 * x, 0.63 * z), (0.02 * x, 0.84 * z), (back, 0.84 * z)], span, axis=1
+            ),
+            prism(
+                colour,
+                [(back, 0.84 * z), (0.02 * x, 0.84 * z), (0.3 * x, 0.88 * z), (0.3 * x, z), (back, z)],
+                span,
+                axis=1,
+            ),
+        ]
+    body += [
+        box(EBONY, (back + 0.02, 0.3 * x), inner, (0.04, 0.5 * z)),
+        prism(
+            DARK_PLASTIC,
+            [
+                (back + 0.02, 0.5 * z),
+                (0.46 * x, 0.5 * z),
+                (0.46 * x, 0.545 * z),
+                (0.16 * x, 0.6 * z),
+                (back + 0.02, 0.6 * z),
+            ],
+            inner,
+            axis=1,
+        ),
+        prism(
+            IRON,
+            [(back + 0.02, 0.6 * z), (0.1 * x, 0.6 * z), (-0.06 * x, 0.84 * z), (back + 0.02, 0.84 * z)],
+            inner,
+            axis=1,
+        ),
+        prism(
+            Finish((0.16, 0.30, 0.44), "screen"),
+            [(0.086 * x, 0.63 * z), (0.094 * x, 0.63 * z), (-0.026 * x, 0.81 * z), (-0.034 * x, 0.81 * z)],
+            (inner[0] + 0.05, inner[1] - 0.05),
+            axis=1,
+        ),
+        box(Finish((0.98, 0.84, 0.48), "light"), (back + 0.02, 0.28 * x), inner, (0.885 * z, 0.985 * z)),
+        box(IRON, (0.3 * x, 0.302 * x), around(0, 0.3), (0.16 * z, 0.34 * z), collide=False),
+    ]
+    for side, tone in ((-1, (0.80, 0.22, 0.2)), (1, (0.93, 0.74, 0.25))):
+        at = (0.3 * x, side * 0.2 * y, 0.572 * z)
+        body += [
+            rod(CHROME, at, (at[0], at[1], at[2] + 0.05), 0.005, sides=6),
+            sphere(Finish(tone, "plastic"), (at[0], at[1], at[2] + 0.06), 0.017),
+        ]
+        body += [
+            disc(
+                Finish(tone, "plastic"),
+                (0.3 * x + 0.03 * (k % 2), at[1] + 0.04 + 0.03 * k),
+                0.011,
+                (0.565 * z, 0.585 * z),
+            )
+            for k in range(2)
+        ]
+    return Build(body=body)
+
+
+def piano(spec: Spec) -> Build:
+    """Return an upright piano."""
+    x, y, z = spec.size
+    wood, keys = spec.main(spec.choice((EBONY, WALNUT))), min(0.72, 0.62 * z)
+    body = [
+        box(wood, (-x / 2, -0.02 * x), (-y / 2, y / 2), (0.02, z - 0.025)),
+        box(wood, (-x / 2, 0.02 * x), (-y / 2, y / 2), (z - 0.025, z)),
+        box(wood, (-0.02 * x, x / 2), (-y / 2, y / 2), (keys - 0.1, keys - 0.025)),
+        box(WHITE_PLASTIC, (0.08 * x, 0.46 * x), around(0, y - 0.2), (keys - 0.025, keys - 0.01)),
+        box(wood, (-0.02 * x, 0.08 * x), around(0, y - 0.2), (keys - 0.025, keys + 0.05)),
+        *(box(wood, (-0.02 * x, x / 2), (s * y / 2, s * (y / 2 - 0.1)), (keys - 0.025, keys + 0.04)) for s in (-1, 1)),
+        *(leg(wood, (0.43 * x, s * (y / 2 - 0.07)), (0.43 * x, s * (y / 2 - 0.07)), (0.03, keys - 0.1), 0.05, 0.08) for s in (-1, 1)),
+        *(box(wood, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - 0.12)), (0, 0.03)) for s in (-1, 1)),
+        box(wood, (-0.02 * x, 0.0), around(0, 0.5 * y), (keys + 0.1, keys + 0.25)),
+        *(box(Finish((0.80, 0.64, 0.38), "metal"), (-0.02 * x, 0.16 * x), around(0.09 * s, 0.03), (0.05, 0.065)) for s in (-1, 0, 1)),
+    ]  # fmt: skip
+    count = int((y - 0.2) / 0.024)
+    for k in range(count):
+        if k % 7 not in (2, 6):
+            at = -y / 2 + 0.1 + (k + 1) * (y - 0.2) / count
+            body.append(box(BLACK_PLASTIC, (0.08 * x, 0.32 * x), around(at, 0.011), (keys - 0.01, keys - 0.001)))
+    return Build(body=body, surfaces=[top_surface("top", (-x / 2, 0.02 * x), (-y / 2, y / 2), z)])
+
+
+def guitar(spec: Spec) -> Build:
+    """Return a guitar leaning in a stand."""
+    x, y, z = spec.size
+    top, dark = spec.main(Finish((0.76, 0.50, 0.26), "wood")), WALNUT
+    upright: list[Part] = []
+    for at, wide, tall in ((0.30, 1.0, 0.36), (0.50, 0.74, 0.28)):
+        outline = [(a, b + at * z) for a, b in oval(wide * y, tall * z, sides=24)]
+        upright.append(prism(top, outline, (-0.05, 0.05), axis=0, smooth=True))
+    upright += [
+        box(dark, (0.045, 0.062), around(0, 0.055), (0.42 * z, 0.88 * z)),
+        box(dark, (0.04, 0.06), around(0, 0.08), (0.88 * z, z)),
+        cylinder(EBONY, (0.05, 0.0512), around(0, 0.1), around(0.47 * z, 0.1), axis=0, collide=False),
+        box(EBONY, (0.05, 0.06), around(0, 0.16), around(0.27 * z, 0.025)),
+    ]
+    lean = [turned(p, 1, -9.0, (0.0, 0.0, 0.1 * z)) for p in upright]
+    stand = [
+        rod(IRON, (-x / 2 + 0.012, s * 0.32 * y, 0.012), (x / 2 - 0.02, s * 0.32 * y, 0.012), 0.012) for s in (-1, 1)
+    ]
+    stand += [rod(IRON, (0.0, s * 0.32 * y, 0.012), (-0.17, 0.0, 0.46 * z), 0.01) for s in (-1, 1)]
+    stand += [
+        cylinder(IRON, around(0.02, 0.022), around(0, 0.7 * y), (0.1 * z - 0.01, 0.1 * z + 0.012), axis=1),
+        *(box(IRON, around(0.02, 0.02), around(s * 0.32 * y, 0.02), (0.012, 0.1 * z)) for s in (-1, 1)),
+    ]
+    return Build(body=lean + stand)
+
+
+def drum_kit(spec: Spec) -> Build:
+    """Return a drum kit: bass, snare, two toms and two cymbals; the drummer sits at +x."""
+    x, y, z = spec.size
+    shell = spec.main(Finish((0.55, 0.16, 0.16), "plastic"))
+    skin = Finish((0.93, 0.92, 0.88), "plastic")
+    radius = min(0.28, 0.24 * z)
+    body: list[Part] = [
+        cylinder(shell, (-x / 2 + 0.06, -x / 2 + 0.48), around(0, 2 * radius), (0.02, 0.02 + 2 * radius), axis=0)
+    ]
+    body.append(
+        cylinder(
+            skin, (-x / 2 + 0.05, -x / 2 + 0.06), around(0, 1.9 * radius), around(0.02 + radius, 1.9 * radius), axis=0
+        )
+    )
+    body += [box(CHROME, (-x / 2 + 0.1, -x / 2 + 0.14), (s * 0.3 - 0.05, s * 0.3 + 0.05), (0, 0.05)) for s in (-1, 1)]
+    body += [
+        rod(CHROME, (-x / 2 + 0.12, s * 0.32, 0.01), (-x / 2 + 0.14, s * 0.9 * radius, radius), 0.01) for s in (-1, 1)
+    ]
+    drums = ((0.12 * x, 0.27 * y, 0.6, 0.17, 0.14), (0.1 * x, -0.3 * y, 0.55, 0.2, 0.38))
+    for ax, ay, top, r, tall in drums:
+        body += [disc(shell, (ax, ay), r, (top - tall, top - 0.01)), disc(skin, (ax, ay), r * 0.98, (top - 0.01, top))]
+        body += [
+            rod(
+                CHROME,
+                (ax + 0.9 * r * cos(a), ay + 0.9 * r * sin(a), 0.01),
+                (ax + 0.6 * r * cos(a), ay + 0.6 * r * sin(a), top - tall),
+                0.01,
+                sides=6,
+            )
+            for a in (0.5, 2.6, 4.7)
+        ]
+    for s in (-1, 1):
+        at = (-x / 2 + 0.27, 0.17 * s)
+        body += [
+            disc(shell, at, 0.15, (2 * radius + 0.07, 2 * radius + 0.23)),
+            disc(skin, at, 0.148, (2 * radius + 0.23, 2 * radius + 0.24)),
+            disc(CHROME, at, 0.015, (2 * radius, 2 * radius + 0.07)),
+        ]
+        tip = (-0.18 * x, s * (y / 2 - 0.2))
+        body += [
+            disc(CHROME, tip, 0.01, (0.12, z - 0.02)),
+            disc(Finish((0.83, 0.68, 0.34), "metal"), tip, 0.2, (z - 0.03, z - 0.022)),
+            disc(CHROME, tip, 0.015, (z - 0.022, z)),
+        ]
+        body += [
+            rod(CHROME, (tip[0] + 0.18 * cos(a), tip[1] + 0.18 * sin(a), 0.01), (tip[0], tip[1], 0.2), 0.009, sides=6)
+            for a in (0.0, 2.1, 4.2)
+        ]
+    return Build(body=body)
+
+
+def treadmill(spec: Spec) -> Build:
+    """Return a treadmill; its console is at -x, the runner steps on from +x."""
+    x, y, z = spec.size
+    body = [
+        box(DARK_PLASTIC, (-x / 2 + 0.2, x / 2), around(0, 0.62 * y), (0.1, 0.17)),
+        box(BLACK_PLASTIC, (-x / 2 + 0.25, x / 2 - 0.02), around(0, 0.56 * y), (0.17, 0.174)),
+        *(box(GREY_METAL, (-x / 2 + 0.1, x / 2), (s * 0.31 * y, s * 0.44 * y), (0.06, 0.19)) for s in (-1, 1)),
+        cushion(DARK_PLASTIC, (-x / 2, -x / 2 + 0.34), around(0, 0.9 * y), (0.03, 0.28), radius=0.05),
+        *(box(BLACK_PLASTIC, around(a, 0.1), around(s * 0.375 * y, 0.08), (0, 0.06)) for a in (-x / 2 + 0.3, x / 2 - 0.1) for s in (-1, 1)),
+        *(leg(GREY_METAL, (-x / 2 + 0.2, s * 0.42 * y), (-x / 2 + 0.1, s * 0.42 * y), (0.2, z - 0.16), 0.07, 0.05) for s in (-1, 1)),
+        cushion(DARK_PLASTIC, (-x / 2 + 0.04, -x / 2 + 0.16), around(0, y), (z - 0.3, z), radius=0.03),
+        box(SCREEN, (-x / 2 + 0.16, -x / 2 + 0.162), around(0, 0.5 * y), (z - 0.24, z - 0.06), collide=False),
+        *(cylinder(BLACK_PLASTIC, (-x / 2 + 0.1, -x / 2 + 0.6), around(s * 0.45 * y, 0.04), around(z - 0.28, 0.04), axis=0) for s in (-1, 1)),
+    ]  # fmt: skip
+    return Build(body=body)
+
+
+def exercise_bike(spec: Spec) -> Build:
+    """Return an exercise bike, ridden towards -x."""
+    x, y, z = spec.size
+    front = -x / 2
+    body = [
+        *(box(GREY_METAL, around(a, 0.06), (-y / 2, y / 2), (0, 0.06)) for a in (front + 0.08, x / 2 - 0.08)),
+        box(GREY_METAL, (front + 0.08, x / 2 - 0.08), around(0, 0.06), (0.06, 0.12)),
+        cylinder(DARK_PLASTIC, around(front + 0.3, 0.46), around(0, 0.1), (0.1, 0.56), axis=1),
+        cylinder(STEEL, around(front + 0.3, 0.3), around(0, 0.11), (0.18, 0.48), axis=1),
+        rod(DARK_PLASTIC, (front + 0.36, 0, 0.4), (front + 0.22, 0, z - 0.1), 0.035),
+        rod(DARK_PLASTIC, (x / 2 - 0.36, 0, 0.1), (x / 2 - 0.22, 0, 0.72 * z), 0.035),
+        cushion(CHARCOAL_WOOL, (x / 2 - 0.38, x / 2 - 0.1), around(0, 0.24), (0.72 * z, 0.78 * z), radius=0.03),
+        cylinder(BLACK_PLASTIC, around(front + 0.2, 0.035), around(0, 0.9 * y), around(z - 0.12, 0.035), axis=1),
+        box(BLACK_GLASS, (front + 0.18, front + 0.21), around(0, 0.22), (z - 0.12, z)),
+        *(rod(DARK_PLASTIC, (front + 0.2, s * 0.4 * y, z - 0.12), (front + 0.4, s * 0.4 * y, z - 0.06), 0.017) for s in (-1, 1)),
+        *(box(BLACK_PLASTIC, around(-0.02 + s * 0.14, 0.1), (s * 0.08, s * 0.2), around(0.3 + s * 0.08, 0.025)) for s in (-1, 1)),
+        rod(GREY_METAL, (-0.16, 0, 0.22), (0.12, 0, 0.38), 0.018),
+        box(DARK_PLASTIC, (front + 0.3, x / 2 - 0.3), around(0, 0.07), (0.22, 0.36)),
+    ]  # fmt: skip
+    return Build(body=body)
+
+
+def dumbbells(spec: Spec) -> Build:
+    """Return a rack with two rows of dumbbells."""
+    x, y, z = spec.size
+    body: list[Part] = [box(IRON, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - 0.04)), (0, 0.05)) for s in (-1, 1)]
+    body += [box(IRON, (-x / 2, -x / 2 + 0.06), (s * y / 2, s * (y / 2 - 0.04)), (0.05, z)) for s in (-1, 1)]
+    for row, (level, front) in enumerate(((0.35 * z, x / 2), (0.78 * z, 0.2 * x))):
+        body.append(box(GREY_METAL, (front - 0.3, front), (-y / 2 + 0.04, y / 2 - 0.04), (level - 0.03, level)))
+        body.append(box(GREY_METAL, (-x / 2 + 0.01, front - 0.3), around(0, y - 0.1), (level - 0.03, level)))
+        count = int((y - 0.16) / 0.17)
+        for k in range(count):
+            at = -y / 2 + 0.08 + (k + 0.5) * (y - 0.16) / count
+            r = 0.05 + 0.012 * row
+            body += [
+                cylinder(IRON, (a, a + 0.07), around(at, 2 * r), (level, level + 2 * r), axis=0)
+                for a in (front - 0.27, front - 0.09)
+            ]
+            body.append(
+                cylinder(CHROME, (front - 0.2, front - 0.09), around(at, 0.03), around(level + r, 0.03), axis=0)
+            )
+    return Build(body=body)
+
+
+def bicycle(spec: Spec) -> Build:
+    """Return a bicycle on its stand, riding to +x."""
+    x, y, z = spec.size
+    r, paint, parts = min(0.34, 0.33 * z), spec.main(Finish(spec.style.accent.colour, "metal")), []
+    hubs = (-x / 2 + r, x / 2 - r)
+    for hub in hubs:
+        parts += _wheel(hub, r)
+    crank, seat, head = (-0.06 * x, 0.0, 0.28), (-0.15 * x, 0.0, 0.8 * z), (0.24 * x, 0.0, 0.84 * z)
+    for a, b in (
+        (crank, seat),
+        (crank, head),
+        (seat, head),
+        ((hubs[0], 0.0, r), crank),
+        ((hubs[0], 0.0, r), seat),
+        ((hubs[1], 0.0, r), (0.22 * x, 0.0, z - 0.06)),
+    ):
+        parts.append(rod(paint, a, b, 0.016, sides=8))
+    parts += [
+        cushion(COGNAC, around(seat[0] - 0.03, 0.26), around(0, 0.15), (0.86 * z, 0.92 * z), radius=0.025),
+        disc(CHROME, (seat[0], 0), 0.012, (0.78 * z, 0.86 * z)),
+        cylinder(BLACK_PLASTIC, around(0.21 * x, 0.028), (-y / 2, y / 2), (z - 0.06, z - 0.032), axis=1),
+        sphere(CHROME, (0.21 * x, 0, z - 0.02), 0.02),
+        rod(CHROME, crank, (crank[0] + 0.12, 0.08, 0.2), 0.01, sides=6),
+        rod(CHROME, crank, (crank[0] - 0.12, -0.08, 0.36), 0.01, sides=6),
+        *(rod(IRON, (hubs[0] + 0.1, 0, 0.3), (hubs[0] + 0.1, s * 0.2, 0.012), 0.012, sides=8) for s in (-1, 1)),
+        box(YELLOW_PLASTIC, around(0.3 * x, 0.04), around(0, 0.05), (0.74 * z, 0.79 * z)),
+    ]  # fmt: skip
+    return Build(body=parts)
+
+
+def _wheel(hub: float, r: float) -> list[Part]:
+    parts: list[Part] = [cylinder(CHROME, around(hub, 0.05), around(0, 0.09), around(r, 0.05), axis=1)]
+    for k in range(16):
+        a, b = 2 * pi * k / 16, 2 * pi * (k + 1) / 16
+        inner, points = r - 0.04, []
+        for t in (a, b):
+            points += [(hub + r * sin(t), r - r * cos(t)), (hub + inner * sin(t), r - inner * cos(t))]
+        parts.append(prism(BLACK_PLASTIC, points, (-0.02, 0.02), axis=1))
+    parts += [
+        rod(
+            STEEL,
+            (hub - (r - 0.03) * cos(t), 0, r - (r - 0.03) * sin(t)),
+            (hub + (r - 0.03) * cos(t), 0, r + (r - 0.03) * sin(t)),
+            0.003,
+            sides=5,
+        )
+        for t in (0.2, 0.99, 1.77, 2.56)
+    ]
+    return parts

@@ -1,0 +1,93 @@
+"""Makes assets of the catalogue's categories."""
+
+import difflib
+import hashlib
+import re
+import zlib
+from collections.abc import Sequence
+from functools import lru_cache
+
+import msgspec
+import numpy as np
+from msgspec import structs
+
+from thinkblox.asset import Asset
+from thinkblox.assets.catalogue import CATALOGUE
+from thinkblox.assets.category import Category
+from thinkblox.assets.finish import fitted, links_of
+from thinkblox.assets.masses import mass_of
+from thinkblox.assets.palette import style_of
+from thinkblox.assets.sizing import checked_size, size_for
+from thinkblox.assets.spec import Spec
+from thinkblox.errors import InputError
+from thinkblox.value import Vec3
+
+_PROVENANCE = re.compile(r"procedural:(?P<category>\w+):seed=(?P<seed>\d+)(?::(?P<words>.*))?")
+
+
+def make_asset(category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
+    """Return a new asset of a category; assets made with one seed match in style.
+
+    Args:
+        seed: draws what the attributes leave open; at least 0.
+        attributes: words such as "round", "double", "low", "for six", "red"; those that mean nothing are ignored.
+        size: make it exactly this big (along the front axis, across, up) [m], to a tenth of a millimetre.
+
+    Raises:
+        InputError: an unknown category, a negative seed, or a size outside what the category can have.
+    """
+    if seed < 0:
+        raise InputError(f"seed {seed} is negative; give 0 or more")
+    kind = category_of(category)
+    return _made(kind.name, seed, tuple(attributes), None if size is None else checked_size(kind, size))
+
+
+def fit_asset(asset: Asset, size: Vec3) -> Asset:
+    """Return the same asset made at another size [m].
+
+    Raises:
+        InputError: the asset was not made by this catalogue, or the size is outside what its category can have.
+    """
+    made = _PROVENANCE.fullmatch(asset.provenance)
+    if not made:
+        raise InputError(f"asset {asset.id} cannot be made at another size: its provenance is {asset.provenance!r}")
+    words = tuple(w for w in (made["words"] or "").split(",") if w)
+    return make_asset(made["category"], seed=int(made["seed"]), attributes=words, size=size)
+
+
+def category_of(name: str) -> Category:
+    """Return the category called `name`; raises InputError that lists the closest names."""
+    if name in CATALOGUE:
+        return CATALOGUE[name]
+    close = difflib.get_close_matches(name.lower().replace(" ", "_"), CATALOGUE, n=4, cutoff=0.5)
+    raise InputError(
+        f"no category {name!r} in the catalogue" + (f"; close ones are {', '.join(close)}" if close else "")
+    )
+
+
+@lru_cache(maxsize=512)
+def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None) -> Asset:
+    category = CATALOGUE[name]
+    words = frozenset(w.lower().replace("_", "-") for w in attributes)
+    rng = np.random.default_rng([seed, zlib.crc32(name.encode())])
+    drawn = size_for(category, words, rng)
+    size = size or drawn
+    made = category.generator(Spec(name, size, words, style_of(seed), rng))
+    build = fitted(made, size)
+    asset = Asset(
+        id="",
+        category=name,
+        description=" ".join([*attributes, category.noun]),
+        size=size,
+        mass=mass_of(category, size),
+        friction=category.friction,
+        mount=category.mount,
+        links=links_of(build, size),
+        front=build.front or category.front,
+        clearance=category.clearance,
+        surfaces=tuple(build.surfaces),
+        attributes=attributes,
+        provenance=f"procedural:{name}:seed={seed}" + (f":{','.join(attributes)}" if attributes else ""),
+    )
+    digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
+    return structs.replace(asset, id=f"{name}-{digest}")

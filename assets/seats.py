@@ -1,0 +1,299 @@
+"""Seats without upholstery all over: chairs, stools, benches. The back is at -x; what is in front goes under a table."""
+
+from math import cos, pi, sin
+
+from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, GREY_METAL, IRON
+from thinkblox.assets.part import Build, Finish, Part, turned
+from thinkblox.assets.shapes import around, box, cushion, disc, leg, rod, round_leg, sphere, top_surface
+from thinkblox.assets.spec import Spec
+
+
+def _seat_height(z: float) -> float:
+    return min(0.46, 0.54 * z) if z > 0.75 else 0.52 * z
+
+
+def chair(spec: Spec) -> Build:
+    """Return a side chair: wooden with slats, upholstered, or a moulded shell."""
+    x, y, z = spec.size
+    seat = _seat_height(z)
+    kind = "shell" if spec.has("school", "plastic") else spec.choice(("slats", "upholstered", "slats", "shell"))
+    frame = spec.style.metal if kind == "shell" and spec.has("school") else spec.wood
+    build = Build(surfaces=[top_surface("seat", (-x / 2 + 0.09, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), seat)])
+    build.body = _chair_frame(spec, frame, seat, posts=kind == "slats")
+    cover = spec.main(spec.style.accent if kind == "upholstered" else spec.style.wood)
+    if kind == "upholstered":
+        build.body += [
+            cushion(cover, (-x / 2 + 0.02, x / 2), (-y / 2, y / 2), (seat - 0.07, seat), radius=0.025),
+            _tilted_back(
+                cushion(cover, (-x / 2, -x / 2 + 0.06), (-y / 2 + 0.01, y / 2 - 0.01), (seat + 0.03, z), radius=0.025),
+                x,
+                seat,
+            ),
+        ]
+        build.body += [
+            leg(
+                frame,
+                (-x / 2 + 0.05, s * 0.3 * y),
+                (-x / 2 + 0.03, s * 0.3 * y),
+                (seat - 0.05, seat + 0.08),
+                0.025,
+                0.025,
+            )
+            for s in (-1, 1)
+        ]
+    elif kind == "shell":
+        shell = spec.main(Finish(spec.style.accent.colour, "plastic"))
+        build.body += [
+            cushion(shell, (-x / 2 + 0.02, x / 2), (-y / 2, y / 2), (seat - 0.022, seat), radius=0.011),
+            _tilted_back(
+                cushion(shell, (-x / 2, -x / 2 + 0.02), (-y / 2 + 0.01, y / 2 - 0.01), (seat + 0.06, z), radius=0.05),
+                x,
+                seat,
+            ),
+        ]
+        build.body += [
+            leg(
+                shell,
+                (-x / 2 + 0.045, s * 0.3 * y),
+                (-x / 2 + 0.02, s * 0.3 * y),
+                (seat - 0.02, seat + 0.1),
+                0.03,
+                0.02,
+            )
+            for s in (-1, 1)
+        ]
+    else:
+        build.body.append(
+            cushion(spec.wood, (-x / 2 + 0.03, x / 2), (-y / 2, y / 2), (seat - 0.028, seat), radius=0.012)
+        )
+        build.body += _slats(spec, seat)
+    return build
+
+
+def _tilted_back(part: Part, x: float, seat: float) -> Part:
+    return turned(part, 1, -6.0, (-x / 2 + 0.05, 0.0, seat))
+
+
+def _chair_frame(spec: Spec, frame: Finish, seat: float, *, posts: bool) -> list[Part]:
+    x, y, z = spec.size
+    under = seat - 0.028 if posts else seat - 0.06
+    parts = [
+        leg(frame, (x / 2 - 0.025, s * (y / 2 - 0.025)), (x / 2 - 0.045, s * (y / 2 - 0.045)), (0, under), 0.024, 0.036)
+        for s in (-1, 1)
+    ]
+    for s in (-1, 1):
+        back = s * (y / 2 - 0.04)
+        parts.append(
+            leg(frame, (-x / 2 + 0.02, back), (-x / 2 + 0.055, back), (0, under if not posts else seat), 0.024, 0.034)
+        )
+        if posts:
+            parts.append(leg(frame, (-x / 2 + 0.055, back), (-x / 2 + 0.014, back), (seat, z), 0.034, 0.026))
+    rail = (under - 0.05, under)
+    parts += [box(frame, (-x / 2 + 0.06, x / 2 - 0.05), around(s * (y / 2 - 0.045), 0.02), rail) for s in (-1, 1)]
+    parts += [box(frame, around(s * (x / 2 - 0.055), 0.02), (-y / 2 + 0.05, y / 2 - 0.05), rail) for s in (-1, 1)]
+    return parts
+
+
+def _slats(spec: Spec, seat: float) -> list[Part]:
+    x, y, z = spec.size
+    inner = (-y / 2 + 0.052, y / 2 - 0.052)
+    parts: list[Part] = []
+    for low, high in ((0.46, 0.6), (0.72, 0.86)) if z < 0.95 else ((0.4, 0.5), (0.6, 0.7), (0.82, 0.97)):
+        mid = -x / 2 + 0.055 - 0.041 * (low + high) / 2
+        parts.append(box(spec.wood, around(mid, 0.016), inner, (seat + low * (z - seat), seat + high * (z - seat))))
+    return parts
+
+
+def office_chair(spec: Spec) -> Build:
+    """Return a swivel chair on five castors; its arms are low and set back, so that it goes under a desk."""
+    x, y, z = spec.size
+    seat = min(0.48, 0.5 * z)
+    cover = spec.main(spec.choice((CHARCOAL_WOOL, spec.style.accent, CHARCOAL_WOOL)))
+    frame = spec.choice((BLACK_PLASTIC, CHROME)) if spec.rng.random() < 0.5 else BLACK_PLASTIC
+    reach = min(x, y) / 2 - 0.03
+    parts: list[Part] = [
+        disc(frame, (0, 0), 0.04, (0.07, 0.16)),
+        disc(CHROME, (0, 0), 0.025, (0.16, seat - 0.1)),
+        disc(frame, (0, 0), 0.09, (seat - 0.1, seat - 0.07)),
+    ]
+    for k in range(5):
+        c, s = cos(2 * pi * k / 5 + pi), sin(2 * pi * k / 5 + pi)
+        parts.append(
+            rod(frame, (0.03 * c, 0.03 * s, 0.1), (reach * c, reach * s, 0.07), 0.025, end_radius=0.014, sides=8)
+        )
+        parts.append(sphere(BLACK_PLASTIC, (reach * c, reach * s, 0.028), 0.028))
+    parts.append(
+        cushion(cover, (-x / 2 + 0.1, x / 2 - 0.03), (-y / 2 + 0.06, y / 2 - 0.06), (seat - 0.075, seat), radius=0.035)
+    )
+    back = cushion(cover, (-x / 2 + 0.06, -x / 2 + 0.12), (-y / 2 + 0.08, y / 2 - 0.08), (seat + 0.1, z), radius=0.03)
+    parts.append(turned(back, 1, -7.0, (-x / 2 + 0.1, 0.0, seat)))
+    parts.append(leg(frame, (-x / 2 + 0.15, 0), (-x / 2 + 0.045, 0), (seat - 0.08, seat + 0.3), 0.05, 0.03))
+    if not spec.has("armless"):
+        for side in (-1, 1):
+            at = side * (y / 2 - 0.03)
+            parts += [
+                cushion(frame, (-x / 2 + 0.14, 0.06), around(at, 0.05), (seat + 0.12, seat + 0.145), radius=0.012),
+                box(frame, (-0.1, -0.06), around(at, 0.02), (seat - 0.08, seat + 0.12)),
+                box(frame, (-0.1, -0.06), (min(0.09 * side, at), max(0.09 * side, at)), (seat - 0.095, seat - 0.075)),
+            ]
+    area = ((-x / 2 + 0.14, x / 2 - 0.07), (-y / 2 + 0.1, y / 2 - 0.1))
+    return Build(body=parts, surfaces=[top_surface("seat", *area, seat)])
+
+
+def stool(spec: Spec) -> Build:
+    """Return a round stool on four splayed legs; a high one has a foot ring."""
+    x, y, z = spec.size
+    top = spec.wood if spec.rng.random() < 0.6 else spec.main(spec.style.accent)
+    frame = spec.style.metal if spec.rng.random() < 0.4 else spec.style.wood
+    radius = min(x, y) / 2
+    soft = top.material == "fabric"
+    thick = 0.06 if soft else 0.032
+    seat_radius = radius - 0.02
+    parts: list[Part] = [disc(top, (0, 0), seat_radius, (z - thick, z))]
+    corners = [(sx, sy) for sx in (-1, 1) for sy in (-1, 1)]
+    foot, head = radius - 0.016, 0.5 * radius
+    parts += [
+        round_leg(frame, (sx * foot, sy * foot), (sx * head, sy * head), (0, z - thick), 0.012, 0.018)
+        for sx, sy in corners
+    ]
+    height = 0.3 if z > 0.6 else 0.4 * z
+    at = foot + (head - foot) * height / (z - thick)
+    for s in (-1, 1):
+        parts.append(rod(frame, (-at, s * at, height), (at, s * at, height), 0.008))
+        parts.append(rod(frame, (s * at, -at, height + 0.03), (s * at, at, height + 0.03), 0.008))
+    area = around(0, 2 * seat_radius)
+    return Build(body=parts, surfaces=[top_surface("seat", area, area, z, round=True)], front="any")
+
+
+def bar_stool(spec: Spec) -> Build:
+    """Return a high seat: four legs, or a column on a foot with a low back."""
+    if spec.rng.random() < 0.5:
+        return stool(spec)
+    x, y, z = spec.size
+    seat = min(0.75, 0.86 * z) if not spec.has("backless") else z
+    cover, metal = spec.main(spec.style.accent), spec.choice((CHROME, IRON))
+    radius = min(x, y) / 2
+    parts = [
+        disc(metal, (0, 0), radius, (0, 0.015)),
+        disc(metal, (0, 0), 0.03, (0.015, seat - 0.08)),
+        disc(metal, (0, 0), 0.1, (seat - 0.08, seat - 0.06)),
+        disc(metal, (0, 0), 0.16, (0.28, 0.298)),
+        disc(cover, (0, 0), radius - 0.01, (seat - 0.06, seat)),
+    ]
+    if z - seat > 0.06:
+        back = cushion(cover, (-x / 2, -x / 2 + 0.045), (-0.8 * radius, 0.8 * radius), (seat + 0.03, z), radius=0.02)
+        parts += [back, box(metal, (-x / 2 + 0.015, -x / 2 + 0.035), around(0, 0.06), (seat - 0.05, seat + 0.06))]
+    area = around(0.01, 2 * radius * 0.8)
+    return Build(body=parts, surfaces=[top_surface("seat", area, area, seat, round=True)])
+
+
+def bench(spec: Spec) -> Build:
+    """Return a bench: a wooden seat or a cushion on four legs; "waiting" or tall ones have a back."""
+    x, y, z = spec.size
+    backed = z > 0.62
+    seat = min(0.46, 0.55 * z) if backed else z
+    soft = spec.has("upholstered") or (not backed and spec.rng.random() < 0.45 and not spec.has("wooden"))
+    cover = spec.main(spec.style.accent) if soft else spec.wood
+    thick = 0.09 if soft else 0.035
+    make = cushion(cover, (-x / 2, x / 2), (-y / 2, y / 2), (seat - thick, seat), radius=0.03 if soft else 0.008)
+    feet = [(sx * (x / 2 - 0.05), sy * (y / 2 - 0.1)) for sx in (-1, 1) for sy in (-1, 1)]
+    parts = [make, *(leg(spec.style.wood, at, at, (0, seat - thick), 0.03, 0.045) for at in feet)]
+    parts += [
+        box(
+            spec.style.wood,
+            around(s * (x / 2 - 0.05), 0.022),
+            (-y / 2 + 0.1, y / 2 - 0.1),
+            (seat - thick - 0.05, seat - thick),
+        )
+        for s in (-1, 1)
+    ]
+    if backed:
+        parts += [box(spec.wood, (-x / 2, -x / 2 + 0.04), around(s * (y / 2 - 0.1), 0.04), (seat, z)) for s in (-1, 1)]
+        parts += [
+            box(
+                spec.wood,
+                (-x / 2 + 0.04, -x / 2 + 0.06),
+                (-y / 2, y / 2),
+                (seat + a * (z - seat), seat + b * (z - seat)),
+            )
+            for a, b in ((0.35, 0.6), (0.72, 0.97))
+        ]
+    area = ((-x / 2 + (0.07 if backed else 0.02), x / 2 - 0.02), (-y / 2 + 0.02, y / 2 - 0.02))
+    return Build(body=parts, surfaces=[top_surface("seat", *area, seat)], front="one" if backed else "two")
+
+
+def pew(spec: Spec) -> Build:
+    """Return a long seat with a closed back and panelled ends."""
+    x, y, z = spec.size
+    seat = min(0.45, 0.5 * z)
+    parts = [box(spec.wood, (-x / 2, x / 2), (s * (y / 2 - 0.04), s * y / 2), (0, 0.72 * z)) for s in (-1, 1)]
+    inner = (-y / 2 + 0.04, y / 2 - 0.04)
+    parts += [
+        box(spec.wood, (-x / 2 + 0.04, x / 2 - 0.03), inner, (seat - 0.035, seat)),
+        box(spec.wood, (-x / 2, -x / 2 + 0.03), inner, (seat - 0.1, z)),
+        box(spec.wood, (-x / 2 + 0.1, -x / 2 + 0.12), inner, (0.02, seat - 0.035)),
+    ]
+    return Build(body=parts, surfaces=[top_surface("seat", (-x / 2 + 0.04, x / 2 - 0.03), inner, seat)])
+
+
+def child_chair(spec: Spec) -> Build:
+    """Return a small chair: a thick seat, four stout legs and one back board."""
+    x, y, z = spec.size
+    seat = 0.52 * z
+    paint = spec.main(
+        Finish(spec.choice(((0.86, 0.66, 0.34), (0.52, 0.66, 0.60), (0.85, 0.56, 0.46), (0.90, 0.87, 0.80))), "wood")
+    )
+    feet = [(sx * (x / 2 - 0.02), sy * (y / 2 - 0.02)) for sx in (-1, 1) for sy in (-1, 1)]
+    parts: list[Part] = [
+        round_leg(spec.style.wood, at, (0.82 * at[0], 0.82 * at[1]), (0, seat - 0.025), 0.014, 0.019) for at in feet
+    ]
+    parts.append(cushion(paint, (-x / 2 + 0.015, x / 2), (-y / 2, y / 2), (seat - 0.025, seat), radius=0.012))
+    parts += [
+        leg(
+            spec.style.wood, (-x / 2 + 0.035, s * 0.3 * y), (-x / 2 + 0.018, s * 0.3 * y), (seat, z - 0.02), 0.024, 0.02
+        )
+        for s in (-1, 1)
+    ]
+    parts.append(
+        cushion(paint, (-x / 2 + 0.003, -x / 2 + 0.033), (-y / 2 + 0.01, y / 2 - 0.01), (0.74 * z, z), radius=0.014)
+    )
+    return Build(
+        body=parts, surfaces=[top_surface("seat", (-x / 2 + 0.05, x / 2 - 0.01), (-y / 2 + 0.01, y / 2 - 0.01), seat)]
+    )
+
+
+def weight_bench(spec: Spec) -> Build:
+    """Return a padded bench on a steel frame with a barbell in its rack."""
+    x, y, z = spec.size
+    seat, rack = min(0.45, 0.5 * z), -x / 2 + 0.25
+    parts = [
+        cushion(CHARCOAL_WOOL, (-x / 2 + 0.1, x / 2), around(0, 0.28), (seat - 0.06, seat), radius=0.025),
+        box(GREY_METAL, (-x / 2 + 0.1, x / 2 - 0.1), around(0, 0.06), (seat - 0.11, seat - 0.06)),
+        box(GREY_METAL, around(x / 2 - 0.15, 0.06), around(0, 0.06), (0.03, seat - 0.11)),
+        box(GREY_METAL, around(x / 2 - 0.15, 0.06), around(0, 0.5), (0, 0.03)),
+    ]
+    for s in (-1, 1):
+        at = s * min(0.3 * y, 0.4)
+        parts += [
+            box(GREY_METAL, around(rack, 0.06), around(at, 0.06), (0.03, z - 0.225)),
+            box(GREY_METAL, (-x / 2, rack + 0.3), around(at, 0.06), (0, 0.03)),
+        ]
+        for k, radius in enumerate((0.225, 0.16)):
+            plate = (y / 2 - 0.16 + 0.045 * k, y / 2 - 0.12 + 0.045 * k)
+            parts.append(_plate(IRON, rack, (s * plate[0], s * plate[1]), z - 0.225, radius))
+    parts.append(
+        box(
+            GREY_METAL,
+            around(rack, 0.05),
+            (-min(0.3 * y, 0.4) + 0.03, min(0.3 * y, 0.4) - 0.03),
+            (seat - 0.2, seat - 0.12),
+        )
+    )
+    parts.append(_plate(CHROME, rack, (-y / 2, y / 2), z - 0.21, 0.014))
+    return Build(body=parts, surfaces=[top_surface("seat", (rack + 0.05, x / 2 - 0.03), (-0.12, 0.12), seat)])
+
+
+def _plate(finish: Finish, x: float, y: tuple[float, float], z: float, radius: float) -> Part:
+    from thinkblox.assets.shapes import cylinder
+
+    return cylinder(finish, around(x, 2 * radius), y, around(z, 2 * radius), axis=1)

@@ -1,0 +1,104 @@
+"""From attributes and a seed to a size."""
+
+import re
+from collections.abc import Collection
+
+import numpy as np
+
+from thinkblox.assets.category import Category
+from thinkblox.errors import InputError
+from thinkblox.value import Vec3
+
+_NUMBERS = {w: n for n, w in enumerate("one two three four five six seven eight nine ten eleven twelve".split(), 1)}
+_SCALES: dict[str, Vec3] = {
+    "small": (0.85, 0.8, 0.92),
+    "little": (0.85, 0.8, 0.92),
+    "tiny": (0.75, 0.7, 0.85),
+    "large": (1.12, 1.2, 1.08),
+    "big": (1.12, 1.2, 1.08),
+    "huge": (1.2, 1.35, 1.15),
+    "long": (1.0, 1.4, 1.0),
+    "wide": (1.0, 1.25, 1.0),
+    "short": (1.0, 0.8, 1.0),
+    "narrow": (0.9, 0.75, 1.0),
+    "slim": (0.85, 0.9, 1.0),
+    "deep": (1.2, 1.0, 1.0),
+    "low": (1.0, 1.0, 0.65),
+    "tall": (1.0, 1.0, 1.25),
+    "high": (1.0, 1.0, 1.25),
+    "child": (0.72, 0.72, 0.72),
+    "children": (0.72, 0.72, 0.72),
+}
+
+
+def people(words: Collection[str]) -> int:
+    """Return for how many people the words ask ("for-6", "for six", "three-seat", "8-person"), 0 if they do not."""
+    for word in sorted(words):
+        found = re.search(r"\bfor[- ](\w+)|^(\w+?)[- ]?(?:seat|person|people|place)", word)
+        token = next((g for g in found.groups() if g), "") if found else ""
+        count = int(token) if token.isdigit() else _NUMBERS.get(token, 0)
+        if count:
+            return count
+    return 0
+
+
+def size_for(category: Category, words: frozenset[str], rng: np.random.Generator) -> Vec3:
+    """Return a size for the attributes `words`, varied by `rng`, within what can be made [m]."""
+    size = next((category.variants[w] for w in sorted(words) if w in category.variants), None)
+    exact = size is not None
+    x, y, z = _seated(category, size or category.size, people(words) if not exact else 0, words)
+    for word in sorted(words - set(category.variants)):
+        if word in _SCALES:
+            sx, sy, sz = _SCALES[word]
+            x, y, z = x * sx, y * sy, z * sz
+    x, y = _plan(category, x, y, words)
+    share = category.variation * (0.35 if exact else 1.0)
+    fx, fy, fz = (1 + share * float(v) for v in rng.uniform(-1, 1, 3))
+    if abs(x - y) < 1e-9:
+        fy = fx
+    return _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
+
+
+def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) -> Vec3:
+    if not (category.seats and count):
+        return size
+    x, y, z = size
+    if category.front == "one" or category.name in ("bench", "pew"):
+        return (x, y * (count + 0.35) / (category.seats + 0.35), z)
+    if {"round", "circular"} & set(words):
+        across = max(0.8, 0.62 * count / np.pi + 0.18)
+        return (across, across, z)
+    if count <= 2 or ("square" in words and count <= 4):
+        return (min(x, 0.8 if count <= 2 else 0.9), 0.8 if count <= 2 else 0.9, z)
+    sides = (count - 2) // 2 + (count - 2) % 2
+    return (x, 0.62 * sides + 0.65, z)
+
+
+def _plan(category: Category, x: float, y: float, words: Collection[str]) -> tuple[float, float]:
+    """Make the plan round or square where the words say so; a wall thing's round face is handled by its generator."""
+    if category.mount == "wall" or not {"round", "square", "circular"} & set(words):
+        return x, y
+    side = float(np.sqrt(x * y))
+    return side, side
+
+
+def _within(category: Category, size: Vec3) -> Vec3:
+    least, most = category.size_range
+    step = 0.01 if max(size) > 0.4 else 0.002
+    x, y, z = (
+        round(min(max(round(s / step) * step if s > 10 * step else s, lo), hi), 4)
+        for s, lo, hi in zip(size, least, most, strict=True)
+    )
+    return (x, y, z)
+
+
+def checked_size(category: Category, size: Vec3) -> Vec3:
+    """Return `size` to a tenth of a millimetre; raises InputError naming the range when it cannot be made."""
+    least, most = category.size_range
+    x, y, z = (round(float(s), 4) for s in size)
+    if not all(lo - 1e-9 <= s <= hi + 1e-9 for s, lo, hi in zip((x, y, z), least, most, strict=True)):
+        ranges = ", ".join(
+            f"{name} {lo:g} to {hi:g}" for name, lo, hi in zip(("depth", "width", "height"), least, most, strict=True)
+        )
+        raise InputError(f"a {category.noun} cannot be made {x:g} x {y:g} x {z:g} m; it can have {ranges} m")
+    return (x, y, z)

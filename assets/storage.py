@@ -1,0 +1,277 @@
+"""Cabinets of every room, as rows of cells for the carcass generator."""
+
+from thinkblox.assets.carcasses import BOARD, Cell, cabinet
+from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
+from thinkblox.assets.part import Build, Finish, Range
+from thinkblox.assets.shapes import around, box, top_surface
+from thinkblox.assets.spec import Spec
+
+
+def nightstand(spec: Spec) -> Build:
+    """Return a bedside cabinet: a drawer above an open shelf, on legs."""
+    finish = spec.wood if spec.rng.random() < 0.7 else spec.paint
+    return cabinet(spec, [[Cell("open", 1.3), Cell("drawer")]], legs=0.14, finish=finish)
+
+
+def wardrobe(spec: Spec) -> Build:
+    """Return a wardrobe of hinged doors, one for every half metre."""
+    bays = max(1, round(spec.size[1] / 0.5))
+    wood = spec.has("wooden") or spec.rng.random() < 0.3
+    cells = [[Cell("door", 1.0, 1)] for _ in range(bays)]
+    return cabinet(spec, cells, plinth=0.06, finish=spec.wood if wood else spec.paint)
+
+
+def dresser(spec: Spec) -> Build:
+    """Return a chest of drawers: rows of about 0.22 m, two columns when broad."""
+    rows = max(2, min(5, round((spec.size[2] - 0.12) / 0.21)))
+    columns = 2 if spec.size[1] > 1.0 else 1
+    return cabinet(spec, [[Cell("drawer")] * rows] * columns, legs=0.1, finish=spec.wood)
+
+
+def bookcase(spec: Spec) -> Build:
+    """Return open shelves; with "filled" the books are part of it."""
+    rows = max(1, round((spec.size[2] - 0.08) / 0.36))
+    bays = max(1, round(spec.size[1] / 1.0))
+    finish = spec.wood if spec.rng.random() < 0.65 else spec.paint
+    build = cabinet(spec, [[Cell("open", 1.0, rows - 1)]] * bays, plinth=0.06, finish=finish)
+    if spec.has("filled", "full", "full-of-books", "full of books"):
+        _fill_with_books(build, spec)
+    return build
+
+
+def _fill_with_books(build: Build, spec: Spec) -> None:
+    for surface in build.surfaces[: None if spec.size[2] > 1.4 else None]:
+        if surface.headroom is None:
+            continue
+        mid, width = surface.position[1], surface.size[1]
+        span = (mid - width / 2 + 0.01, mid - width / 2 + width * spec.between(0.6, 0.92))
+        front = surface.position[0] + surface.size[0] / 2 - 0.03
+        _row_of_books(
+            build, spec, (front - min(0.2, surface.size[0] - 0.05), front), span, surface.position[2], surface.headroom
+        )
+
+
+def _row_of_books(build: Build, spec: Spec, x: Range, y: Range, z: float, headroom: float) -> None:
+    at = y[0]
+    while at < y[1]:
+        thick, tall = spec.between(0.035, 0.085), min(headroom - 0.03, spec.between(0.19, 0.29))
+        depth = spec.between(0.0, 0.03)
+        build.body.append(box(spec.choice(SPINES), (x[0], x[1] - depth), (at, at + thick), (z, z + tall)))
+        at += thick + 0.002
+
+
+def shelving_unit(spec: Spec) -> Build:
+    """Return boards between four metal posts, open on all sides."""
+    x, y, z = spec.size
+    rows = max(2, round(z / 0.42))
+    metal, board = spec.main(spec.style.metal), spec.style.wood
+    build = Build()
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            build.body.append(
+                box(metal, around(sx * (x / 2 - 0.0125), 0.025), around(sy * (y / 2 - 0.0125), 0.025), (0, z))
+            )
+    area = ((-x / 2 + 0.005, x / 2 - 0.005), (-y / 2 + 0.025, y / 2 - 0.025))
+    step = (z - 0.14) / (rows - 1)
+    for k in range(rows):
+        level = 0.12 + k * step
+        build.body.append(box(board, *area, (level - 0.02, level)))
+        build.surfaces.append(
+            top_surface(f"shelf {k + 1}", *area, level, headroom=step - 0.02 if k < rows - 1 else None)
+        )
+    return build
+
+
+def wall_shelf(spec: Spec) -> Build:
+    """Return one board on two brackets; a tall one is a stack of boards between two sides."""
+    x, y, z = spec.size
+    if z > 0.4:
+        rows = max(1, round(z / 0.33))
+        return cabinet(spec, [[Cell("open", 1.0, rows - 1)]], finish=spec.wood)
+    thick = min(0.03, 0.3 * z)
+    build = Build(body=[box(spec.wood, (-x / 2, x / 2), (-y / 2, y / 2), (z - thick, z))])
+    for side in (-1, 1):
+        at = around(side * (y / 2 - 0.12), 0.02)
+        build.body.append(box(spec.style.metal, (-x / 2, -x / 2 + 0.008), at, (0, z - thick)))
+        build.body.append(box(spec.style.metal, (-x / 2 + 0.008, x / 2 - 0.04), at, (z - thick - 0.008, z - thick)))
+    build.surfaces = [top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z)]
+    return build
+
+
+def tv_stand(spec: Spec) -> Build:
+    """Return a low board with doors at its ends and open shelves between."""
+    ends = "drawer" if spec.rng.random() < 0.4 else "door"
+    bays = [[Cell(ends)], [Cell("open", 1.0, 1)], [Cell(ends)]]
+    return cabinet(spec, bays, legs=0.12, finish=spec.wood)  # type: ignore[arg-type]
+
+
+def sideboard(spec: Spec) -> Build:
+    """Return doors on both sides of a row of drawers."""
+    bays = [[Cell("door", 1.0, 1)], [Cell("drawer")] * 3, [Cell("door", 1.0, 1)]]
+    if spec.size[1] > 1.7:
+        bays.insert(1, [Cell("door", 1.0, 1)])
+    return cabinet(spec, bays, legs=0.15, finish=spec.wood)
+
+
+def credenza(spec: Spec) -> Build:
+    """Return a low office sideboard with four doors on a plinth."""
+    count = max(2, round(spec.size[1] / 0.45))
+    return cabinet(spec, [[Cell("door", 1.0, 1)]] * count, plinth=0.06, finish=spec.wood)
+
+
+def cupboard(spec: Spec) -> Build:
+    """Return a cabinet with two doors, and a drawer above each when it is low."""
+    count = max(1, round(spec.size[1] / 0.45))
+    bay = [Cell("door", 3.0, 1)] + ([Cell("drawer", 1.0)] if 0.6 < spec.size[2] < 1.1 else [])
+    if spec.size[2] > 1.3:
+        bay = [Cell("door", 1.0, 3)]
+    return cabinet(spec, [bay] * count, plinth=0.06)
+
+
+def china_cabinet(spec: Spec) -> Build:
+    """Return glazed doors above wooden ones."""
+    count = max(2, round(spec.size[1] / 0.5))
+    return cabinet(spec, [[Cell("door", 1.0), Cell("glass", 1.7, 2)]] * count, plinth=0.06, finish=spec.wood)
+
+
+def filing_cabinet(spec: Spec) -> Build:
+    """Return steel drawers, one for every third of a metre."""
+    rows = max(2, round(spec.size[2] / 0.34))
+    return cabinet(spec, [[Cell("drawer")] * rows], plinth=0.03, finish=spec.main(GREY_METAL))
+
+
+def tool_cabinet(spec: Spec) -> Build:
+    """Return a red workshop cabinet of shallow drawers."""
+    rows = max(3, round(spec.size[2] / 0.16))
+    return cabinet(spec, [[Cell("drawer")] * rows], plinth=0.05, finish=spec.main(Finish((0.68, 0.18, 0.15), "metal")))
+
+
+def locker(spec: Spec) -> Build:
+    """Return tall narrow steel doors side by side."""
+    count = max(1, round(spec.size[1] / 0.32))
+    finish = spec.main(spec.choice((GREY_METAL, Finish((0.36, 0.48, 0.58), "metal"))))
+    return cabinet(spec, [[Cell("door", 1.0, 1)]] * count, plinth=0.08, finish=finish)
+
+
+def base_cabinet(spec: Spec) -> Build:
+    """Return a kitchen unit with a worktop: doors, or drawers when made so, in modules of about 0.6 m."""
+    count = max(1, round(spec.size[1] / 0.6))
+    stone = spec.choice((MARBLE, Finish((0.72, 0.60, 0.44), "wood")))
+    door = [Cell("door", 3.0, 1), Cell("drawer", 1.0)]
+    drawers = [Cell("drawer", 1.6), Cell("drawer", 1.6), Cell("drawer", 1.0)]
+    bays = [drawers if spec.has("drawers") or (k % 3 == 1) else door for k in range(count)]
+    return cabinet(spec, bays, plinth=0.1, worktop=stone)
+
+
+def wall_cabinet(spec: Spec) -> Build:
+    """Return a kitchen cabinet for the wall."""
+    count = max(1, round(spec.size[1] / 0.5))
+    return cabinet(spec, [[Cell("glass" if spec.has("glass") else "door", 1.0, 1)]] * count)
+
+
+def kitchen_island(spec: Spec) -> Build:
+    """Return a worktop over cabinets, that stands out at the back for the knees of whoever sits there."""
+    x, y, z = spec.size
+    depth = x - min(0.3, 0.34 * x)
+    inner = Spec(spec.category, (depth, y - 0.1, z - 0.04), spec.words, spec.style, spec.rng)
+    count = max(2, round(y / 0.55))
+    bays = [[Cell("drawer")] * 3 if k % 2 else [Cell("door", 1.0, 1)] for k in range(count)]
+    build = cabinet(inner, bays, plinth=0.1)
+    build = shifted(build, ((x - depth) / 2 - 0.02, 0.0, 0.0))
+    top = spec.choice((MARBLE, Finish((0.70, 0.55, 0.38), "wood")))
+    build.body.append(box(top, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.04, z)))
+    build.surfaces = [top_surface("top", (-x / 2, x / 2), (-y / 2, y / 2), z)]
+    return build
+
+
+def shifted(build: Build, offset: tuple[float, float, float]) -> Build:
+    """`build` moved by `offset` [m], without its surfaces."""
+    from msgspec import structs
+
+    from thinkblox.assets.part import Moving, moved
+
+    def shift(p: tuple[float, float, float]) -> tuple[float, float, float]:
+        return (p[0] + offset[0], p[1] + offset[1], p[2] + offset[2])
+
+    moving = [
+        Moving(m.name, tuple(moved(p, offset) for p in m.parts), structs.replace(m.joint, anchor=shift(m.joint.anchor)))
+        for m in build.moving
+    ]
+    return Build(body=[moved(p, offset) for p in build.body], moving=moving)
+
+
+def shoe_rack(spec: Spec) -> Build:
+    """Return slatted shelves between two sides."""
+    x, y, z = spec.size
+    rows = max(2, round(z / 0.22))
+    build = Build(body=[box(spec.wood, (-x / 2, x / 2), (s * (y / 2 - BOARD), s * y / 2), (0, z)) for s in (-1, 1)])
+    inner = (-y / 2 + BOARD, y / 2 - BOARD)
+    for k in range(rows):
+        level = 0.1 + k * (z - 0.1 - 0.004) / (rows - 1)
+        for slat in (-1, 0, 1):
+            build.body.append(box(spec.wood, around(slat * 0.33 * x, 0.26 * x), inner, (level - 0.016, level)))
+        room = (z - 0.104) / (rows - 1) - 0.016 if k < rows - 1 else None
+        build.surfaces.insert(0, top_surface(f"shelf {k + 1}", (-0.46 * x, 0.46 * x), inner, level, headroom=room))
+    return build
+
+
+def server_rack(spec: Spec) -> Build:
+    """Return a black rack filled with servers, whose glass door opens."""
+    from thinkblox.assets.carcasses import door, face_of
+
+    x, y, z = spec.size
+    front = x / 2 - 0.042
+    black = spec.main(IRON)
+    build = Build(body=[
+        box(black, (-x / 2, front), (s * (y / 2 - 0.03), s * y / 2), (0, z)) for s in (-1, 1)
+    ])  # fmt: skip
+    inner = (-y / 2 + 0.03, y / 2 - 0.03)
+    build.body += [box(black, (-x / 2, front), inner, (0, 0.06)), box(black, (-x / 2, front), inner, (z - 0.04, z))]
+    units = max(3, int((z - 0.2) / 0.16))
+    for k in range(units):
+        low = 0.07 + k * (z - 0.13) / units
+        high = low + (z - 0.13) / units - 0.012
+        build.body.append(box(GREY_METAL if k % 3 else STEEL, (-x / 2 + 0.05, front - 0.03), inner, (low, high)))
+        lamp = Finish((0.35, 0.85, 0.55) if k % 2 else (0.30, 0.60, 0.95), "light")
+        build.body.append(
+            box(
+                lamp,
+                (front - 0.03, front - 0.028),
+                (inner[0] + 0.04, inner[0] + 0.1),
+                around((low + high) / 2, 0.012),
+                collide=False,
+            )
+        )
+    face = face_of("door", (front + 0.002, x / 2), (-y / 2 + 0.002, y / 2 - 0.002), (0.01, z - 0.005), black)
+    build.moving.append(door(face, left_hung=True, glazed=True))
+    build.surfaces = [top_surface("top", (-x / 2, front), (-y / 2, y / 2), z)]
+    return build
+
+
+def toy_box(spec: Spec) -> Build:
+    """Return a chest whose lid opens."""
+    from thinkblox.asset import Joint
+    from thinkblox.assets.part import Moving
+
+    x, y, z = spec.size
+    finish = spec.main(spec.choice((spec.style.paint, spec.style.accent)))
+    if finish.material == "fabric":
+        finish = Finish(finish.colour, "wood")
+    sides = (0.03, z - 0.024)
+    build = Build(body=[
+        box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0.015, 0.03)),
+        *(box(finish, (-x / 2, x / 2), (s * (y / 2 - BOARD), s * y / 2), sides) for s in (-1, 1)),
+        *(box(finish, (s * x / 2, s * (x / 2 - BOARD)), (-y / 2 + BOARD, y / 2 - BOARD), sides) for s in (-1, 1)),
+        *(box(spec.style.wood, around(sx * (x / 2 - 0.05), 0.05), around(sy * (y / 2 - 0.05), 0.05), (0, 0.015)) for sx in (-1, 1) for sy in (-1, 1)),
+    ])  # fmt: skip
+    lid = box(spec.style.wood, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.022, z))
+    joint = Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-x / 2, 0.0, z), lower=0.0, upper=80.0)
+    build.moving = [Moving("lid", (lid,), joint)]
+    build.surfaces = [top_surface("lid", (-x / 2, x / 2), (-y / 2, y / 2), z)]
+    return build
+
+
+def safe(spec: Spec) -> Build:
+    """Return a steel safe with a thick door."""
+    build = cabinet(spec, [[Cell("door", 1.0, 1)]], finish=spec.main(Finish((0.27, 0.30, 0.32), "metal")))
+    return build

@@ -1,0 +1,263 @@
+"""Turned things: vases, bowls, cups, bottles, baskets and bins. A flat disc is their foot."""
+
+from collections.abc import Sequence
+from math import cos, pi, sin
+
+from thinkblox.assets.palette import (
+    AMBER_GLASS,
+    BRASS,
+    CHROME,
+    GLASS,
+    GLAZES,
+    GREEN_GLASS,
+    GREY_METAL,
+    IRON,
+    KRAFT,
+    PORCELAIN,
+    STEEL,
+    WICKER,
+)
+from thinkblox.assets.part import Build, Finish, Part
+from thinkblox.assets.shapes import (
+    around,
+    box,
+    cushion,
+    disc,
+    ellipsoid,
+    frustum,
+    profile,
+    rod,
+    shell,
+    sphere,
+    top_surface,
+)
+from thinkblox.assets.spec import Spec
+from thinkblox.value import Vec2
+
+
+def turned_solid(finish: Finish, radius: float, height: float, rings: Sequence[Vec2], *, x: float = 0.0) -> list[Part]:
+    """Return a solid of revolution from rings (share of height, share of radius), standing on a disc."""
+    foot = disc(finish, (x, 0), rings[0][1] * radius, (0, 0.002))
+    return [foot, *profile(finish, (x, 0), [(max(0.002, h * height), r * radius) for h, r in rings])]
+
+
+def hollow(finish: Finish, centre: Vec2, radius: float, height: float, foot: float, wall: float) -> list[Part]:
+    """Return a round vessel with a real cavity: a floor and a wall of staves."""
+    low = min(0.012, 0.2 * height)
+    return [
+        disc(finish, centre, foot * radius, (0, low)),
+        *shell(finish, centre, (low * 0.5, height), foot * radius + 0.001, radius, wall, pieces=16),
+    ]
+
+
+_VASES = (
+    ((0.0, 0.5), (0.3, 0.95), (0.45, 1.0), (0.75, 0.55), (0.88, 0.4), (1.0, 0.52)),
+    ((0.0, 0.62), (0.55, 1.0), (0.8, 0.72), (0.92, 0.42), (1.0, 0.46)),
+    ((0.0, 0.7), (0.9, 1.0), (1.0, 0.94)),
+)
+
+
+def vase(spec: Spec) -> Build:
+    """Return a glazed vase, tall or bellied."""
+    x, y, z = spec.size
+    return Build(
+        body=turned_solid(spec.main(spec.choice((spec.style.glaze, *GLAZES))), min(x, y) / 2, z, spec.choice(_VASES))
+    )
+
+
+def bowl(spec: Spec) -> Build:
+    """Return an open bowl."""
+    x, y, z = spec.size
+    return Build(body=hollow(spec.main(spec.choice(GLAZES)), (0, 0), min(x, y) / 2, z, 0.5, 0.012))
+
+
+def fruit_bowl(spec: Spec) -> Build:
+    """Return a bowl with fruit in it."""
+    x, y, z = spec.size
+    radius, rim = min(x, y) / 2, 0.62 * z
+    body = hollow(spec.main(spec.choice((spec.style.wood, *GLAZES))), (0, 0), radius, rim, 0.5, 0.012)
+    fruit = ((0.80, 0.25, 0.20), (0.92, 0.58, 0.20), (0.60, 0.68, 0.28), (0.93, 0.78, 0.30))
+    size = 0.29 * radius
+    for k in range(5):
+        at = (0.46 * radius * cos(2 * pi * k / 5), 0.46 * radius * sin(2 * pi * k / 5))
+        body.append(sphere(Finish(spec.choice(fruit), "plastic"), (at[0], at[1], 0.02 + size), size))
+    body.append(sphere(Finish(spec.choice(fruit), "plastic"), (0, 0, z - size), size))
+    return Build(body=body)
+
+
+def plate(spec: Spec) -> Build:
+    """Return a plate with a raised rim."""
+    x, y, z = spec.size
+    radius, finish = min(x, y) / 2, spec.main(spec.choice((PORCELAIN, *GLAZES)))
+    low = 0.35 * z
+    body = [
+        disc(finish, (0, 0), 0.62 * radius, (0, low)),
+        *shell(finish, (0, 0), (low * 0.6, z), 0.64 * radius, radius, 0.34 * radius),
+    ]
+    return Build(
+        body=body, surfaces=[top_surface("plate", around(0, 0.8 * radius), around(0, 0.8 * radius), low, round=True)]
+    )
+
+
+def cup(spec: Spec) -> Build:
+    """Return a mug with a handle on its +y side."""
+    x, y, z = spec.size
+    radius, finish = x / 2, spec.main(spec.choice(GLAZES))
+    at = (0.0, -y / 2 + radius)
+    body = hollow(finish, at, radius, z, 0.86, 0.005)
+    edge = at[1] + 0.9 * radius
+    body += [box(finish, around(0, 0.012), (y / 2 - 0.008, y / 2), (0.22 * z, 0.78 * z))]
+    body += [box(finish, around(0, 0.012), (edge, y / 2 - 0.008), around(h * z, 0.01)) for h in (0.26, 0.74)]
+    return Build(body=body)
+
+
+def glass(spec: Spec) -> Build:
+    """Return a drinking glass."""
+    x, y, z = spec.size
+    return Build(body=hollow(spec.main(GLASS), (0, 0), min(x, y) / 2, z, 0.8, 0.004))
+
+
+def teapot(spec: Spec) -> Build:
+    """Return a teapot, its spout to the front."""
+    x, y, z = spec.size
+    finish, radius = spec.main(spec.choice(GLAZES)), 0.5 * y
+    body = turned_solid(finish, radius, 0.8 * z, ((0.0, 0.55), (0.3, 0.95), (0.5, 1.0), (0.8, 0.78), (1.0, 0.4)))
+    body += [
+        disc(finish, (0, 0), 0.42 * radius, (0.8 * z, 0.86 * z)),
+        sphere(finish, (0, 0, z - 0.012), 0.012),
+        rod(finish, (0.8 * radius, 0, 0.3 * z), (x / 2 - 0.01, 0, 0.72 * z), 0.02, end_radius=0.009),
+        box(finish, (-x / 2, -x / 2 + 0.012), around(0, 0.016), (0.25 * z, 0.65 * z)),
+        *(box(finish, (-x / 2 + 0.012, -0.8 * radius), around(0, 0.016), around(h * z, 0.012)) for h in (0.27, 0.62)),
+    ]
+    return Build(body=body)
+
+
+_BOTTLE = ((0.0, 0.94), (0.04, 1.0), (0.58, 1.0), (0.72, 0.42), (0.75, 0.36), (0.93, 0.34), (0.931, 0.42), (1.0, 0.42))
+_JAR = ((0.0, 0.92), (0.05, 1.0), (0.74, 1.0), (0.82, 0.8), (0.821, 0.9), (1.0, 0.9))
+
+
+def bottle(spec: Spec) -> Build:
+    """Return a bottle with a label."""
+    x, y, z = spec.size
+    radius, finish = min(x, y) / 2, spec.main(spec.choice((GREEN_GLASS, AMBER_GLASS, GLASS)))
+    label = disc(
+        Finish(spec.choice(((0.90, 0.86, 0.76), (0.76, 0.30, 0.24), (0.24, 0.34, 0.44))), "paper"),
+        (0, 0),
+        1.004 * radius,
+        (0.18 * z, 0.46 * z),
+        collide=False,
+    )
+    return Build(body=[*turned_solid(finish, radius, z, _BOTTLE), label])
+
+
+def jar(spec: Spec) -> Build:
+    """Return a preserving jar, full, with a lid."""
+    x, y, z = spec.size
+    radius = min(x, y) / 2
+    fill = Finish(
+        spec.choice(((0.72, 0.25, 0.18), (0.85, 0.60, 0.22), (0.45, 0.50, 0.24), (0.55, 0.34, 0.20))), "glass"
+    )
+    body = turned_solid(spec.main(fill), radius, 0.8 * z, ((0.0, 0.92), (0.06, 1.0), (0.9, 1.0), (1.0, 0.82)))
+    return Build(body=[*body, disc(spec.choice((BRASS, STEEL, IRON)), (0, 0), 0.9 * radius, (0.8 * z, z))])
+
+
+def waste_bin(spec: Spec) -> Build:
+    """Return an open bin, round."""
+    x, y, z = spec.size
+    finish = spec.main(spec.choice((IRON, GREY_METAL, STEEL, WICKER)))
+    return Build(body=hollow(finish, (0, 0), min(x, y) / 2, z, 0.82, 0.008))
+
+
+def umbrella_stand(spec: Spec) -> Build:
+    """Return a tall open cylinder with two umbrellas."""
+    x, y, z = spec.size
+    radius, rim = min(x, y) / 2, 0.68 * z
+    body = hollow(spec.main(spec.style.metal), (0, 0), radius, rim, 0.96, 0.008)
+    for k, colour in enumerate(((0.20, 0.27, 0.38), (0.66, 0.28, 0.22))):
+        at = (0.3 * radius * (1 - 2 * k), 0.25 * radius)
+        body += [
+            rod(
+                Finish(colour, "fabric"), (at[0], at[1], 0.02), (at[0] * 0.5, -at[1], 0.86 * z), 0.022, end_radius=0.03
+            ),
+            disc(spec.style.wood, (at[0] * 0.5, -at[1]), 0.012, (0.86 * z, z - 0.06 * k * z)),
+        ]
+    return Build(body=body)
+
+
+def basket(spec: Spec) -> Build:
+    """Return a woven basket with a fabric lining that stands over its rim."""
+    x, y, z = spec.size
+    radius, finish = min(x, y) / 2, spec.main(WICKER)
+    body = hollow(finish, (0, 0), radius, z, 0.85, 0.014)
+    if spec.category == "laundry_basket":
+        cloth = Finish((0.90, 0.88, 0.84), "fabric")
+        body.append(disc(cloth, (0, 0), 0.84 * radius, (0.5 * z, 0.8 * z)))
+        body.append(
+            ellipsoid(spec.style.accent, around(0.05, 1.1 * radius), around(0, 1.2 * radius), (0.68 * z, 0.95 * z))
+        )
+    return Build(body=body)
+
+
+def pen_holder(spec: Spec) -> Build:
+    """Return a cup of pens and pencils."""
+    x, y, z = spec.size
+    radius, rim = min(x, y) / 2, 0.58 * z
+    body = hollow(spec.main(spec.choice((spec.style.metal, spec.style.wood))), (0, 0), radius, rim, 0.98, 0.005)
+    for k, colour in enumerate(((0.85, 0.66, 0.2), (0.2, 0.3, 0.5), (0.7, 0.25, 0.2), (0.2, 0.2, 0.2))):
+        a = 2 * pi * k / 4 + 0.4
+        tip = (0.7 * radius * cos(a), 0.7 * radius * sin(a), z - 0.012 * k)
+        body.append(rod(Finish(colour, "plastic"), (0.2 * tip[0], 0.2 * tip[1], 0.014), tip, 0.004, sides=6))
+    return Build(body=body)
+
+
+def globe(spec: Spec) -> Build:
+    """Return a globe on a turned foot."""
+    x, y, z = spec.size
+    ball = min(x, y) / 2 - 0.012
+    body: list[Part] = [
+        disc(spec.style.wood, (0, 0), 0.62 * ball, (0, 0.02)),
+        frustum(spec.style.wood, (0, 0), (0.02, z - 2 * ball - 0.006), 0.3 * ball, 0.09 * ball),
+    ]
+    centre = (0.0, 0.0, z - ball - 0.008)
+    body.append(sphere(spec.main(Finish((0.32, 0.52, 0.66), "plastic")), centre, ball))
+    land = Finish((0.62, 0.64, 0.42), "plastic")
+    for a, b, size in ((0.3, 0.5, 0.55), (2.2, 0.1, 0.6), (4.0, 0.4, 0.5), (5.0, -0.5, 0.42)):
+        at = [centre[i] + v * 0.62 * ball for i, v in enumerate((cos(a) * cos(b), sin(a) * cos(b), sin(b)))]
+        body.append(
+            ellipsoid(
+                land,
+                around(at[0], 2 * size * 0.71 * ball),
+                around(at[1], 2 * size * 0.71 * ball),
+                around(at[2], 2 * size * 0.71 * ball),
+                collide=False,
+            )
+        )
+    for k in range(12):
+        p, q = (-100 + 200 * k / 12) * pi / 180, (-100 + 200 * (k + 1) / 12) * pi / 180
+        r = ball + 0.007
+        body.append(
+            rod(BRASS, (0, r * cos(p), centre[2] + r * sin(p)), (0, r * cos(q), centre[2] + r * sin(q)), 0.004, sides=6)
+        )
+    return Build(body=body)
+
+
+def trophy(spec: Spec) -> Build:
+    """Return a cup on a dark base."""
+    x, y, z = spec.size
+    radius = min(x, y) / 2
+    gold = spec.main(BRASS)
+    body = [cushion(IRON, around(0, 1.2 * radius), around(0, 1.2 * radius), (0, 0.18 * z), radius=0.004)]
+    rings = ((0.18, 0.4), (0.24, 0.12), (0.45, 0.12), (0.55, 0.5), (0.8, 0.8), (1.0, 1.0))
+    return Build(body=body + profile(gold, (0, 0), [(h * z, r * radius) for h, r in rings]))
+
+
+def box_of_card(spec: Spec) -> Build:
+    """Return a closed cardboard or storage box."""
+    x, y, z = spec.size
+    finish = spec.main(spec.choice((KRAFT, Finish(spec.style.accent.colour, "paper"))))
+    lid = min(0.06, 0.25 * z)
+    return Build(
+        body=[box(finish, around(0, x - 0.008), around(0, y - 0.008), (0, z - lid)), box(finish, around(0, x), around(0, y), (z - lid, z)),
+              box(CHROME, (x / 2 - 0.004, x / 2 - 0.002), around(0, 0.25 * y), around(0.4 * (z - lid), 0.25 * z), collide=False)],
+        surfaces=[top_surface("top", around(0, x), around(0, y), z)],
+    )  # fmt: skip
