@@ -85,12 +85,14 @@ def measure(
         Also for what is not in the scene: the relation does not hold then, and `measured` says what is missing.
     """
     subjects = (subject,) if isinstance(subject, str) else tuple(subject)
-    absent = [name for name in (*subjects, *anchors) if not things(scene, name)]
+    against = tuple(anchors) or _DEFAULT_ANCHOR.get(kind, ())
+    found = {name: things(scene, name) for name in (*subjects, *against)}
+    absent = [name for name, parts in found.items() if not parts]
     if absent or not subjects:
         holds, text = False, f"{', '.join(absent) or 'the subject'} is not in the room"
     else:
-        members = [things(scene, name)[0] for name in subjects]
-        parts = [part for name in anchors or _DEFAULT_ANCHOR.get(kind, ()) for part in things(scene, name)]
+        members = [found[name][0] for name in subjects]
+        parts = [part for name in against for part in found[name]]
         holds, text = _measure_all(scene, kind, members, parts, rows, each)
     return RelationResult(kind=kind, subject=", ".join(subjects), anchors=tuple(anchors), holds=holds, measured=text)
 
@@ -164,7 +166,7 @@ def _facing(subject: Thing, anchor: Thing) -> _Finding:
 
 def _at(subject: Thing, anchor: Thing) -> _Finding:
     faces, text = _facing(subject, anchor)
-    behind = anchor.front == "one" and anchor.to_local(subject.centre)[0] < -anchor.half[0]
+    behind = anchor.gaze != anchor.yaw and anchor.to_local(subject.centre)[0] < -anchor.half[0]
     near = _gap(subject, anchor) <= SEAT_GAP
     return faces and near and not behind, f"{_gap_text(subject, anchor)}; {text}"
 
