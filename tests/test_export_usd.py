@@ -12,7 +12,10 @@ from msgspec import structs
 from pxr import Gf, Kind, Sdf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
 
 from tests.export_rooms import L_ROOM, sample_scene
+from tests.sim_rooms import put
+from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.exporters.usd import usd_text, write_usd
+from thinkblox.room import rectangle
 from thinkblox.scene import Scene
 from thinkblox.sim.build import build_spec
 from thinkblox.sim.settle import settle
@@ -133,6 +136,58 @@ def test_joints(stage: Any, path: str, kind: Any, axis: tuple[float, float, floa
     unit = Gf.Vec3d(*(float(joint.GetAxisAttr().Get() == name) for name in "XYZ"))
     turned = Gf.Rotation(Gf.Quatd(joint.GetLocalRot0Attr().Get())).TransformDir(unit)
     np.testing.assert_allclose(turned, axis, atol=1e-6)
+
+
+def test_opened_joints_bring_their_links_where_the_model_does(stage: Any) -> None:
+    model = build_spec(sample_scene()).compile()
+    data = mujoco.MjData(model)
+    for name, body in (("wardrobe_1/door_right", "wardrobe_1"), ("cupboard_1/drawer", "cupboard_1"),
+                       ("cupboard_1/flap", "cupboard_1")):  # fmt: skip
+        id, link = name.split("/")
+        joint = UsdPhysics.Joint(stage.GetPrimAtPath(f"/World/Objects/{id}/Joints/{link}"))
+        opened = 0.5 * joint.GetPrim().GetAttribute("physics:upperLimit").Get()
+        unit = Gf.Vec3d(*(float(joint.GetPrim().GetAttribute("physics:axis").Get() == axis) for axis in "XYZ"))
+        hinge = joint.GetPrim().IsA(UsdPhysics.RevoluteJoint)
+        motion = Gf.Matrix4d(1.0)
+        motion = motion.SetRotate(Gf.Rotation(unit, opened)) if hinge else motion.SetTranslate(unit * opened)
+        frames = [
+            Gf.Matrix4d().SetRotate(Gf.Quatd(turn.Get())) * Gf.Matrix4d().SetTranslate(Gf.Vec3d(position.Get()))
+            for position, turn in (
+                (joint.GetLocalPos0Attr(), joint.GetLocalRot0Attr()),
+                (joint.GetLocalPos1Attr(), joint.GetLocalRot1Attr()),
+            )
+        ]
+        relative = frames[1].GetInverse() * motion * frames[0]
+        data.qpos[model.joint(name).qposadr[0]] = np.radians(opened) if hinge else opened
+        mujoco.mj_kinematics(model, data)
+        turn = data.body(body).xmat.reshape(3, 3)
+        expected = turn.T @ (data.body(name).xpos - data.body(body).xpos)
+        np.testing.assert_allclose(relative.ExtractTranslation(), expected, atol=1e-6)
+        expected_turn = turn.T @ data.body(name).xmat.reshape(3, 3)
+        np.testing.assert_allclose(np.array(relative.ExtractRotationMatrix()).T, expected_turn, atol=1e-6)
+
+
+def test_the_catalogue_can_be_exported() -> None:
+    scene = Scene(room=rectangle(30.0, 30.0))
+    for number, category in enumerate(list(CATALOGUE)[::7]):
+        asset = make_asset(category, seed=number)
+        height = {"wall": 1.0, "ceiling": 2.6 - asset.size[2]}.get(asset.mount, 0.0)
+        placement = put(asset, 2.5 + 4.0 * (number % 7), 2.5 + 4.0 * (number // 7), height)
+        scene = scene.with_placement(placement, asset)
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    assert layer.ImportFromString(usd_text(scene))
+    stage = Usd.Stage.Open(layer)
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    assert [f"{error.GetName()}: {error.GetMessage()}" for error in errors] == []
+    model = build_spec(scene).compile()
+    exported = sum(UsdPhysics.MassAPI(prim).GetMassAttr().Get() for prim in prims(stage, UsdPhysics.MassAPI))
+    fixed = sum(
+        model.body(p.id).subtreemass[0]
+        for p in scene.placements
+        if not scene.asset_of(p).free and len(scene.asset_of(p).links) == 1
+    )
+    assert exported + fixed == pytest.approx(model.body_mass.sum(), rel=1e-5)
 
 
 def test_articulations_are_roots_with_links_side_by_side(stage: Any) -> None:
