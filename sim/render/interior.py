@@ -10,7 +10,7 @@ from thinkblox.room import Opening, Room, Wall
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, TRIM, Colour, Palette, linear
 from thinkblox.sim.render.soup import ROOM, Patch, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
-from thinkblox.value import Vec3
+from thinkblox.value import Vec2, Vec3
 
 THICKNESS = 0.12
 """Thickness of the walls, outside the floor polygon [m]."""
@@ -32,11 +32,15 @@ class Shell:
         standing: for each wall, whether it is drawn at full height; the others leave a rim.
         accent: index of the wall in the accent colour, or None.
         ground: whether the ground round the room is drawn.
+        top: height of the standing walls [m], the room's when None.
+        cut: colour of the walls' upper faces.
     """
 
     standing: tuple[bool, ...]
     accent: int | None = None
     ground: bool = True
+    top: float | None = None
+    cut: Colour = CUT
 
 
 def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
@@ -47,7 +51,8 @@ def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
         openings = [o for o in room.openings if o.wall == index]
         _add_wall(_WallFrame(soup, room, index, shell), wall, openings, colour)
     if shell.ground:
-        _add_ground(soup, room)
+        width, depth = room.extent
+        add_ground(soup, (width / 2, depth / 2), 12 * math.hypot(width, depth), -SLAB - 0.002)
 
 
 def accent_wall(room: Room) -> int:
@@ -97,14 +102,14 @@ class _WallFrame:
 
 def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening], colour: Colour) -> None:
     standing = frame.shell.standing[frame.index]
-    top = frame.room.height if standing else RIM
+    top = (frame.shell.top or frame.room.height) if standing else RIM
     low, high = _ends(frame)
     for start, end, bottom, ceiling in _solid_parts(openings, low, high, top):
         frame.box((start, end), (-THICKNESS, 0.0), (bottom, ceiling), colour, "wall")
         if ceiling == top:
-            frame.box((start, end), (-THICKNESS, 0.0), (top, top + 0.004), CUT, "cut")
+            frame.box((start, end), (-THICKNESS, 0.0), (top, top + 0.004), frame.shell.cut, "cut")
     for opening in openings:
-        if opening.kind == "window" and standing:
+        if opening.kind == "window" and top >= opening.sill + opening.height:
             _add_window(frame, opening)
         elif opening.kind == "door":
             _add_door(frame, opening, top)
@@ -211,12 +216,11 @@ def _add_floor(soup: Soup, room: Room, palette: Palette) -> None:
     soup.add(_level(flat), patch)
 
 
-def _add_ground(soup: Soup, room: Room) -> None:
-    width, depth = room.extent
-    far = 12 * math.hypot(width, depth)
-    x, y = width / 2, depth / 2
+def add_ground(soup: Soup, centre: Vec2, far: float, height: float) -> None:
+    """Add a level square that reaches `far` from its centre [m]; it shows shadows only."""
+    x, y = centre
     quad = np.array([(x - far, y - far), (x + far, y - far), (x + far, y + far), (x - far, y + far)])
-    flat = np.concatenate([quad[[0, 1, 2, 0, 2, 3]], np.full((6, 1), -SLAB - 0.002)], 1)
+    flat = np.concatenate([quad[[0, 1, 2, 0, 2, 3]], np.full((6, 1), height)], 1)
     patch = Patch(linear(GROUND), MATERIALS.index("ground"), ROOM, np.eye(3), np.zeros(3), (far, far, SLAB))
     soup.add(_level(flat), patch)
 

@@ -49,8 +49,8 @@ class Lights:
         return np.where(up[:, None] > 0, above, self.below)
 
 
-def lights(tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: int = 6) -> Lights:
-    """Warm sun, cooler sky, and the scene's lamps."""
+def lights(tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: int = 6, spread: float = 4.0) -> Lights:
+    """Warm sun with an angular radius of `spread` [degrees], a cooler sky, and the scene's lamps."""
 
     def rgb(*values: float) -> Floats:
         return np.array(values, np.float32)
@@ -59,7 +59,7 @@ def lights(tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: i
     return Lights(
         sun=sun.astype(np.float32),
         sun_colour=rgb(1.02, 0.93, 0.80),
-        spread=math.tan(math.radians(4.0)),
+        spread=math.tan(math.radians(spread)),
         zenith=rgb(0.66, 0.69, 0.72),
         horizon=rgb(0.80, 0.77, 0.73),
         below=rgb(0.45, 0.42, 0.39),

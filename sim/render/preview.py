@@ -14,7 +14,7 @@ from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import GROUND, linear, palette
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.rays import Tracer
-from thinkblox.sim.render.soup import Pose, Soup, scene_poses
+from thinkblox.sim.render.soup import Pose, Soup, add_objects
 from thinkblox.sim.render.tessellate import Floats
 
 if TYPE_CHECKING:
@@ -97,11 +97,7 @@ def _score(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> float:
 def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:
     soup = Soup()
     add_room(soup, scene.room, palette(scene.seed), Shell(view.standing, accent_wall(scene.room)))
-    pose = scene_poses(scene, poses)
-    hidden = _hidden(scene, view.standing)
-    for number, placement in enumerate(scene.placements):
-        if placement.id not in hidden:
-            soup.add_asset(scene.asset_of(placement), pose[placement.id], number)
+    add_objects(soup, scene, poses, hidden=_hidden(scene, view.standing))
     return soup
 
 

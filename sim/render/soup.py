@@ -1,6 +1,6 @@
 """Everything that a picture shows as one list of triangles, with what each of them belongs to and is made of."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -52,10 +52,11 @@ class Soup:
         self.meshes.append(Mesh(vertices, mesh.normals @ turn.T, mesh.faces))
         self.patches.append(patch)
 
-    def add_asset(self, asset: Asset, pose: Pose, owner: int) -> None:
-        """Add all shapes of an asset at a pose."""
-        turn, origin = quat_matrix(pose[1]), np.asarray(pose[0], np.float64)
+    def add_asset(self, asset: Asset, pose: Pose, owner: int, parts: Mapping[str, Pose] | None = None) -> None:
+        """Add all shapes of an asset at a pose; `parts` are the poses of links that moved against it, by name."""
         for link in asset.links:
+            position, quat_wxyz = (parts or {}).get(link.name, pose)
+            turn, origin = quat_matrix(quat_wxyz), np.asarray(position, np.float64)
             for shape in link.shapes:
                 self.add(tessellate(shape), _patch(shape, turn, origin, owner))
 
@@ -102,9 +103,25 @@ def pose_of(position: Vec3, yaw: float) -> Pose:
     return position, (float(np.cos(half)), 0.0, 0.0, float(np.sin(half)))
 
 
-def scene_poses(scene: Scene, poses: Mapping[str, Pose] | None = None) -> dict[str, Pose]:
-    """The pose of each placement by id, `poses` going before those written in the scene."""
-    return {p.id: (poses or {}).get(p.id) or pose_of(p.position, p.yaw) for p in scene.placements}
+def add_objects(
+    soup: Soup, scene: Scene, poses: Mapping[str, Pose] | None = None, *, hidden: Collection[str] = ()
+) -> None:
+    """Add the scene's objects but those `hidden`; an object's number is its place in the scene's order.
+
+    Args:
+        soup: what they are added to.
+        scene: where they are.
+        poses: poses that go before those in the scene, by placement id, and by "<id>/<link>" for doors and drawers.
+        hidden: ids that are left out.
+    """
+    given = poses or {}
+    for number, placement in enumerate(scene.placements):
+        if placement.id not in hidden:
+            asset = scene.asset_of(placement)
+            named = {link.name: given.get(f"{placement.id}/{link.name}") for link in asset.links}
+            parts = {name: pose for name, pose in named.items() if pose is not None}
+            pose = given.get(placement.id) or pose_of(placement.position, placement.yaw)
+            soup.add_asset(asset, pose, number, parts)
 
 
 def quat_matrix(quat_wxyz: Quat) -> NDArray[np.float64]:
