@@ -77,6 +77,8 @@ def _tie_among(relation: Relation, subjects: list[Member]) -> None:
 
 def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member], members: Members) -> None:
     """Spread subjects evenly over the anchors, in order; a few may have them all."""
+    if relation.kind in ("on", "next_to") and len(subjects) < len(anchors):
+        anchors = sorted(anchors, key=lambda anchor: _load(members, anchor, relation.kind))
     together = relation.kind in _TOGETHER and not relation.each and len(subjects) < len(anchors)
     for number, subject in enumerate(subjects):
         if together:
@@ -85,6 +87,11 @@ def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member]
         which = share(number, len(subjects), len(anchors))
         alike = [n for n in range(len(subjects)) if share(n, len(subjects), len(anchors)) == which]
         _add(members, subject, [anchors[which]], relation, alike.index(number), len(alike))
+
+
+def _load(members: Members, anchor: Member, kind: str) -> int:
+    """How many things the anchor carries (or has beside it) already."""
+    return sum(tie.kind == kind and anchor.id in tie.anchors for member in members.all for tie in member.ties)
 
 
 def share(number: int, count: int, anchors: int) -> int:

@@ -204,6 +204,8 @@ class Walker:
         self._elided()
         if value.startswith("mutual_"):
             self._mutual(value.removeprefix("mutual_"))
+        elif value == "per" and self.separator == "having" and self.frame is not None:
+            self.frame.each = True
         elif value == "per":
             self.waiting = _Waiting("per", self.current)
         elif value == "in_centre":

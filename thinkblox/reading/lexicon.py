@@ -7,7 +7,7 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Literal
 
-from thinkblox.reading.tokens import Token, tokenise
+from thinkblox.reading.tokens import Token, fold, tokenise
 
 Sort = Literal[
     "object",
@@ -132,7 +132,7 @@ class Lexicon:
 
     def add(self, phrase: str, entry: Entry) -> None:
         """Let `phrase` mean `entry`, besides what it means already."""
-        key = tuple(token.text for token in tokenise(phrase))
+        key = tuple(token.text for token in self.tokens(phrase))
         if not key or entry in self.phrases.get(key, ()):
             return
         self.phrases[key] = (*self.phrases.get(key, ()), entry)
@@ -145,7 +145,7 @@ def load(code: str) -> Lexicon:
     """The lexicon of a language of LANGUAGES."""
     path = files("thinkblox.reading") / "lexicon" / f"{code}.toml"
     data = tomllib.loads(path.read_text(encoding="utf-8"))
-    contractions = {short: tuple(whole.split()) for short, whole in data.get("contractions", {}).items()}
+    contractions = {fold(short): tuple(fold(whole).split()) for short, whole in data.get("contractions", {}).items()}
     lexicon = Lexicon(
         code=code,
         name=data["language"],
