@@ -253,6 +253,8 @@ def test_between_two_rows_of_chairs() -> None:
     assert measure(scene, "between", "table_1", ids).holds
     assert not measure(scene, "between", "plant_1", ids).holds
     assert measure(scene, "facing", ids, ids).holds
+    assert measure(scene, "facing", ids, ()).holds
+    assert not measure(scene.moved("chair_0", yaw=0.0), "facing", ids, ()).holds
 
 
 def test_every_class_desk_faces_the_board() -> None:

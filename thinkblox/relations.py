@@ -76,8 +76,9 @@ def measure(
         scene: where.
         kind: which relation.
         subject: one id, or the ids of all members of a request: each of them must hold.
-        anchors: ids, Places, names of walls or ids of openings. A relation between two things holds when it holds for
-            any one of them; "between" takes them together.
+        anchors: ids, Places, names of walls or ids of openings; several subjects without anchors are measured against
+            each other (and face each other when both do). A relation between two things holds when it holds for any one of them; "between" takes them
+            together.
         rows: for "in_rows", how many; 0 for any number.
         each: every anchor, or every corner, needs a subject of its own as well.
 
@@ -85,7 +86,7 @@ def measure(
         Also for what is not in the scene: the relation does not hold then, and `measured` says what is missing.
     """
     subjects = (subject,) if isinstance(subject, str) else tuple(subject)
-    against = tuple(anchors) or _DEFAULT_ANCHOR.get(kind, ())
+    against = tuple(anchors) or _DEFAULT_ANCHOR.get(kind, subjects[1:] and subjects)
     found = {name: things(scene, name) for name in (*subjects, *against)}
     absent = [name for name, parts in found.items() if not parts]
     if absent or not subjects:
@@ -112,6 +113,8 @@ def _measure_all(
     if kind == "between":
         return _every([_between(member, anchors) for member in members])
     pair = _across(scene) if kind == "opposite" else _PAIRS[kind]
+    if kind == "facing" and anchors == members:
+        pair = _facing_each_other
     findings = [_best(pair, member, anchors) for member in members]
     if each:
         findings += [_best(lambda a, m: pair(m, a), anchor, members) for anchor in anchors]
@@ -162,6 +165,10 @@ def _facing(subject: Thing, anchor: Thing) -> _Finding:
         return True, f"{subject.name} faces every way"
     angle = _angle_to(subject, anchor)
     return angle <= FACING + _ROUNDING, f"front of {subject.name} {angle:.0f} degrees off {anchor.name}"
+
+
+def _facing_each_other(one: Thing, other: Thing) -> _Finding:
+    return _every([_facing(one, other), _facing(other, one)])
 
 
 def _at(subject: Thing, anchor: Thing) -> _Finding:
