@@ -76,9 +76,9 @@ def measure(
         scene: where.
         kind: which relation.
         subject: one id, or the ids of all members of a request: each of them must hold.
-        anchors: ids, Places, names of walls or ids of openings; several subjects without anchors are measured against
-            each other (and face each other when both do). A relation between two things holds when it holds for any one of them; "between" takes them
-            together.
+        anchors: ids, Places, names of walls or ids of openings. Several subjects without anchors are measured against
+            each other (and face each other when both do). A relation between two things holds when it holds for any
+            one anchor; "between" takes them together.
         rows: for "in_rows", how many; 0 for any number.
         each: every anchor, or every corner, needs a subject of its own as well.
 
