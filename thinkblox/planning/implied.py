@@ -14,7 +14,7 @@ _EXCLUSIVE = ("at", "above", "under", "in_front_of", "at_foot_of", "opposite", "
 """Relations whose space is taken by whatever came first."""
 _CAPACITY = {"at": 1, "above": 1, "under": 1, "in_front_of": 1, "at_foot_of": 1, "opposite": 1, "in_centre": 1}
 _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
-_LONG_SIDES = ("kitchen_island", "counter", "workbench", "reception_desk")
+_LONG_SIDES = ("kitchen_island", "counter", "bar_counter", "workbench", "reception_desk")
 _UNLIMITED = 1000
 
 

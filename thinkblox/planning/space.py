@@ -1,9 +1,15 @@
 """How much floor a brief needs, from the footprints of what it asks for and the room to use them."""
 
+from functools import lru_cache
+
+import numpy as np
+
 from thinkblox.assets import CATALOGUE
+from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Request
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.habits import load_habits
+from thinkblox.value import Vec3
 
 _DOOR_AREA = 1.6
 """Free floor that a door and the way in take [m2]."""
@@ -79,9 +85,12 @@ def _is_against_wall(brief: Brief, request: Request) -> bool:
     return first is not None and first.kind == "against_wall"
 
 
-def _size(request: Request) -> tuple[float, float, float]:
+def _size(request: Request) -> Vec3:
     """Usual size of what is requested (along the front axis, across, up) [m]."""
-    category = CATALOGUE.get(request.category)
-    if category is None:
-        return (0.5, 0.5, 0.5)
-    return next((category.variants[a] for a in request.attributes if a in category.variants), category.size)
+    return _usual_size(request.category, request.attributes)
+
+
+@lru_cache(maxsize=256)
+def _usual_size(category: str, attributes: tuple[str, ...]) -> Vec3:
+    kind = CATALOGUE.get(category)
+    return size_for(kind, frozenset(attributes), np.random.default_rng(0)) if kind else (0.5, 0.5, 0.5)

@@ -10,7 +10,7 @@ MAX_OBJECTS = 400
 _CORNERS = 4
 _PER_ROW, _ROWS = 3, 2
 _BARE = {"school_desk": 6, "chair": 4, "office_chair": 4, "bar_stool": 3, "child_chair": 2, "desk": 4, "dining_table": 3}
-_BARE |= {"bookcase": 2, "cushion": 2, "base_cabinet": 3, "curtain": 2, "potted_plant": 4, "plant": 3, "locker": 4}
+_BARE |= {"bookcase": 2, "pillow": 2, "base_cabinet": 3, "curtain": 2, "potted_plant": 4, "plant": 3, "locker": 4}
 
 
 def settle_counts(draft: Draft) -> None:

@@ -40,6 +40,15 @@ def _finish(draft: Draft) -> None:
     choose_senses(draft)
     assume(draft)
     settle_counts(draft)
+    _fit_tables(draft)
+
+
+def _fit_tables(draft: Draft) -> None:
+    """Say of every table for how many it is, so that one of that size is made."""
+    for bond in draft.bonds:
+        table = bond.anchors[0] if bond.anchors else None
+        if bond.kind == "around" and isinstance(table, Thing) and table.count:
+            table.attributes.append(f"for-{max(1, (bond.subject.count or 1) // table.count)}")
 
 
 def _drop_general(draft: Draft) -> None:
