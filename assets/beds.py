@@ -1,8 +1,9 @@
 """Beds: a frame, a mattress, a duvet and pillows. The head is at -x."""
 
+from thinkblox.asset import Surface
 from thinkblox.assets.palette import GREY_METAL, LINEN, WHITE_COTTON, WHITE_PLASTIC
 from thinkblox.assets.part import Build, Finish, Part, Range, turned
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, pad, top_surface
 from thinkblox.assets.spec import Spec
 
 
@@ -64,12 +65,12 @@ def bedding(build: Build, spec: Spec, x: Range, y: Range, z: Range, *, blanket: 
     size = min(0.62, 0.86 * width / count)
     for k in range(count):
         mid = (y[0] + y[1]) / 2 + (k - (count - 1) / 2) * width / count
-        pillow = cushion(
+        pillow = pad(
             WHITE_COTTON if k % 2 == 0 or count == 2 else cover,
             (x[0] + 0.03, x[0] + 0.42),
             around(mid, size),
             (mattress_top + 0.01, mattress_top + 0.14),
-            radius=0.06,
+            edge=0.4,
         )
         build.body.append(turned(pillow, 1, 9.0, (x[0] + 0.4, mid, mattress_top + 0.01)))
     area = ((fold + 0.17, throw[0] - 0.01 if blanket else x[1] - 0.06), (y[0] + 0.05, y[1] - 0.05))
@@ -129,10 +130,7 @@ def bunk_bed(spec: Spec) -> Build:
     return build
 
 
-def _area(surface: object) -> tuple[Range, Range]:
-    from thinkblox.asset import Surface
-
-    assert isinstance(surface, Surface)
+def _area(surface: Surface) -> tuple[Range, Range]:
     (px, py, _), (sx, sy) = surface.position, surface.size
     return (px - sx / 2, px + sx / 2), (py - sy / 2, py + sy / 2)
 
@@ -213,9 +211,7 @@ def hospital_bed(spec: Spec) -> Build:
         WHITE_COTTON, (-x / 2 + 0.1, joint), (-y / 2 + 0.08, y / 2 - 0.08), (top - 0.14, top - 0.02), radius=0.03
     )
     build.body.append(turned(back, 1, 14.0, (joint, 0.0, top - 0.14)))
-    pillow = cushion(
-        WHITE_COTTON, (-x / 2 + 0.13, -x / 2 + 0.48), around(0, 0.55), (top - 0.01, top + 0.1), radius=0.05
-    )
+    pillow = pad(WHITE_COTTON, (-x / 2 + 0.13, -x / 2 + 0.48), around(0, 0.55), (top - 0.01, top + 0.1), edge=0.4)
     build.body.append(turned(pillow, 1, 14.0, (joint, 0.0, top - 0.14)))
     blanket = spec.main(Finish((0.55, 0.68, 0.70), "fabric"))
     build.body.append(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from thinkblox.asset import Joint, Surface
-from thinkblox.assets.palette import GLASS, IRON
+from thinkblox.assets.palette import GLASS, IRON, STEEL
 from thinkblox.assets.part import Build, Finish, Moving, Part, Range
 from thinkblox.assets.shapes import around, box, leg, panel, top_surface
 from thinkblox.assets.spec import Spec
@@ -73,7 +73,9 @@ def cabinet(
     if legs:
         build.body += _feet(spec, legs)
     reach = x / 2 if worktop or not _closed(bays) else x / 2 - HANDLE
-    build.surfaces.insert(0, top_surface("top", (-x / 2, reach), (-y / 2, y / 2), z))
+    build.surfaces.insert(
+        len(build.surfaces) if z > 1.4 else 0, top_surface("top", (-x / 2, reach), (-y / 2, y / 2), z)
+    )
     return build
 
 
@@ -171,7 +173,7 @@ def _fill_bay(
                 (y[0] + GAP / 2, y[1] - GAP / 2),
                 (low + GAP / 2, high - GAP / 2),
                 fronts,
-                spec.style.metal,
+                STEEL if finish.material == "metal" else spec.style.metal,
                 name,
             )
             build.moving.append(_front(cell, face, back, inner, clear, left_hung))

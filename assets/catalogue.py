@@ -124,7 +124,7 @@ _SEATS = (
     _row("ottoman", (0.55, 0.55, 0.42), 9, upholstery.ottoman, front="two"),
     _row("bean_bag", (0.85, 0.85, 0.72), 6, upholstery.bean_bag, friction=0.8),
     _row("child_chair", (0.33, 0.32, 0.56), 2.6, seats.child_chair, clearance=0.3, low=0.7, high=1.5, noun="child's chair"),
-    _large("dentist_chair", (1.85, 0.95, 1.75), 150, shop.dentist_chair, clearance=0.6, friction=0.7, low=0.8, high=1.3),
+    _large("dentist_chair", (1.65, 0.76, 1.75), 150, shop.dentist_chair, clearance=0.6, friction=0.7, low=0.8, high=1.3),
 )  # fmt: skip
 
 _APPLIANCES = (
@@ -260,9 +260,9 @@ _GAMES = (
     _large("arcade_cabinet", (0.85, 0.66, 1.75), 95, games.arcade_cabinet, clearance=0.8, low=0.75, high=1.3),
     _large("piano", (0.62, 1.48, 1.20), 210, games.piano, clearance=0.9, friction=0.7, low=0.8, high=1.3),
     _row("guitar", (0.46, 0.40, 1.08), 4, games.guitar),
-    _large("drum_kit", (1.30, 1.60, 1.15), 40, games.drum_kit, clearance=0.7, low=0.8, high=1.3),
+    _large("drum_kit", (0.95, 1.60, 1.15), 40, games.drum_kit, clearance=0.7, low=0.8, high=1.3),
     _large("treadmill", (1.75, 0.82, 1.40), 90, games.treadmill, clearance=0.8, friction=0.7, low=0.8, high=1.3),
-    _large("exercise_bike", (1.10, 0.54, 1.25), 35, games.exercise_bike, clearance=0.6, friction=0.7, low=0.8, high=1.3),
+    _large("exercise_bike", (1.00, 0.54, 1.25), 35, games.exercise_bike, clearance=0.6, friction=0.7, low=0.8, high=1.3),
     _large("weight_bench", (1.35, 1.50, 1.15), 60, seats.weight_bench, clearance=0.6, friction=0.7, low=0.75, high=1.3),
     _row("dumbbell_rack", (0.52, 1.20, 0.80), 90, games.dumbbells, clearance=0.7, friction=0.7, noun="dumbbell rack"),
     _large("bicycle", (1.75, 0.58, 1.05), 14, games.bicycle, low=0.6, high=1.2),

@@ -13,7 +13,7 @@ from thinkblox.assets.palette import (
     WHITE_PLASTIC,
 )
 from thinkblox.assets.part import Build, Finish, Part, turned
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, prism, rod, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, pad, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
 
 
@@ -138,9 +138,7 @@ def mouse(spec: Spec) -> Build:
     """Return a computer mouse."""
     x, y, z = spec.size
     shell = spec.main(spec.choice((DARK_PLASTIC, WHITE_PLASTIC)))
-    return Build(
-        body=[cushion(shell, (-x / 2, x / 2), (-y / 2, y / 2), (0, z), radius=min(0.45 * y, 0.6 * z), smooth=True)]
-    )
+    return Build(body=[pad(shell, (-x / 2, x / 2), (-y / 2, y / 2), (0, z), edge=0.35, flat=True)])
 
 
 def printer(spec: Spec) -> Build:

@@ -28,11 +28,11 @@ def pool_table(spec: Spec) -> Build:
     """Return a pool table with rails, pockets, a rack of balls and a cue; it is longest across its front."""
     x, y, z = spec.size
     wood, rail, bed = spec.main(WALNUT), 0.14, z - 0.045
-    cloth = Finish(spec.style.accent.colour, "fabric") if spec.rng.random() < 0.0 else FELT
+    cloth = FELT
     body = [
         box(wood, around(0, x - 0.06), around(0, y - 0.06), (bed - 0.16, bed - 0.03)),
         box(cloth, around(0, x - 2 * rail + 0.04), around(0, y - 2 * rail + 0.04), (bed - 0.03, bed)),
-        *(cushion(wood, (s * x / 2, s * (x / 2 - rail)) if s > 0 else (-x / 2, -x / 2 + rail), (-y / 2, y / 2), (bed - 0.03, z), radius=0.015) for s in (-1,)),
+        *(cushion(wood, (-x / 2, -x / 2 + rail), (-y / 2, y / 2), (bed - 0.03, z), radius=0.015) for s in (-1,)),
         cushion(wood, (x / 2 - rail, x / 2), (-y / 2, y / 2), (bed - 0.03, z), radius=0.015),
         *(cushion(wood, (-x / 2 + rail, x / 2 - rail), (s * (y / 2 - rail / 2) - rail / 2, s * (y / 2 - rail / 2) + rail / 2), (bed - 0.03, z), radius=0.015) for s in (-1, 1)),
     ]  # fmt: skip

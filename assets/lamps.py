@@ -49,7 +49,7 @@ def table_lamp(spec: Spec) -> Build:
         ]
     base = 0.006
     body = [disc(finish, (0, 0), rings[0][1], (0, base))]
-    body += profile(finish, (0, 0), [(max(h, base), r) for h, r in rings])
+    body += profile(finish, (0, 0), [(max(h, base), r) for h, r in rings], round=kind == "bulb")
     body.append(disc(spec.style.metal, (0, 0), 0.008, (0.88 * split, split)))
     return Build(body=[*body, frustum(SHADE, (0, 0), (split, z), radius, 0.7 * radius)])
 
@@ -59,14 +59,14 @@ def desk_lamp(spec: Spec) -> Build:
     x, y, z = spec.size
     finish = spec.main(spec.choice((spec.style.metal, IRON)))
     foot = min(0.5 * y, 0.35 * x)
-    at, elbow, head = -x / 2 + foot, (-x / 2 + 0.02, 0.0, 0.55 * z), (x / 2 - 0.06, 0.0, z - 0.03)
+    at, elbow, head = -0.16 * x, (-x / 2 + 0.014, 0.0, 0.55 * z), (x / 2 - 0.05, 0.0, z - 0.03)
     body = [
-        disc(finish, (at, 0), foot, (0, 0.018)),
-        rod(finish, (at, 0, 0.018), elbow, 0.008),
+        disc(finish, (at, 0), foot, (0, 0.03)),
+        rod(finish, (at, 0, 0.03), elbow, 0.008),
         sphere(finish, elbow, 0.014),
         rod(finish, elbow, head, 0.008),
-        frustum(finish, (head[0], 0), (z - 0.11, z), min(0.06, 0.5 * y), 0.025),
-        disc(GLOW, (head[0], 0), 0.045, (z - 0.116, z - 0.11)),
+        frustum(finish, (head[0], 0), (z - 0.085, z), min(0.05, 0.5 * y), 0.02),
+        disc(GLOW, (head[0], 0), 0.04, (z - 0.09, z - 0.085)),
     ]
     return Build(body=body)
 
@@ -111,8 +111,8 @@ def chandelier(spec: Spec) -> Build:
         disc(metal, (0, 0), 0.06, (z - 0.03, z)),
         sphere(metal, (0, 0, 0.05), 0.05),
     ]
-    for k in range(6):
-        at = (radius * cos(pi * k / 3), radius * sin(pi * k / 3))
+    for k in range(8):
+        at = (radius * cos(pi * k / 4), radius * sin(pi * k / 4))
         body += [
             rod(metal, (0, 0, 0.08), (at[0], at[1], 0.14), 0.008),
             disc(metal, at, 0.03, (0.135, 0.15)),

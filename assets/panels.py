@@ -1,5 +1,6 @@
 """Flat things for walls: their back is at -x and is fixed to the wall. Also screens that stand."""
 
+from dataclasses import replace
 from math import cos, pi, sin
 
 from thinkblox.assets.palette import (
@@ -140,8 +141,6 @@ def _hills(spec: Spec, x: float, half: float, z: tuple[float, float]) -> list[Pa
 
 
 def _flat(finish: Finish, outline: list[tuple[float, float]], x: float) -> Part:
-    from dataclasses import replace
-
     return replace(prism(finish, outline, (x, x + 0.0004), axis=0), collide=False)
 
 
@@ -219,6 +218,7 @@ def standing_mirror(spec: Spec) -> Build:
         rod(frame, (-x / 2 + 0.014, s * 0.3 * y, 0.012), (x / 2 - 0.6 * lean - 0.035, s * 0.3 * y, 0.6 * z), 0.012)
         for s in (-1, 1)
     ]
+    body += [box(frame, (-x / 2, -x / 2 + 0.03), around(s * 0.3 * y, 0.03), (0, 0.012)) for s in (-1, 1)]
     return Build(body=body)
 
 
@@ -228,18 +228,17 @@ def clock(spec: Spec) -> Build:
     size, mid = min(y, z), z / 2
     rim = spec.main(spec.choice((IRON, spec.style.wood, BRASS)))
     body = [cylinder(rim, (-x / 2, x / 2 - 0.003), around(0, size), around(mid, size), axis=0)]
-    body.append(cylinder(PAPER, (x / 2 - 0.003, x / 2), around(0, 0.9 * size), around(mid, 0.9 * size), axis=0))
+    body.append(cylinder(PAPER, (x / 2 - 0.006, x / 2 - 0.004), around(0, 0.9 * size), around(mid, 0.9 * size), axis=0))
     for degrees, length in ((30, 0.24), (-60 - 240, 0.34)):
         a = degrees * pi / 180
         tip = (x / 2 + 0.0, -length * size * sin(a), mid + length * size * cos(a))
-        hand = rod(IRON, (x / 2 - 0.002, 0, mid), (x / 2 - 0.002, tip[1], tip[2]), 0.0019, sides=6)
-        body.append(hand)
+        body.append(rod(IRON, (x / 2 - 0.002, 0, mid), (x / 2 - 0.002, tip[1], tip[2]), 0.002, sides=6))
     for k in range(12):
         a = pi * k / 6
         body.append(
             box(
                 IRON,
-                (x / 2 - 0.001, x / 2),
+                (x / 2 - 0.004, x / 2 - 0.003),
                 around(0.4 * size * sin(a), 0.012),
                 around(mid + 0.4 * size * cos(a), 0.012),
                 collide=False,
@@ -274,14 +273,13 @@ def curtain(spec: Spec) -> Build:
     """Return two drawn-back curtains in folds on a rail."""
     x, y, z = spec.size
     cloth = spec.fabric if spec.words else spec.choice((LINEN, spec.style.accent, spec.style.fabric))
-    body: list[Part] = [cylinder(spec.style.metal, (-y / 2, y / 2), (0, 0), (0, 0))] if False else []
-    body.append(_rail(spec, z))
+    body = [_rail(spec, z)]
     for side in (-1, 1):
         folds = 5
         wide = 0.22 * y / folds
         for k in range(folds):
             at = side * (y / 2 - 0.03 - wide * (k + 0.5))
-            depth = x * (0.9 if k % 2 else 0.6)
+            depth = x * (1.0 if k % 2 else 0.66)
             body.append(
                 prism(cloth, [(a, b + at) for a, b in oval(depth, wide * 1.12, sides=12)], (0, z - 0.03), smooth=True)
             )
@@ -356,7 +354,7 @@ def coat_rack(spec: Spec) -> Build:
     wood = spec.wood
     body: list[Part] = [disc(wood, (0, 0), 0.022, (0.1, z - 0.03)), sphere(wood, (0, 0, z - 0.028), 0.028)]
     for k in range(4):
-        a = pi / 4 + pi * k / 2
+        a = pi * k / 2
         c, s = cos(a), sin(a)
         body.append(round_leg(wood, (0.92 * reach * c, 0.92 * reach * s), (0.02 * c, 0.02 * s), (0, 0.22), 0.014, 0.02))
         for height, length in ((0.88 * z, 0.75), (0.72 * z, 0.55)):

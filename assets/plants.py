@@ -8,7 +8,7 @@ from thinkblox.assets.palette import LEAVES, PETALS, SOIL, STEEL, WICKER
 from thinkblox.assets.part import Build, Finish, Part, hull
 from thinkblox.assets.shapes import disc, ellipsoid, frustum, rod
 from thinkblox.assets.spec import Spec
-from thinkblox.value import Vec3
+from thinkblox.value import Vec2, Vec3
 
 
 def pot(finish: Finish, radius: float, height: float) -> list[Part]:
@@ -48,11 +48,11 @@ def plant(spec: Spec) -> Build:
     height = min(0.32, 0.26 * z)
     build = Build(body=pot(finish, min(0.42 * min(x, y), 0.17), height))
     grow = spec.choice((_broad, _blades, _tree))
-    build.body += _inside(grow(spec, reach, height, z), reach, z)
+    build.body += kept_inside(grow(spec, reach, height, z), (reach, reach), z)
     return build
 
 
-def _inside(parts: list[Part], reach: float, top: float) -> list[Part]:
+def kept_inside(parts: list[Part], half: Vec2, top: float) -> list[Part]:
     """Keep leaves within the box by clamping their corners, so that the pot keeps its shape."""
     kept: list[Part] = []
     for part in parts:
@@ -60,7 +60,8 @@ def _inside(parts: list[Part], reach: float, top: float) -> list[Part]:
             kept.append(part)
             continue
         points = [
-            (float(np.clip(a, -reach, reach)), float(np.clip(b, -reach, reach)), min(c, top)) for a, b, c in part.points
+            (float(np.clip(a, -half[0], half[0])), float(np.clip(b, -half[1], half[1])), min(c, top))
+            for a, b, c in part.points
         ]
         kept.append(hull(part.finish, points, smooth=part.smooth))
     return kept
@@ -163,7 +164,7 @@ def potted_plant(spec: Spec) -> Build:
             a, top = 1.6 * k, z - 0.02 - 0.05 * z * k
             tip = (0.3 * reach * cos(a), 0.3 * reach * sin(a), top)
             parts += [rod(LEAVES[2], (0, 0, height), tip, 0.003, sides=5), *_blossom(petal, tip, 0.14 * reach + 0.008)]
-    build.body += _inside(parts, reach, z)
+    build.body += kept_inside(parts, (reach, reach), z)
     return build
 
 
@@ -199,4 +200,4 @@ def flower_bucket(spec: Spec) -> Build:
                     0.2 * reach,
                 )
             )
-    return Build(body=body + _inside(parts, reach, z))
+    return Build(body=body + kept_inside(parts, (reach, reach), z))

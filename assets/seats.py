@@ -4,8 +4,10 @@ from math import cos, pi, sin
 
 from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, GREY_METAL, IRON
 from thinkblox.assets.part import Build, Finish, Part, turned
-from thinkblox.assets.shapes import around, box, cushion, disc, leg, rod, round_leg, sphere, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, rod, round_leg, sphere, top_surface
 from thinkblox.assets.spec import Spec
+
+_THICKNESS = {"slats": 0.028, "shell": 0.022, "upholstered": 0.06}
 
 
 def _seat_height(z: float) -> float:
@@ -19,7 +21,7 @@ def chair(spec: Spec) -> Build:
     kind = "shell" if spec.has("school", "plastic") else spec.choice(("slats", "upholstered", "slats", "shell"))
     frame = spec.style.metal if kind == "shell" and spec.has("school") else spec.wood
     build = Build(surfaces=[top_surface("seat", (-x / 2 + 0.09, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), seat)])
-    build.body = _chair_frame(spec, frame, seat, posts=kind == "slats")
+    build.body = _chair_frame(spec, frame, seat, _THICKNESS[kind], posts=kind == "slats")
     cover = spec.main(spec.style.accent if kind == "upholstered" else spec.style.wood)
     if kind == "upholstered":
         build.body += [
@@ -74,9 +76,9 @@ def _tilted_back(part: Part, x: float, seat: float) -> Part:
     return turned(part, 1, -6.0, (-x / 2 + 0.05, 0.0, seat))
 
 
-def _chair_frame(spec: Spec, frame: Finish, seat: float, *, posts: bool) -> list[Part]:
+def _chair_frame(spec: Spec, frame: Finish, seat: float, thick: float, *, posts: bool) -> list[Part]:
     x, y, z = spec.size
-    under = seat - 0.028 if posts else seat - 0.06
+    under = seat - thick
     parts = [
         leg(frame, (x / 2 - 0.025, s * (y / 2 - 0.025)), (x / 2 - 0.045, s * (y / 2 - 0.045)), (0, under), 0.024, 0.036)
         for s in (-1, 1)
@@ -294,6 +296,4 @@ def weight_bench(spec: Spec) -> Build:
 
 
 def _plate(finish: Finish, x: float, y: tuple[float, float], z: float, radius: float) -> Part:
-    from thinkblox.assets.shapes import cylinder
-
     return cylinder(finish, around(x, 2 * radius), y, around(z, 2 * radius), axis=1)

@@ -1,6 +1,7 @@
 """Helpers that make parts from ranges along the axes: boxes, turned profiles, cushions, legs, rods."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import cos, pi, sin
 
 import numpy as np
@@ -62,26 +63,44 @@ def frustum(
     return hull(finish, points, smooth=smooth)
 
 
-def profile(finish: Finish, centre: Vec2, rings: Sequence[Vec2], *, sides: int = 20) -> list[Part]:
-    """Return a solid turned about an upright axis: a stack of stumps through rings (z, radius) [m]."""
-    pairs = zip(rings, rings[1:], strict=False)
+def profile(finish: Finish, centre: Vec2, rings: Sequence[Vec2], *, sides: int = 20, round: bool = False) -> list[Part]:
+    """Return a solid turned about an upright axis: a stack of stumps through rings (z, radius) [m].
+
+    With `round`, the outline bends smoothly through the rings.
+    """
+    fine = _rounded(rings) if round else list(rings)
+    pairs = pairwise(fine)
     return [frustum(finish, centre, (a[0], b[0]), a[1], b[1], sides=sides) for a, b in pairs]
 
 
+def _rounded(rings: Sequence[Vec2]) -> list[Vec2]:
+    """Rings and one more between each two, on a Catmull-Rom curve."""
+    ends = [rings[0], *rings, rings[-1]]
+    fine: list[Vec2] = [rings[0]]
+    for before, a, b, after in zip(ends, ends[1:], ends[2:], ends[3:], strict=False):
+        middle = (9 * (a[1] + b[1]) - before[1] - after[1]) / 16
+        fine += [((a[0] + b[0]) / 2, max(middle, 0.9 * min(a[1], b[1]))), b]
+    return fine
+
+
 def shell(
-    finish: Finish, centre: Vec2, z: Range, bottom: float, top: float, wall: float, *, pieces: int = 16
+    finish: Finish, centre: Vec2, z: Range, bottom: float, top: float, wall: float, *, pieces: int = 12
 ) -> list[Part]:
     """Return the wall of a round vessel as convex staves, outer radii `bottom` and `top` [m]."""
     staves: list[Part] = []
     for k in range(pieces):
-        ends = (2 * pi * (k - 0.5) / pieces, 2 * pi * (k + 0.5) / pieces)
+        angles = [2 * pi * (k + step) / pieces for step in (-0.5, -0.17, 0.17, 0.5)]
         rings = ((z[0], bottom), (z[0], bottom - wall), (z[1], top), (z[1], top - wall))
-        points = [(centre[0] + r * cos(a), centre[1] + r * sin(a), h) for h, r in rings for a in ends]
+        points = [
+            (centre[0] + r * cos(a), centre[1] + r * sin(a), h)
+            for h, r in rings
+            for a in (angles if r in (bottom, top) else angles[::3])
+        ]
         staves.append(hull(finish, points, smooth=False))
     return staves
 
 
-def cushion(finish: Finish, x: Range, y: Range, z: Range, *, radius: float = 0.04, smooth: bool = False) -> Part:
+def cushion(finish: Finish, x: Range, y: Range, z: Range, *, radius: float = 0.04, smooth: bool = True) -> Part:
     """Return a box with rounded edges and corners [m]; the radius is cut down to fit."""
     ranges = (x, y, z)
     r = min(radius, *((hi - lo) / 2.001 for lo, hi in ranges))
@@ -96,6 +115,26 @@ def cushion(finish: Finish, x: Range, y: Range, z: Range, *, radius: float = 0.0
 def _offset(corner: Sequence[float], signs: tuple[int, ...], n: np.ndarray) -> Vec3:
     x, y, z = (corner[i] + float(n[i]) * (1 if signs[i] else -1) for i in range(3))
     return (x, y, z)
+
+
+def pad(finish: Finish, x: Range, y: Range, z: Range, *, edge: float = 0.25, flat: bool = False) -> Part:
+    """Return a soft pad, thick in the middle and thin at its edge; with `flat` its underside is level [m].
+
+    Args:
+        edge: how far the rim is drawn in from the plan at top and bottom, as a share of the height.
+    """
+    centre = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2)
+    tall = z[1] - z[0]
+    levels = ((0.0, 1.0), (0.35, 0.98), (0.7, 0.86), (1.0, 0.5)) if flat else _LENS
+    points: list[Vec3] = []
+    for height, share in levels:
+        draw = edge * tall * (1 - share) * 4
+        outline = oval(max(x[1] - x[0] - draw, 1e-3), max(y[1] - y[0] - draw, 1e-3), sides=24, squareness=4.0)
+        points += [(centre[0] + a, centre[1] + b, z[0] + height * tall) for a, b in outline]
+    return hull(finish, points, smooth=True)
+
+
+_LENS = ((0.0, 0.3), (0.14, 0.7), (0.5, 1.0), (0.86, 0.7), (1.0, 0.3))
 
 
 def leg(finish: Finish, foot: Vec2, head: Vec2, z: Range, foot_width: float, head_width: float) -> Part:

@@ -2,7 +2,7 @@
 
 from thinkblox.assets.palette import BLACK_PLASTIC, BRASS, CONCRETE, IRON, LEAVES, MARBLE, SOIL, STEEL
 from thinkblox.assets.part import Build, Finish, Part, turned
-from thinkblox.assets.plants import leaf
+from thinkblox.assets.plants import kept_inside, leaf
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
 
@@ -99,16 +99,17 @@ def planter(spec: Spec) -> Build:
     x, y, z = spec.size
     low = 0.5 * z
     body: list[Part] = [
-        box(spec.wood, around(0, 0.9 * x), (-y / 2, y / 2), (0, low)),
+        box(spec.wood, around(0, x), (-y / 2, y / 2), (0, low)),
         box(SOIL, around(0, 0.8 * x), around(0, y - 0.06), (low, low + 0.01)),
     ]
     count = max(3, int(y / 0.14))
     for k in range(count):
         at = -y / 2 + (k + 0.5) * y / count
-        for j in range(3):
-            body.append(
-                leaf(LEAVES[(k + j) % 4], (0, at, low), 40 + 120 * j + 50 * k, 62 - 12 * j, 0.46 * z, 0.07, droop=12)
-            )
+        grown = [
+            leaf(LEAVES[(k + j) % 4], (0, at, low), 40 + 72 * j + 50 * k, 80 - 9 * j, 0.5 * z, 0.07, droop=10)
+            for j in range(5)
+        ]
+        body += kept_inside(grown, (x / 2, y / 2), z)
     return Build(body=body)
 
 

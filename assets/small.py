@@ -25,6 +25,7 @@ from thinkblox.assets.shapes import (
     disc,
     ellipsoid,
     leg,
+    pad,
     panel,
     prism,
     rod,
@@ -99,7 +100,7 @@ def pillow(spec: Spec) -> Build:
     """Return a cushion lying flat, its edges thin."""
     x, y, z = spec.size
     cover = spec.main(spec.choice((spec.style.accent, spec.style.fabric)))
-    return Build(body=[cushion(cover, (-x / 2, x / 2), (-y / 2, y / 2), (0, z), radius=0.49 * z)])
+    return Build(body=[pad(cover, (-x / 2, x / 2), (-y / 2, y / 2), (0, z), edge=0.4)])
 
 
 def blanket(spec: Spec) -> Build:
@@ -117,15 +118,16 @@ def photo_frame(spec: Spec) -> Build:
     """Return a picture in a frame that leans on its strut."""
     x, y, z = spec.size
     frame = spec.main(spec.choice((spec.style.wood, spec.style.metal)))
-    sheet = panel(frame, (-0.006, 0.006), (-y / 2, y / 2), (0.004, z), 0.014, Finish((0.72, 0.66, 0.58), "paper"))
+    sheet = panel(frame, (-0.006, 0.006), (-y / 2, y / 2), (0.006, z), 0.014, Finish((0.72, 0.66, 0.58), "paper"))
     body = [turned(p, 1, -14.0, (0.0, 0.0, 0.0)) for p in sheet]
+    body.append(box(frame, (-0.012, 0.008), (-y / 2, y / 2), (0, 0.008)))
     height = 0.6 * z
     body.append(
         prism(
             frame,
             [
-                (-x * 0.75, 0),
-                (-x * 0.75 + 0.012, 0),
+                (-x * 0.95, 0),
+                (-x * 0.95 + 0.014, 0),
                 (-0.24 * height - 0.002, height),
                 (-0.24 * height - 0.012, height),
             ],

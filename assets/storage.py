@@ -1,8 +1,11 @@
 """Cabinets of every room, as rows of cells for the carcass generator."""
 
-from thinkblox.assets.carcasses import BOARD, Cell, cabinet
+from msgspec import structs
+
+from thinkblox.asset import Joint
+from thinkblox.assets.carcasses import BOARD, Cell, cabinet, door, face_of
 from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
-from thinkblox.assets.part import Build, Finish, Range
+from thinkblox.assets.part import Build, Finish, Moving, Range, moved
 from thinkblox.assets.shapes import around, box, top_surface
 from thinkblox.assets.spec import Spec
 
@@ -40,7 +43,7 @@ def bookcase(spec: Spec) -> Build:
 
 
 def _fill_with_books(build: Build, spec: Spec) -> None:
-    for surface in build.surfaces[: None if spec.size[2] > 1.4 else None]:
+    for surface in build.surfaces:
         if surface.headroom is None:
             continue
         mid, width = surface.position[1], surface.size[1]
@@ -100,9 +103,8 @@ def wall_shelf(spec: Spec) -> Build:
 
 def tv_stand(spec: Spec) -> Build:
     """Return a low board with doors at its ends and open shelves between."""
-    ends = "drawer" if spec.rng.random() < 0.4 else "door"
-    bays = [[Cell(ends)], [Cell("open", 1.0, 1)], [Cell(ends)]]
-    return cabinet(spec, bays, legs=0.12, finish=spec.wood)  # type: ignore[arg-type]
+    end = Cell("drawer") if spec.rng.random() < 0.4 else Cell("door")
+    return cabinet(spec, [[end], [Cell("open", 1.0, 1)], [end]], legs=0.12, finish=spec.wood)
 
 
 def sideboard(spec: Spec) -> Build:
@@ -186,9 +188,6 @@ def kitchen_island(spec: Spec) -> Build:
 
 def shifted(build: Build, offset: tuple[float, float, float]) -> Build:
     """`build` moved by `offset` [m], without its surfaces."""
-    from msgspec import structs
-
-    from thinkblox.assets.part import Moving, moved
 
     def shift(p: tuple[float, float, float]) -> tuple[float, float, float]:
         return (p[0] + offset[0], p[1] + offset[1], p[2] + offset[2])
@@ -217,8 +216,6 @@ def shoe_rack(spec: Spec) -> Build:
 
 def server_rack(spec: Spec) -> Build:
     """Return a black rack filled with servers, whose glass door opens."""
-    from thinkblox.assets.carcasses import door, face_of
-
     x, y, z = spec.size
     front = x / 2 - 0.042
     black = spec.main(IRON)
@@ -250,9 +247,6 @@ def server_rack(spec: Spec) -> Build:
 
 def toy_box(spec: Spec) -> Build:
     """Return a chest whose lid opens."""
-    from thinkblox.asset import Joint
-    from thinkblox.assets.part import Moving
-
     x, y, z = spec.size
     finish = spec.main(spec.choice((spec.style.paint, spec.style.accent)))
     if finish.material == "fabric":
@@ -273,5 +267,4 @@ def toy_box(spec: Spec) -> Build:
 
 def safe(spec: Spec) -> Build:
     """Return a steel safe with a thick door."""
-    build = cabinet(spec, [[Cell("door", 1.0, 1)]], finish=spec.main(Finish((0.27, 0.30, 0.32), "metal")))
-    return build
+    return cabinet(spec, [[Cell("door", 1.0, 1)]], finish=spec.main(Finish((0.27, 0.30, 0.32), "metal")))

@@ -198,9 +198,8 @@ def tiered_table(spec: Spec) -> Build:
         for side in (-1, 0, 1) if y > 1.4 else (-1, 1):
             at = side * (y / 2 - 0.05)
             build.body += _trestle(spec.wood, (front - 0.03, front - depth + 0.04), at, height - 0.025)
-        room = None if k < 2 else None
         area = (front - depth + 0.004, front)
-        build.surfaces.append(top_surface(f"tier {k + 1}", area, (-y / 2, y / 2), height, headroom=room))
+        build.surfaces.append(top_surface(f"tier {k + 1}", area, (-y / 2, y / 2), height))
         build.body.append(
             box(
                 spec.wood, (front - 0.04, front - 0.02), (-y / 2 + 0.03, y / 2 - 0.03), (height - 0.085, height - 0.025)

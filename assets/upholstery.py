@@ -1,7 +1,9 @@
 """Upholstered seats: sofas, armchairs, ottomans, bean bags. The back is at -x."""
 
-from thinkblox.assets.part import Build, Finish, Part, Range, turned
-from thinkblox.assets.shapes import around, box, cushion, disc, ellipsoid, leg, prism, round_leg, top_surface
+from math import cos, pi, sin
+
+from thinkblox.assets.part import Build, Finish, Part, Range, hull, moved, turned
+from thinkblox.assets.shapes import around, box, cushion, disc, ellipsoid, leg, pad, prism, round_leg, top_surface
 from thinkblox.assets.spec import Spec
 
 FOOT = 0.12
@@ -59,34 +61,16 @@ def _sofa_feet(spec: Spec, x: Range, y: Range) -> list[Part]:
 
 
 def _throw_pillows(spec: Spec, x: float, y: Range, seat: float) -> list[Part]:
-    size = 0.38
-    pillows = [
-        turned(
-            cushion(
-                spec.style.accent,
-                (x, x + 0.13),
-                (y[0] + 0.03, y[0] + 0.03 + size),
-                (seat + 0.02, seat + 0.02 + size),
-                radius=0.06,
-            ),
-            1,
-            -16.0,
-            (x + 0.06, 0.0, seat),
-        )
-    ]
+    size, ends = 0.4, [y[0] + 0.02]
     if spec.rng.random() < 0.6:
-        low = y[1] - 0.03 - size
-        pillows.append(
-            turned(
-                cushion(
-                    spec.style.accent, (x, x + 0.13), (low, low + size), (seat + 0.02, seat + 0.02 + size), radius=0.06
-                ),
-                1,
-                -16.0,
-                (x + 0.06, 0.0, seat),
-            )
-        )
-    return pillows
+        ends.append(y[1] - 0.02 - size)
+    return [_leaning(spec.style.accent, x, (low, low + size), seat) for low in ends]
+
+
+def _leaning(finish: Finish, x: float, y: Range, seat: float) -> Part:
+    """A loose cushion that stands on a seat and leans against the back."""
+    flat = pad(finish, (x, x + y[1] - y[0]), y, (seat + 0.03, seat + 0.15), edge=0.4)
+    return turned(flat, 1, -106.0, (x + 0.02, 0.0, seat + 0.02))
 
 
 def _corner_sofa(spec: Spec) -> Build:
@@ -141,18 +125,14 @@ def rocking_chair(spec: Spec) -> Build:
     """Return a lounge chair on two runners that are flat where they touch the floor."""
     x, y, z = spec.size
     upper = _lounge_chair(Spec(spec.category, (0.8 * x, y, z - 0.06), spec.words, spec.style, spec.rng))
-    from thinkblox.assets.part import moved
-
     runners: list[Part] = []
     for side in (-1, 1):
         at = around(side * (y / 2 - 0.0225), 0.03)
-        outline = [(-x / 2, 0.08), (-x / 2 + 0.01, 0.1), (-0.3 * x, 0.045), (-0.18 * x, 0.03)]
         middle = [(-0.22 * x, 0.0), (0.22 * x, 0.0), (0.34 * x, 0.065), (-0.34 * x, 0.065)]
         runners.append(prism(spec.style.wood, middle, at, axis=1))
         for s in (-1, 1):
             tip = [(s * 0.22 * x, 0.0), (s * x / 2, 0.07), (s * x / 2, 0.1), (s * 0.34 * x, 0.065)]
             runners.append(prism(spec.style.wood, tip, at, axis=1))
-        del outline
     body = [moved(p, (0.0, 0.0, 0.06)) for p in upper.body]
     seat = upper.surfaces[0]
     px, py, pz = seat.position
@@ -192,10 +172,6 @@ def bean_bag(spec: Spec) -> Build:
         (0.8, 0.22, 0.26, -0.16),
         (1.0, 0.08, 0.1, -0.22),
     )
-    from math import cos, pi, sin
-
-    from thinkblox.assets.part import hull
-
     points = [
         (x * (shift + rx * cos(2 * pi * k / 20)), y * ry * sin(2 * pi * k / 20), h * z)
         for h, rx, ry, shift in rings

@@ -35,10 +35,12 @@ from thinkblox.assets.spec import Spec
 from thinkblox.value import Vec2
 
 
-def turned_solid(finish: Finish, radius: float, height: float, rings: Sequence[Vec2], *, x: float = 0.0) -> list[Part]:
+def turned_solid(
+    finish: Finish, radius: float, height: float, rings: Sequence[Vec2], *, round: bool = False
+) -> list[Part]:
     """Return a solid of revolution from rings (share of height, share of radius), standing on a disc."""
-    foot = disc(finish, (x, 0), rings[0][1] * radius, (0, 0.002))
-    return [foot, *profile(finish, (x, 0), [(max(0.002, h * height), r * radius) for h, r in rings])]
+    foot = disc(finish, (0, 0), rings[0][1] * radius, (0, 0.002))
+    return [foot, *profile(finish, (0, 0), [(max(0.002, h * height), r * radius) for h, r in rings], round=round)]
 
 
 def hollow(finish: Finish, centre: Vec2, radius: float, height: float, foot: float, wall: float) -> list[Part]:
@@ -61,7 +63,9 @@ def vase(spec: Spec) -> Build:
     """Return a glazed vase, tall or bellied."""
     x, y, z = spec.size
     return Build(
-        body=turned_solid(spec.main(spec.choice((spec.style.glaze, *GLAZES))), min(x, y) / 2, z, spec.choice(_VASES))
+        body=turned_solid(
+            spec.main(spec.choice((spec.style.glaze, *GLAZES))), min(x, y) / 2, z, spec.choice(_VASES), round=True
+        )
     )
 
 
@@ -121,7 +125,9 @@ def teapot(spec: Spec) -> Build:
     """Return a teapot, its spout to the front."""
     x, y, z = spec.size
     finish, radius = spec.main(spec.choice(GLAZES)), 0.5 * y
-    body = turned_solid(finish, radius, 0.8 * z, ((0.0, 0.55), (0.3, 0.95), (0.5, 1.0), (0.8, 0.78), (1.0, 0.4)))
+    body = turned_solid(
+        finish, radius, 0.8 * z, ((0.0, 0.55), (0.3, 0.95), (0.5, 1.0), (0.8, 0.78), (1.0, 0.4)), round=True
+    )
     body += [
         disc(finish, (0, 0), 0.42 * radius, (0.8 * z, 0.86 * z)),
         sphere(finish, (0, 0, z - 0.012), 0.012),
@@ -155,7 +161,7 @@ def jar(spec: Spec) -> Build:
     x, y, z = spec.size
     radius = min(x, y) / 2
     fill = Finish(
-        spec.choice(((0.72, 0.25, 0.18), (0.85, 0.60, 0.22), (0.45, 0.50, 0.24), (0.55, 0.34, 0.20))), "glass"
+        spec.choice(((0.72, 0.25, 0.18), (0.85, 0.60, 0.22), (0.45, 0.50, 0.24), (0.55, 0.34, 0.20))), "ceramic"
     )
     body = turned_solid(spec.main(fill), radius, 0.8 * z, ((0.0, 0.92), (0.06, 1.0), (0.9, 1.0), (1.0, 0.82)))
     return Build(body=[*body, disc(spec.choice((BRASS, STEEL, IRON)), (0, 0), 0.9 * radius, (0.8 * z, z))])
@@ -221,14 +227,21 @@ def globe(spec: Spec) -> Build:
     centre = (0.0, 0.0, z - ball - 0.008)
     body.append(sphere(spec.main(Finish((0.32, 0.52, 0.66), "plastic")), centre, ball))
     land = Finish((0.62, 0.64, 0.42), "plastic")
-    for a, b, size in ((0.3, 0.5, 0.55), (2.2, 0.1, 0.6), (4.0, 0.4, 0.5), (5.0, -0.5, 0.42)):
-        at = [centre[i] + v * 0.62 * ball for i, v in enumerate((cos(a) * cos(b), sin(a) * cos(b), sin(b)))]
+    for a, b, deep in (
+        (0.3, 0.5, 0.1),
+        (1.5, -0.2, 0.2),
+        (2.4, 0.3, 0.07),
+        (3.4, -0.5, 0.2),
+        (4.3, 0.4, 0.08),
+        (5.3, -0.4, 0.14),
+    ):
+        at = [centre[i] + v * deep * ball for i, v in enumerate((cos(a) * cos(b), sin(a) * cos(b), sin(b)))]
         body.append(
             ellipsoid(
                 land,
-                around(at[0], 2 * size * 0.71 * ball),
-                around(at[1], 2 * size * 0.71 * ball),
-                around(at[2], 2 * size * 0.71 * ball),
+                around(at[0], 2 * (1.012 - deep) * ball),
+                around(at[1], 2 * (1.012 - deep) * ball),
+                around(at[2], 2 * (1.012 - deep) * ball),
                 collide=False,
             )
         )
