@@ -100,15 +100,21 @@ def _add_looks(spec: mujoco.MjSpec) -> None:
 
 
 def add_room(spec: mujoco.MjSpec, room: Room, physics: Physics, *, visuals: bool = False) -> None:
-    """Add the floor plane and the wall boxes to the world body."""
-    world, (width, depth) = spec.worldbody, room.extent
+    """Add the floor and the walls to the world body, all of them boxes.
+
+    The floor is no plane: MuJoCo 3.17 throws cylinders up that stand on one upright to within 1e-14 rad, since its
+    plane-cylinder collider normalises a difference that is all rounding error.
+    """
+    world, (x0, y0, x1, y1) = spec.worldbody, room.polygon.bounds
     friction = (physics.ground_friction, TORSION, ROLL)
     solid = spec.find_default("solid")
-    floor = world.add_geom(solid, name=GROUND, type=mujoco.mjtGeom.mjGEOM_PLANE, friction=friction)
-    floor.pos, floor.size = (width / 2, depth / 2, 0.0), (width / 2, depth / 2, 0.1)
+    floor = world.add_geom(solid, name=GROUND, type=mujoco.mjtGeom.mjGEOM_BOX, friction=friction)
+    half, rim = physics.floor_thickness / 2, physics.wall_thickness
+    floor.pos = ((x0 + x1) / 2, (y0 + y1) / 2, -half)
+    floor.size = ((x1 - x0) / 2 + rim, (y1 - y0) / 2 + rim, half)
     if visuals:
         floor.rgba = FLOOR_COLOUR
-        world.add_light(pos=(width / 2, depth / 2, room.height - 0.1), dir=(0.0, 0.0, -1.0), castshadow=True)
+        world.add_light(pos=((x0 + x1) / 2, (y0 + y1) / 2, room.height - 0.1), dir=(0.0, 0.0, -1.0), castshadow=True)
     for slab in wall_slabs(room, physics.wall_thickness):
         geom = world.add_geom(solid, name=slab.name, type=mujoco.mjtGeom.mjGEOM_BOX, friction=friction)
         geom.pos, geom.size, geom.quat = slab.position, np.asarray(slab.size) / 2, yaw_quat(slab.yaw)

@@ -47,7 +47,7 @@ class Physics(Value, kw_only=True, frozen=True):
         chunk: steps between two looks at a settling candidate.
         lost, toppled: motion [m] and rotation [degrees] past which a settle is given up.
         ground_friction: of floor and walls; below any object's, as the engine takes the larger of the two.
-        wall_thickness: of the slabs round the room [m].
+        wall_thickness, floor_thickness: of the slabs round and under the room [m].
     """
 
     timestep: float = 0.004
@@ -63,6 +63,7 @@ class Physics(Value, kw_only=True, frozen=True):
     toppled: float = 15.0
     ground_friction: float = 0.2
     wall_thickness: float = 0.1
+    floor_thickness: float = 0.5
 
 
 class Walking(Value, kw_only=True, frozen=True):

@@ -37,8 +37,7 @@ class Stage:
     def wake(self, id: str) -> None:
         """Reset, and wake the free body called `id` where it is."""
         mujoco.mj_resetData(self._model, self._data)
-        self._data.qvel[int(self._model.body(id).dofadr[0])] = NUDGE
-        mujoco.mj_forward(self._model, self._data)
+        self._nudge(id)
 
     def touching(self, id: str) -> dict[str, float]:
         """Deepest contact of an object with each other thing [m]."""
@@ -50,16 +49,14 @@ class Stage:
 
     def supports(self, id: str) -> tuple[Support, ...]:
         """What carries an object now, with which share of its weight."""
-        self._compute_all_contacts()
+        self._nudge(id)
         weight = float(self._model.body(id).subtreemass[0]) * -self._physics.gravity[2]
         return shares(self._contacts.carriers_of(self._data, id), weight)
 
-    def _compute_all_contacts(self) -> None:
-        """Contacts of sleeping bodies are left out of the state, so sleep is off while they are worked out."""
-        flags = self._model.opt.enableflags
-        self._model.opt.enableflags = flags & ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+    def _nudge(self, id: str) -> None:
+        """Wake a body where it is: while everything sleeps its contacts are left out of the state."""
+        self._data.qvel[int(self._model.body(id).dofadr[0])] = NUDGE
         mujoco.mj_forward(self._model, self._data)
-        self._model.opt.enableflags = flags
 
 
 def settled_verdict(

@@ -6,6 +6,7 @@ import pytest
 from msgspec import structs
 
 from tests.sim_rooms import asset, put, scene, table, vase, wardrobe
+from thinkblox.asset import Shape
 from thinkblox.room import Opening, rectangle
 from thinkblox.scene import Scene
 from thinkblox.sim.build import build_spec
@@ -143,3 +144,16 @@ def test_the_same_scene_gives_the_same_report_and_state() -> None:
     room = furnished()
     assert verify(room) == verify(structs.replace(room))
     assert settle(room) == settle(room)
+
+
+def test_a_cylinder_upright_to_the_last_digit_is_not_thrown_up() -> None:
+    """A lamp on a disc whose tilt is 1e-15: MuJoCo 3.17's plane-cylinder contact is 12 mm deep there."""
+    disc = Shape(kind="cylinder", size=(0.12, 0.12, 0.006), position=(0.0, 0.0, 0.003))
+    pole = Shape(kind="cylinder", size=(0.02, 0.02, 0.4), position=(0.0, 0.0, 0.206))
+    lamp = asset("lamp", (0.12, 0.12, 0.406), disc, pole, mass=2.0)
+    model = build_spec(scene(None, (put(lamp, 1.62004401541329, 4.0), lamp))).compile()
+    data = mujoco.MjData(model)
+    data.qpos[3:7] = (8.9894744178818861e-02, 5.0408028705924324e-16, 1.7053427700885192e-16, 9.9595127138280448e-01)
+    data.qpos[2] = -2.3302452546253785e-05
+    mujoco.mj_forward(model, data)
+    assert -data.contact.dist.min() < 1e-4
