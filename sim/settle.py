@@ -31,7 +31,8 @@ class SettledState(Value, kw_only=True, frozen=True):
     Attributes:
         qpos: of the model that `build_spec(scene)` makes, for its keyframe "settled".
         poses: position [m] and quaternion wxyz of every body that can move, by name ("lamp_1", "wardrobe_1/door").
-        seconds: how long it took to rest [s]; `rested` is False when it still moved after the longest settle.
+        seconds: how long it took to rest [s]; `rested` is False when something was not asleep by the end
+            of the longest settle, be it by a tremor of 0.1 mm/s.
     """
 
     qpos: tuple[float, ...]

@@ -162,17 +162,17 @@ def _blockers(scene: Scene, walking: Walking) -> dict[str, tuple[str, ...]]:
 
 
 def _motion_notes(state: SettledState, held: Hold, tolerances: Tolerances, physics: Physics) -> tuple[str, ...]:
-    notes = []
-    if not state.rested:
-        notes.append(f"The scene still moved after {physics.rest_time:g} s; its keyframe is the state at that time.")
     if held.unstable:
-        notes.append("The simulation of the settled scene failed.")
-    elif not _stands_still(held, tolerances):
-        notes.append(
-            f"The settled scene does not stand still: in {held.seconds:g} s something moved {held.drift * 1000:.1f} mm"
-            f" and turned {held.tilt:.1f} degrees, with a contact {held.depth * 1000:.2f} mm deep."
-        )
-    return tuple(notes)
+        return ("The simulation of the settled scene failed.",)
+    if _stands_still(held, tolerances):
+        return ()
+    moved = (
+        f"The settled scene does not stand still: in {held.seconds:g} s something moved {held.drift * 1000:.1f} mm"
+        f" and turned {held.tilt:.1f} degrees, with a contact {held.depth * 1000:.2f} mm deep."
+    )
+    if state.rested:
+        return (moved,)
+    return (moved, f"It still moved after {physics.rest_time:g} s; its keyframe is the state at that time.")
 
 
 def _way_notes(walkable: Access, walking: Walking) -> tuple[str, ...]:
