@@ -17,13 +17,13 @@ from thinkblox.assets.palette import (
     WHITE_PLASTIC,
 )
 from thinkblox.assets.part import Build, Finish, Moving, Part, Range
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, rod, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, top_surface
 from thinkblox.assets.spec import Spec
 
 WALL = 0.035
 
 
-def _chamber(
+def chamber(
     finish: Finish, x: Range, y: Range, z: Range, *, wall: float = WALL, base: float = WALL, lid: float = WALL
 ) -> list[Part]:
     """Return a box open to +x, with thick walls."""
@@ -48,7 +48,7 @@ def fridge(spec: Spec) -> Build:
     finish = spec.main(spec.choice((WHITE_METAL, STEEL, WHITE_METAL)))
     front = x / 2 - 0.075
     low = 0.05 if z < 1.2 else 0.34 * z
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.03, z)))
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.03, z)))
     build.body.append(box(DARK_PLASTIC, (-x / 2 + 0.03, front - 0.03), (-y / 2 + 0.02, y / 2 - 0.02), (0, 0.03)))
     inner = (-y / 2 + WALL, y / 2 - WALL)
     if z >= 1.2:
@@ -87,12 +87,14 @@ def display_fridge(spec: Spec) -> Build:
 def _display_case(spec: Spec) -> Build:
     x, y, z = spec.size
     finish, base = spec.main(WHITE_METAL), 0.36 * z
-    build = Build(body=[
-        box(IRON, (-x / 2 + 0.04, x / 2 - 0.06), (-y / 2 + 0.03, y / 2 - 0.03), (0, 0.08)),
-        box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0.08, base)),
-        box(spec.style.wood, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.03, z)),
-        box(GLOW, (x / 2 - 0.1, x / 2 - 0.06), (-y / 2 + 0.04, y / 2 - 0.04), (z - 0.045, z - 0.03)),
-    ])  # fmt: skip
+    build = Build(
+        body=[
+            box(IRON, (-x / 2 + 0.04, x / 2 - 0.06), (-y / 2 + 0.03, y / 2 - 0.03), (0, 0.08)),
+            box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0.08, base)),
+            box(spec.style.wood, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.03, z)),
+            box(GLOW, (x / 2 - 0.1, x / 2 - 0.06), (-y / 2 + 0.04, y / 2 - 0.04), (z - 0.045, z - 0.03)),
+        ]
+    )
     build.body += [
         box(GLASS, (-x / 2 + 0.02, x / 2 - 0.02), (s * (y / 2 - 0.015), s * y / 2), (base, z - 0.03)) for s in (-1, 1)
     ]
@@ -128,7 +130,7 @@ def _food(spec: Spec, x: Range, y: Range, z: float) -> list[Part]:
 def _tall_cooler(spec: Spec) -> Build:
     x, y, z = spec.size
     finish, front = spec.main(WHITE_METAL), x / 2 - 0.043
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), base=0.2, lid=0.2))
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), base=0.2, lid=0.2))
     inner = (-y / 2 + WALL, y / 2 - WALL)
     rows = 5
     for k in range(rows):
@@ -160,7 +162,7 @@ def vending_machine(spec: Spec) -> Build:
     finish = spec.main(spec.choice((Finish((0.62, 0.20, 0.18), "metal"), Finish((0.20, 0.32, 0.45), "metal"), IRON)))
     front = x / 2 - 0.03
     pane = (-y / 2 + 0.06, 0.2 * y)
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), wall=0.06, base=0.5, lid=0.1))
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), wall=0.06, base=0.5, lid=0.1))
     build.body += [
         box(finish, (-x / 2 + 0.06, front), (pane[1], y / 2 - 0.06), (0.5, z - 0.1)),
         box(GLASS, (front, front + 0.01), (pane[0] - 0.02, pane[1] + 0.02), (0.48, z - 0.08)),
@@ -181,9 +183,9 @@ def stove(spec: Spec) -> Build:
     """Return a free-standing cooker: four plates over an oven."""
     x, y, z = spec.size
     finish, front = spec.main(spec.choice((STEEL, WHITE_METAL))), x / 2 - 0.042
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z - 0.008), base=0.1, lid=0.14))
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z - 0.008), base=0.1, lid=0.14))
     build.body.append(box(BLACK_GLASS, (-x / 2, front), (-y / 2, y / 2), (z - 0.008, z)))
-    build.body += _plates(spec, (-x / 2, front), z)
+    build.body += plates(spec, (-x / 2, front), z)
     build.body += _knobs(front, y, z - 0.075, 4)
     face = face_of(
         "oven door", (front + 0.002, x / 2), (-y / 2 + 0.004, y / 2 - 0.004), (0.1, z - 0.15), finish, GREY_METAL
@@ -196,7 +198,8 @@ def stove(spec: Spec) -> Build:
     return build
 
 
-def _plates(spec: Spec, x: Range, z: float) -> list[Part]:
+def plates(spec: Spec, x: Range, z: float) -> list[Part]:
+    """Return four cooking plates on a hob at height z: mere rings on a stove, flat discs on a thin hob."""
     y = spec.size[1]
     mid, depth = (x[0] + x[1]) / 2, x[1] - x[0]
     ring = Finish((0.22, 0.22, 0.24), "metal")
@@ -204,9 +207,11 @@ def _plates(spec: Spec, x: Range, z: float) -> list[Part]:
         (mid + a * 0.23 * depth, b * 0.23 * y, r)
         for a, b, r in ((1, 1, 0.07), (1, -1, 0.09), (-1, 1, 0.09), (-1, -1, 0.07))
     ]
-    return [disc(ring, (px, py), min(r, 0.2 * depth, 0.2 * y), (z - 0.008, z), collide=False) for px, py, r in spots] if z > 0.5 else [
-        disc(ring, (px, py), min(r, 0.2 * depth, 0.2 * y), (z - 0.002, z)) for px, py, r in spots
-    ]  # fmt: skip
+    return (
+        [disc(ring, (px, py), min(r, 0.2 * depth, 0.2 * y), (z - 0.008, z), collide=False) for px, py, r in spots]
+        if z > 0.5
+        else [disc(ring, (px, py), min(r, 0.2 * depth, 0.2 * y), (z - 0.002, z)) for px, py, r in spots]
+    )
 
 
 def _knobs(front: float, y: float, z: float, count: int) -> list[Part]:
@@ -222,18 +227,11 @@ def _knobs(front: float, y: float, z: float, count: int) -> list[Part]:
     ]
 
 
-def hob(spec: Spec) -> Build:
-    """Return a flat glass hob that lies on a worktop."""
-    x, y, z = spec.size
-    body = [box(BLACK_GLASS, (-x / 2, x / 2), (-y / 2, y / 2), (0, z - 0.002)), *_plates(spec, (-x / 2, x / 2), z)]
-    return Build(body=body, surfaces=[top_surface("hob", (-x / 2, x / 2), (-y / 2, y / 2), z - 0.002)])
-
-
 def oven(spec: Spec) -> Build:
     """Return a built-in oven."""
     x, y, z = spec.size
     finish, front = spec.main(STEEL), x / 2 - 0.042
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), lid=0.12))
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), lid=0.12))
     build.body += _knobs(front, y, z - 0.06, 2)
     face = face_of(
         "door", (front + 0.002, x / 2), (-y / 2 + 0.004, y / 2 - 0.004), (0.02, z - 0.125), finish, GREY_METAL
@@ -243,47 +241,11 @@ def oven(spec: Spec) -> Build:
     return build
 
 
-def microwave(spec: Spec) -> Build:
-    """Return a microwave oven, its door on the left and its panel on the right."""
-    x, y, z = spec.size
-    finish, front = spec.main(spec.choice((WHITE_METAL, STEEL, IRON))), x / 2 - 0.042
-    split = -y / 2 + 0.25 * y
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.008, z), wall=0.02, base=0.02, lid=0.02))
-    build.body += [
-        box(finish, (-x / 2 + 0.02, front), (-y / 2 + 0.02, split), (0.028, z - 0.02)),
-        box(DARK_PLASTIC, (front, front + 0.018), (-y / 2 + 0.002, split - 0.003), (0.012, z - 0.004)),
-        box(
-            Finish((0.45, 0.85, 0.75), "light"),
-            (front + 0.018, front + 0.02),
-            (-y / 2 + 0.03, split - 0.03),
-            (z - 0.07, z - 0.045),
-            collide=False,
-        ),
-        cylinder(
-            GREY_METAL, (front + 0.018, front + 0.034), around((split - y / 2) / 2, 0.04), around(0.3 * z, 0.04), axis=0
-        ),
-    ]
-    build.body += [
-        disc(BLACK_PLASTIC, (sx * 0.38 * x - 0.01, sy * 0.4 * y), 0.015, (0, 0.008)) for sx in (-1, 1) for sy in (-1, 1)
-    ]
-    face = face_of(
-        "door",
-        (front + 0.002, x / 2),
-        (split + 0.001, y / 2 - 0.002),
-        (0.012, z - 0.004),
-        IRON if finish != IRON else DARK_PLASTIC,
-        STEEL,
-    )
-    build.moving.append(door(face, left_hung=True, glazed=True))
-    _top(build, spec, (-x / 2, front))
-    return build
-
-
 def dishwasher(spec: Spec) -> Build:
     """Return a dishwasher whose front folds down."""
     x, y, z = spec.size
     finish, front = spec.main(spec.choice((WHITE_METAL, STEEL))), x / 2 - 0.042
-    build = Build(body=_chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), base=0.1))
+    build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), base=0.1))
     face = face_of(
         "door", (front + 0.002, x / 2), (-y / 2 + 0.002, y / 2 - 0.002), (0.09, z - 0.035), finish, GREY_METAL
     )
@@ -303,17 +265,19 @@ def washing_machine(spec: Spec) -> Build:
     mid, radius = 0.5 * z, min(0.19, 0.33 * y)
     hole = (mid - 0.62 * radius, mid + 0.62 * radius)
     side = 0.62 * radius
-    build = Build(body=[
-        box(finish, (-x / 2, front), (-y / 2, -side), (0.02, z)),
-        box(finish, (-x / 2, front), (side, y / 2), (0.02, z)),
-        box(finish, (-x / 2, front), (-side, side), (0.02, hole[0])),
-        box(finish, (-x / 2, front), (-side, side), (hole[1], z)),
-        box(GREY_METAL, (-x / 2, -x / 2 + 0.1), (-side, side), hole),
-        box(DARK_PLASTIC, (-x / 2 + 0.03, front - 0.03), (-y / 2 + 0.03, y / 2 - 0.03), (0, 0.02)),
-        box(GREY_METAL, (front, front + 0.006), (-y / 2 + 0.01, y / 2 - 0.01), (z - 0.14, z - 0.02)),
-        cylinder(CHROME, (front + 0.006, front + 0.028), around(0, 0.06), around(z - 0.08, 0.06), axis=0),
-        box(BLACK_GLASS, (front + 0.006, front + 0.008), (-0.4 * y, -0.18 * y), (z - 0.1, z - 0.06), collide=False),
-    ])  # fmt: skip
+    build = Build(
+        body=[
+            box(finish, (-x / 2, front), (-y / 2, -side), (0.02, z)),
+            box(finish, (-x / 2, front), (side, y / 2), (0.02, z)),
+            box(finish, (-x / 2, front), (-side, side), (0.02, hole[0])),
+            box(finish, (-x / 2, front), (-side, side), (hole[1], z)),
+            box(GREY_METAL, (-x / 2, -x / 2 + 0.1), (-side, side), hole),
+            box(DARK_PLASTIC, (-x / 2 + 0.03, front - 0.03), (-y / 2 + 0.03, y / 2 - 0.03), (0, 0.02)),
+            box(GREY_METAL, (front, front + 0.006), (-y / 2 + 0.01, y / 2 - 0.01), (z - 0.14, z - 0.02)),
+            cylinder(CHROME, (front + 0.006, front + 0.028), around(0, 0.06), around(z - 0.08, 0.06), axis=0),
+            box(BLACK_GLASS, (front + 0.006, front + 0.008), (-0.4 * y, -0.18 * y), (z - 0.1, z - 0.06), collide=False),
+        ]
+    )
     glass = GLASS if spec.category == "dryer" else Finish((0.20, 0.22, 0.25), "screen")
     ring = (front + 0.002, x / 2 - 0.012)
     parts = (
@@ -331,97 +295,6 @@ def washing_machine(spec: Spec) -> Build:
     build.moving = [Moving("door", parts, joint)]
     _top(build, spec, (-x / 2, front))
     return build
-
-
-def sink(spec: Spec) -> Build:
-    """Return a basin with a rim and a tap, that stands on a worktop."""
-    x, y, z = spec.size
-    deep = min(0.16, 0.6 * z)
-    rim = STEEL if spec.category == "sink" else spec.main(Finish((0.95, 0.95, 0.93), "ceramic"))
-    hollow = ((-x / 2 + 0.1, x / 2 - 0.04), (-y / 2 + 0.04, y / 2 - 0.04))
-    body = [
-        box(rim, (-x / 2, hollow[0][0]), (-y / 2, y / 2), (0, deep)),
-        box(rim, (hollow[0][1], x / 2), (-y / 2, y / 2), (0, deep)),
-        *(box(rim, hollow[0], (s * y / 2, s * (y / 2 - 0.04)), (0, deep)) for s in (-1, 1)),
-        box(rim, *hollow, (0, 0.02)),
-        disc(GREY_METAL, (0.03, 0), 0.03, (0.02, 0.024)),
-    ]
-    body += tap(-x / 2 + 0.05, deep, z)
-    return Build(body=body, surfaces=[top_surface("basin", *hollow, 0.02)])
-
-
-def tap(x: float, low: float, high: float) -> list[Part]:
-    """Return a mixer tap whose spout reaches 0.16 m forwards at height `high` [m]."""
-    return [
-        disc(CHROME, (x, 0), 0.024, (low, low + 0.015)),
-        disc(CHROME, (x, 0), 0.013, (low + 0.015, high)),
-        cylinder(CHROME, (x + 0.01, x + 0.16), around(0, 0.022), (high - 0.022, high), axis=0),
-        disc(CHROME, (x + 0.15, 0), 0.01, (high - 0.045, high - 0.02)),
-        rod(CHROME, (x, 0.012, low + 0.05), (x, 0.07, low + 0.07), 0.007),
-    ]
-
-
-def kettle(spec: Spec) -> Build:
-    """Return an electric kettle."""
-    x, y, z = spec.size
-    finish = spec.main(spec.choice((STEEL, Finish(spec.style.accent.colour, "metal"), WHITE_PLASTIC)))
-    at, radius = (0.04 * x, 0.0), min(0.4 * x, 0.5 * y)
-    body = [
-        disc(BLACK_PLASTIC, at, radius * 0.95, (0, 0.02)),
-        frustum(finish, at, (0.02, 0.86 * z), radius, 0.72 * radius),
-        frustum(finish, at, (0.86 * z, 0.94 * z), 0.72 * radius, 0.45 * radius),
-        disc(BLACK_PLASTIC, at, 0.016, (0.94 * z, z)),
-        rod(finish, (at[0] + 0.6 * radius, 0, 0.68 * z), (x / 2 - 0.012, 0, 0.84 * z), 0.02, end_radius=0.01),
-        box(BLACK_PLASTIC, (-x / 2, -x / 2 + 0.02), around(0, 0.026), (0.25 * z, 0.9 * z)),
-        *(
-            box(BLACK_PLASTIC, (-x / 2 + 0.02, at[0] - 0.6 * radius), around(0, 0.026), (h * z, h * z + 0.02))
-            for h in (0.25, 0.78)
-        ),
-    ]
-    return Build(body=body)
-
-
-def toaster(spec: Spec) -> Build:
-    """Return a toaster for two slices."""
-    x, y, z = spec.size
-    finish = spec.main(spec.choice((STEEL, Finish(spec.style.accent.colour, "metal"))))
-    body = [
-        box(BLACK_PLASTIC, (-x / 2 + 0.01, x / 2 - 0.02), (-y / 2 + 0.01, y / 2 - 0.01), (0, 0.015)),
-        cushion(finish, (-x / 2, x / 2 - 0.02), (-y / 2, y / 2), (0.015, z), radius=0.03),
-        *(
-            box(BLACK_PLASTIC, around(-0.01, x - 0.1), around(s * 0.2 * y, 0.025), (z - 0.01, z + 0.001), collide=False)
-            for s in (-1, 1)
-        ),
-        box(BLACK_PLASTIC, (x / 2 - 0.02, x / 2), around(0, 0.04), (0.6 * z, 0.68 * z)),
-    ]
-    return Build(body=body)
-
-
-def coffee_machine(spec: Spec) -> Build:
-    """Return an espresso machine with a cup tray."""
-    x, y, z = spec.size
-    finish = spec.main(spec.choice((STEEL, IRON, Finish((0.68, 0.20, 0.17), "metal"))))
-    body = [
-        box(finish, (-x / 2, -0.04 * x), (-y / 2, y / 2), (0, z - 0.004)),
-        cushion(finish, (-0.04 * x, 0.38 * x), (-y / 2, y / 2), (0.62 * z, z), radius=0.015),
-        box(DARK_PLASTIC, (-0.04 * x, x / 2), (-y / 2, y / 2), (0, 0.1 * z)),
-        box(GREY_METAL, (0.0, x / 2 - 0.02), (-y / 2 + 0.02, y / 2 - 0.02), (0.1 * z, 0.1 * z + 0.005)),
-        disc(CHROME, (0.2 * x, 0), 0.03, (0.5 * z, 0.62 * z)),
-        rod(BLACK_PLASTIC, (0.2 * x, 0, 0.53 * z), (0.48 * x, 0, 0.51 * z), 0.012),
-        box(
-            Finish((0.50, 0.80, 0.90), "light"),
-            (0.38 * x, 0.38 * x + 0.002),
-            around(0, 0.3 * y),
-            (0.8 * z, 0.87 * z),
-            collide=False,
-        ),
-    ]
-    return Build(
-        body=body,
-        surfaces=[
-            top_surface("tray", (0.0, x / 2 - 0.02), (-y / 2 + 0.02, y / 2 - 0.02), 0.1 * z + 0.005, headroom=0.38 * z)
-        ],
-    )
 
 
 def water_dispenser(spec: Spec) -> Build:

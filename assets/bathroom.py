@@ -1,11 +1,13 @@
 """Bathroom fittings."""
 
-from thinkblox.assets.appliances import tap
+from itertools import pairwise
+
 from thinkblox.assets.carcasses import Cell, cabinet_parts
 from thinkblox.assets.palette import CHROME, GLASS, PORCELAIN, WHITE_PLASTIC
 from thinkblox.assets.part import Build, Part, hull
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, oval, prism, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.worktop import tap
 from thinkblox.value import Vec3
 
 
@@ -16,7 +18,12 @@ def bathtub(spec: Spec) -> Build:
     inner = ((-x / 2 + rim, x / 2 - rim), (-y / 2 + rim + 0.06, y / 2 - rim))
     deep = z - 0.06
     body: list[Part] = [
-        *(cushion(white, (-x / 2, inner[0][0]) if s < 0 else (inner[0][1], x / 2), (-y / 2, y / 2), (0, deep), radius=0.02) for s in (-1, 1)),
+        *(
+            cushion(
+                white, (-x / 2, inner[0][0]) if s < 0 else (inner[0][1], x / 2), (-y / 2, y / 2), (0, deep), radius=0.02
+            )
+            for s in (-1, 1)
+        ),
         cushion(white, inner[0], (-y / 2, inner[1][0]), (0, deep), radius=0.02),
         cushion(white, inner[0], (inner[1][1], y / 2), (0, deep), radius=0.02),
         box(white, *inner, (0, 0.12)),
@@ -24,7 +31,7 @@ def bathtub(spec: Spec) -> Build:
         disc(CHROME, (0, -y / 2 + 0.065), 0.012, (deep, z)),
         box(CHROME, around(0, 0.022), (-y / 2 + 0.06, -y / 2 + 0.22), (z - 0.02, z)),
         *(disc(CHROME, (s * 0.1, -y / 2 + 0.065), 0.022, (deep, deep + 0.035)) for s in (-1, 1)),
-    ]  # fmt: skip
+    ]
     return Build(body=body)
 
 
@@ -36,7 +43,7 @@ def toilet(spec: Spec) -> Build:
     middle = x / 2 - bowl / 2
     rings = ((0.0, 0.62, 0.6, -0.04), (0.35, 0.6, 0.56, -0.05), (0.8, 0.96, 0.94, 0.0), (1.0, 1.0, 1.0, 0.0))
     body: list[Part] = []
-    for low, high in zip(rings, rings[1:], strict=False):
+    for low, high in pairwise(rings):
         points: list[Vec3] = []
         for h, sx, sy, shift in (low, high):
             points += [
@@ -77,7 +84,7 @@ def washbasin(spec: Spec) -> Build:
         *(box(white, hollow[0], (s * y / 2, s * (y / 2 - 0.07)), (rim - 0.08, rim)) for s in (-1, 1)),
         disc(CHROME, (0.04, 0), 0.025, (rim - 0.08, rim - 0.077)),
         *tap(-x / 2 + 0.06, rim, z),
-    ]  # fmt: skip
+    ]
     surface = top_surface("rim", (-x / 2, hollow[0][0]), (0.06, y / 2), rim)
     return Build(body=parts.body + body, moving=parts.moving, surfaces=[surface])
 
@@ -134,12 +141,14 @@ def soap_dispenser(spec: Spec) -> Build:
     x, y, z = spec.size
     radius = y / 2
     at = -x / 2 + radius
-    return Build(body=[
-        disc(spec.main(spec.style.glaze), (at, 0), radius, (0, 0.68 * z)),
-        ellipsoid(spec.main(spec.style.glaze), (at - radius, at + radius), (-radius, radius), (0.6 * z, 0.76 * z)),
-        disc(CHROME, (at, 0), 0.18 * radius, (0.74 * z, z - 0.012)),
-        box(CHROME, (at, x / 2), around(0, 0.012), (z - 0.012, z)),
-    ])  # fmt: skip
+    return Build(
+        body=[
+            disc(spec.main(spec.style.glaze), (at, 0), radius, (0, 0.68 * z)),
+            ellipsoid(spec.main(spec.style.glaze), (at - radius, at + radius), (-radius, radius), (0.6 * z, 0.76 * z)),
+            disc(CHROME, (at, 0), 0.18 * radius, (0.74 * z, z - 0.012)),
+            box(CHROME, (at, x / 2), around(0, 0.012), (z - 0.012, z)),
+        ]
+    )
 
 
 def massage_table(spec: Spec) -> Build:

@@ -57,9 +57,7 @@ def cabinet(
 ) -> Build:
     """Return a cabinet that fills the spec's box: `bays` from right (-y) to left, cells from the bottom up.
 
-    Args:
-        plinth: height of a recessed base [m]; legs: height of feet instead [m].
-        worktop: a thicker top that stands over the front.
+    It stands on a recessed `plinth` or on feet `legs` high [m]; a `worktop` is thicker and stands over the front.
     """
     x, y, z = spec.size
     finish = finish or spec.paint

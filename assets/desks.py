@@ -36,9 +36,14 @@ def _legs(spec: Spec, finish: Finish, sides: tuple[int, ...]) -> list[Part]:
 def _drawers(build: Build, spec: Spec, y: Range, height: float) -> None:
     x = spec.size[0]
     parts = cabinet_parts(
-        spec, (-x / 2 + 0.03, x / 2 - 0.02), y, (0, height), [[Cell("drawer", 1.6), Cell("drawer"), Cell("drawer")]],
-        plinth=0.04, finish=spec.wood,
-    )  # fmt: skip
+        spec,
+        (-x / 2 + 0.03, x / 2 - 0.02),
+        y,
+        (0, height),
+        [[Cell("drawer", 1.6), Cell("drawer"), Cell("drawer")]],
+        plinth=0.04,
+        finish=spec.wood,
+    )
     build.body += parts.body
     build.moving += parts.moving
 

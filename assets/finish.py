@@ -1,4 +1,4 @@
-"""From a generator's parts to the shapes of an asset: stretched to the exact box, on a grid of a tenth of a millimetre."""
+"""From a generator's parts to an asset's shapes: stretched to the exact box, on a grid of 0.1 mm."""
 
 from math import sqrt
 

@@ -127,12 +127,14 @@ def wall_lamp(spec: Spec) -> Build:
     x, y, z = spec.size
     metal, radius = spec.main(spec.style.metal), min(0.45 * x, 0.5 * y)
     at = x / 2 - radius
-    return Build(body=[
-        cylinder(metal, (-x / 2, -x / 2 + 0.02), around(0, 0.09), around(0.3 * z, 0.09), axis=0),
-        box(metal, (-x / 2 + 0.02, at), around(0, 0.015), around(0.3 * z, 0.015)),
-        disc(metal, (at, 0), 0.012, (0, 0.42 * z)),
-        frustum(SHADE, (at, 0), (0.42 * z, z), radius, 0.7 * radius),
-    ])  # fmt: skip
+    return Build(
+        body=[
+            cylinder(metal, (-x / 2, -x / 2 + 0.02), around(0, 0.09), around(0.3 * z, 0.09), axis=0),
+            box(metal, (-x / 2 + 0.02, at), around(0, 0.015), around(0.3 * z, 0.015)),
+            disc(metal, (at, 0), 0.012, (0, 0.42 * z)),
+            frustum(SHADE, (at, 0), (0.42 * z, z), radius, 0.7 * radius),
+        ]
+    )
 
 
 def candle(spec: Spec) -> Build:
@@ -140,8 +142,10 @@ def candle(spec: Spec) -> Build:
     x, y, z = spec.size
     radius = min(x, y) / 2
     wax = spec.main(Finish(WHITE_PAINT.colour, "plastic"))
-    return Build(body=[
-        disc(spec.style.metal, (0, 0), radius, (0, 0.008)),
-        disc(wax, (0, 0), 0.78 * radius, (0.008, z - 0.02)),
-        ellipsoid(GLOW, around(0, 0.008), around(0, 0.008), (z - 0.02, z)),
-    ])  # fmt: skip
+    return Build(
+        body=[
+            disc(spec.style.metal, (0, 0), radius, (0, 0.008)),
+            disc(wax, (0, 0), 0.78 * radius, (0.008, z - 0.02)),
+            ellipsoid(GLOW, around(0, 0.008), around(0, 0.008), (z - 0.02, z)),
+        ]
+    )

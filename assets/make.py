@@ -29,6 +29,7 @@ def make_asset(category: str, *, seed: int, attributes: Sequence[str] = (), size
     """Return a new asset of a category; assets made with one seed match in style.
 
     Args:
+        category: a name of the catalogue.
         seed: draws what the attributes leave open; at least 0.
         attributes: words such as "round", "double", "low", "for six", "red"; those that mean nothing are ignored.
         size: make it exactly this big (along the front axis, across, up) [m], to a tenth of a millimetre.

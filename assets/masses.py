@@ -1,4 +1,4 @@
-"""How heavy furniture is. Category masses are the average weights published for furniture reuse, or common goods' own."""
+"""How heavy furniture is. Category masses are averages published for furniture reuse, or common goods' own."""
 
 from math import prod
 

@@ -60,8 +60,9 @@ YELLOW_PLASTIC = Finish((0.93, 0.74, 0.28), "plastic")
 GREEN_PLASTIC = Finish((0.36, 0.58, 0.40), "plastic")
 
 GLASS = Finish((0.83, 0.90, 0.90), "glass")
-AMBER_GLASS = Finish((0.55, 0.33, 0.14), "glass")
-GREEN_GLASS = Finish((0.28, 0.42, 0.28), "glass")
+AMBER_GLASS = Finish((0.42, 0.25, 0.12), "ceramic")
+GREEN_GLASS = Finish((0.22, 0.34, 0.24), "ceramic")
+PALE_GLASS = Finish((0.66, 0.74, 0.70), "ceramic")
 BLACK_GLASS = Finish((0.05, 0.05, 0.06), "screen")
 MIRROR = Finish((0.80, 0.85, 0.88), "metal")
 WATER = Finish((0.55, 0.74, 0.80), "glass")
@@ -106,6 +107,14 @@ SPINES = tuple(
         (0.46, 0.56, 0.60),
     )
 )
+BRIGHT: tuple[Vec3, ...] = (
+    (0.80, 0.32, 0.26),
+    (0.28, 0.48, 0.66),
+    (0.92, 0.74, 0.30),
+    (0.42, 0.60, 0.42),
+    (0.88, 0.56, 0.34),
+)
+"""Colours of toys."""
 
 COLOURS: dict[str, Vec3] = {
     "red": (0.70, 0.20, 0.17),

@@ -119,19 +119,14 @@ def _tree(spec: Spec, reach: float, low: float, z: float) -> list[Part]:
         a = pi / 2 * k + spec.between(-0.3, 0.3)
         tip = (0.45 * reach * cos(a), 0.45 * reach * sin(a), fork + (0.28 + 0.08 * (k % 2)) * (z - low))
         parts.append(rod(trunk, (0.02, 0, fork - 0.01), tip, 0.009, sides=6, end_radius=0.005))
-        for j in range(4):
-            parts.append(
-                leaf(
-                    spec.choice(LEAVES),
-                    tip,
-                    np.degrees(a) + 90 * j + 20,
-                    42 - 26 * (j % 2),
-                    0.62 * reach,
-                    0.34 * reach,
-                    droop=22,
-                )
-            )
-    parts.append(leaf(LEAVES[1], (0.02, 0, z - 0.4 * reach), 40, 80, 0.45 * reach, 0.3 * reach, droop=10))
+        turn = float(np.degrees(a)) + 20
+        parts += [
+            leaf(spec.choice(LEAVES), tip, turn + 90 * j, 42 - 26 * (j % 2), 0.62 * reach, 0.34 * reach, droop=22)
+            for j in range(4)
+        ]
+    crown = (0.02, 0.0, z - 0.36 * reach)
+    parts.append(rod(trunk, (0.02, 0, fork - 0.01), crown, 0.01, sides=6, end_radius=0.005))
+    parts += [leaf(LEAVES[k], crown, 120.0 * k + 40, 58 - 8 * k, 0.5 * reach, 0.3 * reach, droop=16) for k in range(3)]
     return parts
 
 

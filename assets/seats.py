@@ -1,10 +1,10 @@
-"""Seats without upholstery all over: chairs, stools, benches. The back is at -x; what is in front goes under a table."""
+"""Chairs, stools and benches. The back is at -x; what is in front of it goes under a table."""
 
 from math import cos, pi, sin
 
-from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, GREY_METAL, IRON
+from thinkblox.assets.palette import BLACK_PLASTIC, CHARCOAL_WOOL, CHROME, IRON
 from thinkblox.assets.part import Build, Finish, Part, turned
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, rod, round_leg, sphere, top_surface
+from thinkblox.assets.shapes import around, box, cushion, disc, leg, rod, round_leg, sphere, top_surface
 from thinkblox.assets.spec import Spec
 
 _THICKNESS = {"slats": 0.028, "shell": 0.022, "upholstered": 0.06}
@@ -262,38 +262,3 @@ def child_chair(spec: Spec) -> Build:
     return Build(
         body=parts, surfaces=[top_surface("seat", (-x / 2 + 0.05, x / 2 - 0.01), (-y / 2 + 0.01, y / 2 - 0.01), seat)]
     )
-
-
-def weight_bench(spec: Spec) -> Build:
-    """Return a padded bench on a steel frame with a barbell in its rack."""
-    x, y, z = spec.size
-    seat, rack = min(0.45, 0.5 * z), -x / 2 + 0.25
-    parts = [
-        cushion(CHARCOAL_WOOL, (-x / 2 + 0.1, x / 2), around(0, 0.28), (seat - 0.06, seat), radius=0.025),
-        box(GREY_METAL, (-x / 2 + 0.1, x / 2 - 0.1), around(0, 0.06), (seat - 0.11, seat - 0.06)),
-        box(GREY_METAL, around(x / 2 - 0.15, 0.06), around(0, 0.06), (0.03, seat - 0.11)),
-        box(GREY_METAL, around(x / 2 - 0.15, 0.06), around(0, 0.5), (0, 0.03)),
-    ]
-    for s in (-1, 1):
-        at = s * min(0.3 * y, 0.4)
-        parts += [
-            box(GREY_METAL, around(rack, 0.06), around(at, 0.06), (0.03, z - 0.225)),
-            box(GREY_METAL, (-x / 2, rack + 0.3), around(at, 0.06), (0, 0.03)),
-        ]
-        for k, radius in enumerate((0.225, 0.16)):
-            plate = (y / 2 - 0.16 + 0.045 * k, y / 2 - 0.12 + 0.045 * k)
-            parts.append(_plate(IRON, rack, (s * plate[0], s * plate[1]), z - 0.225, radius))
-    parts.append(
-        box(
-            GREY_METAL,
-            around(rack, 0.05),
-            (-min(0.3 * y, 0.4) + 0.03, min(0.3 * y, 0.4) - 0.03),
-            (seat - 0.2, seat - 0.12),
-        )
-    )
-    parts.append(_plate(CHROME, rack, (-y / 2, y / 2), z - 0.21, 0.014))
-    return Build(body=parts, surfaces=[top_surface("seat", (rack + 0.05, x / 2 - 0.03), (-0.12, 0.12), seat)])
-
-
-def _plate(finish: Finish, x: float, y: tuple[float, float], z: float, radius: float) -> Part:
-    return cylinder(finish, around(x, 2 * radius), y, around(z, 2 * radius), axis=1)

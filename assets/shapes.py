@@ -120,8 +120,7 @@ def _offset(corner: Sequence[float], signs: tuple[int, ...], n: np.ndarray) -> V
 def pad(finish: Finish, x: Range, y: Range, z: Range, *, edge: float = 0.25, flat: bool = False) -> Part:
     """Return a soft pad, thick in the middle and thin at its edge; with `flat` its underside is level [m].
 
-    Args:
-        edge: how far the rim is drawn in from the plan at top and bottom, as a share of the height.
+    Top and bottom are drawn in from the plan by `edge`, in shares of the height.
     """
     centre = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2)
     tall = z[1] - z[0]

@@ -18,8 +18,11 @@ def counter(spec: Spec) -> Build:
         box(top, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.04, z)),
         box(front, (x / 2 - 0.08, x / 2 - 0.055), (-y / 2 + 0.03, y / 2 - 0.03), (0.08, z - 0.04)),
         box(IRON, (x / 2 - 0.12, x / 2 - 0.09), (-y / 2 + 0.05, y / 2 - 0.05), (0, 0.08)),
-        *(box(front, (-x / 2 + 0.03, x / 2 - 0.055), (s * (y / 2 - 0.03), s * (y / 2 - 0.005)), (0, z - 0.04)) for s in (-1, 1)),
-    ]  # fmt: skip
+        *(
+            box(front, (-x / 2 + 0.03, x / 2 - 0.055), (s * (y / 2 - 0.03), s * (y / 2 - 0.005)), (0, z - 0.04))
+            for s in (-1, 1)
+        ),
+    ]
     count = max(4, int((y - 0.1) / 0.09))
     build.body += [
         box(
@@ -66,7 +69,7 @@ def fireplace(spec: Spec) -> Build:
         box(Finish((0.16, 0.13, 0.12), "stone"), (-x / 2, -x / 2 + 0.04), (-inner, inner), (0.04, head)),
         box(stone, (-x / 2, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), (0, 0.04)),
         cushion(stone, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.05, z), radius=0.012),
-    ]  # fmt: skip
+    ]
     log = Finish((0.36, 0.24, 0.16), "wood")
     body += [
         cylinder(log, around(a, 0.09), around(0, 0.42), around(h, 0.09), axis=1)
@@ -159,15 +162,42 @@ def dentist_chair(spec: Spec) -> Build:
         cushion(shell, (-0.12 * x, 0.2 * x), around(0, 0.42), (0, 0.08), radius=0.03),
         box(shell, (-0.04 * x, 0.12 * x), around(0, 0.24), (0.08, seat - 0.12)),
         cushion(cover, (-0.14 * x, 0.2 * x), around(0, 0.56), (seat - 0.12, seat), radius=0.04),
-        turned(cushion(cover, (0.19 * x, 0.48 * x), around(0, 0.48), (seat - 0.11, seat - 0.01), radius=0.04), 1, 14.0, (0.19 * x, 0, seat)),
-        turned(cushion(cover, (-0.46 * x, -0.13 * x), around(0, 0.54), (seat - 0.11, seat), radius=0.04), 1, 32.0, (-0.13 * x, 0, seat)),
-        *(cushion(shell, (-0.16 * x, 0.08 * x), around(s * 0.32, 0.07), (seat + 0.12, seat + 0.17), radius=0.02) for s in (-1, 1)),
+        turned(
+            cushion(cover, (0.19 * x, 0.48 * x), around(0, 0.48), (seat - 0.11, seat - 0.01), radius=0.04),
+            1,
+            14.0,
+            (0.19 * x, 0, seat),
+        ),
+        turned(
+            cushion(cover, (-0.46 * x, -0.13 * x), around(0, 0.54), (seat - 0.11, seat), radius=0.04),
+            1,
+            32.0,
+            (-0.13 * x, 0, seat),
+        ),
+        *(
+            cushion(shell, (-0.16 * x, 0.08 * x), around(s * 0.32, 0.07), (seat + 0.12, seat + 0.17), radius=0.02)
+            for s in (-1, 1)
+        ),
         *(box(shell, around(-0.04 * x, 0.06), around(s * 0.32, 0.04), (seat - 0.1, seat + 0.12)) for s in (-1, 1)),
-        *(box(shell, around(-0.04 * x, 0.06), (min(s * 0.26, s * 0.34), max(s * 0.26, s * 0.34)), (seat - 0.11, seat - 0.07)) for s in (-1, 1)),
+        *(
+            box(
+                shell,
+                around(-0.04 * x, 0.06),
+                (min(s * 0.26, s * 0.34), max(s * 0.26, s * 0.34)),
+                (seat - 0.11, seat - 0.07),
+            )
+            for s in (-1, 1)
+        ),
         disc(shell, (0.0, y / 2 - 0.12), 0.03, (0.05, 0.8 * z)),
         box(shell, (-0.03, 0.2 * x), (0.1, y / 2 - 0.12), (0.02, 0.06)),
         rod(shell, (0.0, y / 2 - 0.12, 0.8 * z), (-0.2 * x, 0.05, z - 0.06), 0.018),
-        cushion(Finish((1.0, 0.97, 0.90), "light"), around(-0.2 * x, 0.2), around(0.0, 0.3), (z - 0.12, z - 0.02), radius=0.03),
+        cushion(
+            Finish((1.0, 0.97, 0.90), "light"),
+            around(-0.2 * x, 0.2),
+            around(0.0, 0.3),
+            (z - 0.12, z - 0.02),
+            radius=0.03,
+        ),
         box(BLACK_PLASTIC, around(-0.2 * x, 0.05), around(0, 0.05), (z - 0.02, z)),
-    ]  # fmt: skip
+    ]
     return Build(body=body)

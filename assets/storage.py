@@ -219,9 +219,7 @@ def server_rack(spec: Spec) -> Build:
     x, y, z = spec.size
     front = x / 2 - 0.042
     black = spec.main(IRON)
-    build = Build(body=[
-        box(black, (-x / 2, front), (s * (y / 2 - 0.03), s * y / 2), (0, z)) for s in (-1, 1)
-    ])  # fmt: skip
+    build = Build(body=[box(black, (-x / 2, front), (s * (y / 2 - 0.03), s * y / 2), (0, z)) for s in (-1, 1)])
     inner = (-y / 2 + 0.03, y / 2 - 0.03)
     build.body += [box(black, (-x / 2, front), inner, (0, 0.06)), box(black, (-x / 2, front), inner, (z - 0.04, z))]
     units = max(3, int((z - 0.2) / 0.16))
@@ -252,12 +250,18 @@ def toy_box(spec: Spec) -> Build:
     if finish.material == "fabric":
         finish = Finish(finish.colour, "wood")
     sides = (0.03, z - 0.024)
-    build = Build(body=[
-        box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0.015, 0.03)),
-        *(box(finish, (-x / 2, x / 2), (s * (y / 2 - BOARD), s * y / 2), sides) for s in (-1, 1)),
-        *(box(finish, (s * x / 2, s * (x / 2 - BOARD)), (-y / 2 + BOARD, y / 2 - BOARD), sides) for s in (-1, 1)),
-        *(box(spec.style.wood, around(sx * (x / 2 - 0.05), 0.05), around(sy * (y / 2 - 0.05), 0.05), (0, 0.015)) for sx in (-1, 1) for sy in (-1, 1)),
-    ])  # fmt: skip
+    build = Build(
+        body=[
+            box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0.015, 0.03)),
+            *(box(finish, (-x / 2, x / 2), (s * (y / 2 - BOARD), s * y / 2), sides) for s in (-1, 1)),
+            *(box(finish, (s * x / 2, s * (x / 2 - BOARD)), (-y / 2 + BOARD, y / 2 - BOARD), sides) for s in (-1, 1)),
+            *(
+                box(spec.style.wood, around(sx * (x / 2 - 0.05), 0.05), around(sy * (y / 2 - 0.05), 0.05), (0, 0.015))
+                for sx in (-1, 1)
+                for sy in (-1, 1)
+            ),
+        ]
+    )
     lid = box(spec.style.wood, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.022, z))
     joint = Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-x / 2, 0.0, z), lower=0.0, upper=80.0)
     build.moving = [Moving("lid", (lid,), joint)]

@@ -13,6 +13,7 @@ from thinkblox.assets.palette import (
     GREY_METAL,
     IRON,
     KRAFT,
+    PALE_GLASS,
     PORCELAIN,
     STEEL,
     WICKER,
@@ -62,11 +63,9 @@ _VASES = (
 def vase(spec: Spec) -> Build:
     """Return a glazed vase, tall or bellied."""
     x, y, z = spec.size
-    return Build(
-        body=turned_solid(
-            spec.main(spec.choice((spec.style.glaze, *GLAZES))), min(x, y) / 2, z, spec.choice(_VASES), round=True
-        )
-    )
+    glaze, rings, radius = spec.main(spec.choice((spec.style.glaze, *GLAZES))), spec.choice(_VASES), min(x, y) / 2
+    mouth = disc(IRON, (0, 0), 0.82 * rings[-1][1] * radius, (z - 0.001, z), collide=False)
+    return Build(body=[*turned_solid(glaze, radius, z - 0.001, rings, round=True), mouth])
 
 
 def bowl(spec: Spec) -> Build:
@@ -83,8 +82,8 @@ def fruit_bowl(spec: Spec) -> Build:
     fruit = ((0.80, 0.25, 0.20), (0.92, 0.58, 0.20), (0.60, 0.68, 0.28), (0.93, 0.78, 0.30))
     size = 0.29 * radius
     for k in range(5):
-        at = (0.46 * radius * cos(2 * pi * k / 5), 0.46 * radius * sin(2 * pi * k / 5))
-        body.append(sphere(Finish(spec.choice(fruit), "plastic"), (at[0], at[1], 0.02 + size), size))
+        at = (0.4 * radius * cos(2 * pi * k / 5), 0.4 * radius * sin(2 * pi * k / 5))
+        body.append(sphere(Finish(spec.choice(fruit), "plastic"), (at[0], at[1], 0.03 + size), size))
     body.append(sphere(Finish(spec.choice(fruit), "plastic"), (0, 0, z - size), size))
     return Build(body=body)
 
@@ -145,7 +144,7 @@ _JAR = ((0.0, 0.92), (0.05, 1.0), (0.74, 1.0), (0.82, 0.8), (0.821, 0.9), (1.0, 
 def bottle(spec: Spec) -> Build:
     """Return a bottle with a label."""
     x, y, z = spec.size
-    radius, finish = min(x, y) / 2, spec.main(spec.choice((GREEN_GLASS, AMBER_GLASS, GLASS)))
+    radius, finish = min(x, y) / 2, spec.main(spec.choice((GREEN_GLASS, AMBER_GLASS, PALE_GLASS)))
     label = disc(
         Finish(spec.choice(((0.90, 0.86, 0.76), (0.76, 0.30, 0.24), (0.24, 0.34, 0.44))), "paper"),
         (0, 0),
@@ -270,7 +269,16 @@ def box_of_card(spec: Spec) -> Build:
     finish = spec.main(spec.choice((KRAFT, Finish(spec.style.accent.colour, "paper"))))
     lid = min(0.06, 0.25 * z)
     return Build(
-        body=[box(finish, around(0, x - 0.008), around(0, y - 0.008), (0, z - lid)), box(finish, around(0, x), around(0, y), (z - lid, z)),
-              box(CHROME, (x / 2 - 0.004, x / 2 - 0.002), around(0, 0.25 * y), around(0.4 * (z - lid), 0.25 * z), collide=False)],
+        body=[
+            box(finish, around(0, x - 0.008), around(0, y - 0.008), (0, z - lid)),
+            box(finish, around(0, x), around(0, y), (z - lid, z)),
+            box(
+                CHROME,
+                (x / 2 - 0.004, x / 2 - 0.002),
+                around(0, 0.25 * y),
+                around(0.4 * (z - lid), 0.25 * z),
+                collide=False,
+            ),
+        ],
         surfaces=[top_surface("top", around(0, x), around(0, y), z)],
-    )  # fmt: skip
+    )
