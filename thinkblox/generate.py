@@ -15,6 +15,7 @@ from thinkblox.reporting import report_on
 from thinkblox.room import Room
 from thinkblox.scene import Scene
 from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.world import World
 from thinkblox.trace import Round
 from thinkblox.verdict import Absence, Report
 
@@ -86,16 +87,18 @@ def furnish(
     on_object: Callable[[Progress], None],
 ) -> Generation:
     """Place the targets of a plan into a scene, one at a time, and report on the whole."""
+    world = World(scene, tolerances=tolerances)
     trace: list[Round] = []
     absent: list[Absence] = []
     for number, target in enumerate(plan.targets, 1):
         rng = np.random.default_rng((scene.seed, number))
-        placing = Placing(scene, plan, target, policy, effort, tolerances, rng)
+        placing = Placing(world, plan, target, policy, effort, rng)
         done = placing.run()
         if done is None:
             absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=placing.reason))
         else:
-            scene = scene.with_placement(done.placement, done.asset)
+            world = world.with_placement(done.placement, done.asset)
         trace += placing.rounds
         on_object(Progress(target, done is not None, number, len(plan.targets)))
-    return Generation(scene, plan, report_on(scene, plan, absent=absent, tolerances=tolerances), tuple(trace))
+    report = report_on(world.scene, plan, absent=absent, tolerances=tolerances)
+    return Generation(world.scene, plan, report, tuple(trace))

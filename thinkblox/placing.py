@@ -19,7 +19,6 @@ from thinkblox.policies import Policy
 from thinkblox.relations import measure
 from thinkblox.resting import placed_at
 from thinkblox.scene import Placement, Scene
-from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.world import World
 from thinkblox.steps import Rejection, Step, parse
 from thinkblox.trace import Round, Try
@@ -58,19 +57,22 @@ class Measured(NamedTuple):
 class Placing:
     """The work on one object: `run` returns what was committed, with every round in `rounds`."""
 
-    scene: Scene
+    world: World
     plan: Plan
     target: Target
     policy: Policy
     effort: Effort
-    tolerances: Tolerances
     rng: np.random.Generator
     rounds: list[Round] = field(default_factory=list)
     failed: list[Measured] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.asset = asset_for(self.target, self.scene.seed)
-        self.world = World(self.scene, tolerances=self.tolerances)
+
+    @property
+    def scene(self) -> Scene:
+        """What stands already."""
+        return self.world.scene
 
     def run(self) -> Measured | None:
         """Place the object; None when no pose was found that may stand."""
@@ -131,7 +133,7 @@ class Placing:
         return sum(
             not measure(scene, tie.kind, self.target.id, tie.anchors, rows=tie.rows).holds
             for tie in ties
-            if all(anchor in scene or not anchor[-1].isdigit() for anchor in tie.anchors)
+            if tie.anchors and all(anchor in scene or not anchor[-1].isdigit() for anchor in tie.anchors)
         )
 
     def _repair(self) -> Measured | None:

@@ -13,7 +13,7 @@ from thinkblox.sim.verify import verify
 from thinkblox.verdict import Absence, RelationResult, Report
 
 TOGETHER: frozenset[RelationKind] = frozenset({"around", "in_rows"})
-"""Relations that a whole company has, not each member by itself."""
+"""Relations that a whole company has, not each member by itself; as is any that names no anchor."""
 
 
 def report_on(scene: Scene, plan: Plan, *, absent: Sequence[Absence], tolerances: Tolerances) -> Report:
@@ -41,7 +41,9 @@ def relations_of(scene: Scene, plan: Plan) -> Iterator[RelationResult]:
                 kind=tie.kind, subject=subject, anchors=tie.anchors, holds=False, measured=f"{names} not placed"
             )
         else:
-            yield measure(scene, tie.kind, here, tie.anchors, rows=tie.rows)
+            yield measure(
+                scene, tie.kind, here, tie.anchors, rows=tie.rows, each=len(here) > 1 and tie.kind == "in_corner"
+            )
 
 
 def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:
@@ -49,7 +51,7 @@ def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:
     for target in plan.targets:
         for tie in target.ties:
             if tie.asked:
-                together = tie.kind in TOGETHER
+                together = tie.kind in TOGETHER or not tie.anchors or (tie.kind == "in_corner" and tie.count > 1)
                 alike = structs.replace(tie, index=0, count=1)
                 groups.setdefault((target.request if together else target.id, alike), []).append(target.id)
     return groups

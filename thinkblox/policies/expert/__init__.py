@@ -27,20 +27,24 @@ class ExpertPolicy:
 
 
 def _distinct(situation: Situation, ideas: list[tuple[float, Idea]], n: int) -> list[tuple[float, Idea]]:
-    apart = min(DISTINCT, max(situation.size[:2]) / 3)
+    """Half of them the best, the other half the best that lie well apart, so that one obstacle does not spoil all."""
+    near = min(DISTINCT, max(situation.size[:2]) / 3)
     chosen: list[tuple[float, Idea]] = []
-    for cost, idea in ideas:
-        if all(math.dist(idea.position, other.position) > apart or idea.yaw != other.yaw for _, other in chosen):
-            chosen.append((cost, idea))
-        if len(chosen) == n:
-            break
-    return chosen
+    for apart, most in ((near, (n + 1) // 2), (4 * near, n), (near, n)):
+        for cost, idea in ideas:
+            if len(chosen) == most:
+                break
+            if all(math.dist(idea.position, other.position) > apart or idea.yaw != other.yaw for _, other in chosen):
+                chosen.append((cost, idea))
+    return sorted(chosen, key=lambda pair: pair[0])
 
 
 def _say(situation: Situation, cost: float, idea: Idea) -> str:
     target = situation.target
     wanted = [describe_tie(tie) for tie in target.ties]
-    lines = [f"{target.id} is {situation.asset.description}" + (f"; wanted: {', '.join(wanted)}." if wanted else ".")]
+    lines = [
+        f"Next is {target.id}, {situation.asset.description}" + (f"; wanted: {', '.join(wanted)}." if wanted else ".")
+    ]
     lines.append(f"{idea.why[0].upper()}{idea.why[1:]}.")
     lines.append(f"So it goes {', '.join(phrase(word) for word in idea.words)}.")
     if situation.observation.feedback:

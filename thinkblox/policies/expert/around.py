@@ -2,12 +2,14 @@
 
 import math
 from collections.abc import Iterator
-from itertools import pairwise
+from typing import NamedTuple
 
-from thinkblox.phrases import Constraint
+import numpy as np
+
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
 from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.rects import Rects, outside, overlap_depth
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 
@@ -16,142 +18,158 @@ PLACE_WIDTH = 0.6
 TUCKS = {"office_chair": (0.08, 0.0, -0.1), "armchair": (-0.15, -0.3), "bar_stool": (0.08, 0.0, -0.05)}
 """How far a seat goes under the table, the best first [m]; negative leaves a gap."""
 USUAL_TUCKS = (0.15, 0.05, -0.05)
-AXES: dict[str, Vec2] = {"front": (1.0, 0.0), "back": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
+SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
+"""Outward direction of each side in the table's own frame [degrees]."""
+SAME_SEAT = 0.15
+"""A placed seat nearer than this to a place, seen along the edge, has taken it [m]."""
 
 
-def is_round(situation: Situation, anchor: Placement) -> bool:
-    """Whether the anchor's top is an ellipse."""
-    surfaces = situation.scene.asset_of(anchor).surfaces
-    return bool(surfaces) and surfaces[0].round
+class Place(NamedTuple):
+    """Where one person sits: the middle of their edge of the table and the way out from it, in the table's frame."""
+
+    edge: Vec2
+    outward: float
+
+    def seat(self, depth: float, tuck: float) -> Vec2:
+        """Centre of a seat of that depth, `tuck` under the table [m]."""
+        out = depth / 2 - tuck
+        angle = math.radians(self.outward)
+        return (self.edge[0] + out * math.cos(angle), self.edge[1] + out * math.sin(angle))
 
 
 def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Drawn up to the working side of a desk (its front), or to any side of a table without a front."""
-    asset = situation.scene.asset_of(anchor)
-    sides = ("front",) if asset.front == "one" else ("front", "back", "left", "right")
+    sides = ("front",) if situation.scene.asset_of(anchor).front == "one" else tuple(SIDES)
     for rank, side in enumerate(sides):
-        width = anchor.size[1] if side in ("front", "back") else anchor.size[0]
-        slots = _slots(width, tie.count) if tie.count > 1 else (0.0, 0.15 * width, -0.15 * width)
-        for slot in slots if tie.count == 1 else (slots[tie.index % tie.count],):
-            for step, tuck in enumerate(TUCKS.get(situation.target.category, USUAL_TUCKS)):
-                cost = 0.3 * rank + 0.15 * step + abs(slot) * (0.8 if tie.count == 1 else 0.0)
-                yield _seat(situation, anchor, side, slot, tuck, cost=cost)
+        if tie.count > 1:
+            places = [_side_places(anchor, side, tie.count)[tie.index % tie.count]]
+        else:
+            width = _width(anchor, side)
+            places = [_place(anchor, side, shift * width) for shift in (0.0, 0.15, -0.15)]
+        for order, place in enumerate(places):
+            yield from _seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
 
 
 def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    """Every arrangement of the whole company about the anchor; from each, the seat that this one would take."""
-    if is_round(situation, anchor) and abs(anchor.size[0] - anchor.size[1]) < 0.2:
-        yield from _ring(situation, anchor, tie)
-        return
-    taken = _taken_sides(situation, anchor)
-    for order, company in enumerate(_companies(anchor, tie.count)):
-        for side, count in company.items():
-            width = anchor.size[1] if side in ("front", "back") else anchor.size[0]
-            have = taken.get(side, 0)
-            if have >= count:
-                continue
-            # Pairs fill first: the side opposite to the one last taken.
-            imbalance = have - taken.get(_across(side), 0)
-            for number, slot in enumerate(_slots(width, count)):
-                for step, tuck in enumerate(TUCKS.get(situation.target.category, USUAL_TUCKS)):
-                    cost = 0.5 * order + 0.2 * step + 0.05 * number + 0.1 * imbalance
-                    yield _seat(situation, anchor, side, slot, tuck, cost=cost)
+    """Every arrangement of the whole company about the anchor; from each, the places that are still free."""
+    for order, places in enumerate(_companies(situation, anchor, tie.count)):
+        free, strays = _free_places(situation, anchor, places)
+        spoilt = _spoilt(situation, anchor, free)
+        for number, place in enumerate(free):
+            cost = 0.4 * order + 2.0 * strays + 1.0 * sum(spoilt) + 0.05 * number
+            yield from _seats(situation, anchor, place, cost=cost)
 
 
-def _across(side: str) -> str:
-    return {"front": "back", "back": "front", "left": "right", "right": "left"}[side]
+def _seats(situation: Situation, anchor: Placement, place: Place, *, cost: float) -> Iterator[Idea]:
+    """At one place, drawn up more or less."""
+    for step, tuck in enumerate(TUCKS.get(situation.target.category, USUAL_TUCKS)):
+        yield beside_at(
+            situation,
+            anchor,
+            place.seat(situation.size[0], tuck),
+            yaw=round(anchor.yaw + place.outward + 180.0, 2),
+            words=(),
+            why=f"a person sits there at {anchor.id}, with a place of their own",
+            cost=cost + 0.2 * step,
+            ignore=(anchor.id,),
+        )
 
 
-def _taken_sides(situation: Situation, anchor: Placement) -> dict[str, int]:
-    taken: dict[str, int] = {}
+def _free_places(situation: Situation, anchor: Placement, places: list[Place]) -> tuple[list[Place], int]:
+    """The places nobody has taken yet, and how many seats at this table fit none of them."""
+    free, strays = list(places), 0
     for p in situation.siblings:
         x, y = anchor.to_local((p.position[0], p.position[1]))
-        if max(abs(x) - anchor.size[0] / 2, abs(y) - anchor.size[1] / 2) > 1.0:
+        if max(abs(x) - anchor.size[0] / 2, abs(y) - anchor.size[1] / 2) > 0.8:
             continue
-        beyond = {
-            side: (x * ax + y * ay) - abs(anchor.size[0] * ax + anchor.size[1] * ay) / 2
-            for side, (ax, ay) in AXES.items()
-        }
-        side = max(beyond, key=lambda s: beyond[s])
-        taken[side] = taken.get(side, 0) + 1
-    return taken
+        taken = min(free, key=lambda place: _off(place, x, y), default=None)
+        if taken is not None and _off(taken, x, y) < SAME_SEAT:
+            free.remove(taken)
+        else:
+            strays += 1
+    return free, strays
 
 
-def _slots(width: float, count: int) -> tuple[float, ...]:
-    """Offsets of the middles of `count` equal places along an edge [m]."""
-    return tuple(width * ((i + 0.5) / count - 0.5) for i in range(count))
+def _off(place: Place, x: float, y: float) -> float:
+    """Distance of a seat from a place's middle, along the edge; much when it is on another side [m]."""
+    angle = math.radians(place.outward)
+    dx, dy = x - place.edge[0], y - place.edge[1]
+    out = dx * math.cos(angle) + dy * math.sin(angle)
+    return abs(-dx * math.sin(angle) + dy * math.cos(angle)) + (0.0 if -0.2 < out < 0.8 else 1.0)
 
 
-def _companies(anchor: Placement, count: int) -> list[dict[str, int]]:
+def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> list[bool]:
+    """Which places cannot be used, because something stands there or the room ends."""
+    size = situation.size
+    tuck = TUCKS.get(situation.target.category, USUAL_TUCKS)[0]
+    rects = Rects.of(
+        [
+            (anchor.to_room(p.seat(size[0], tuck)), (size[0], size[1]), anchor.yaw + p.outward, 0.0, size[2])
+            for p in places
+        ]
+    )
+    others = [i for i, p in enumerate(situation.solid) if p.id != anchor.id]
+    taken = overlap_depth(rects, situation.solids.take(others)).max(-1, initial=0.0)
+    swung = overlap_depth(rects, situation.door_zones).max(-1, initial=0.0)
+    return list((taken > 0.001) | (swung > 0.001) | (outside(rects, situation.room.polygon) > 0.0005))
+
+
+def _companies(situation: Situation, anchor: Placement, count: int) -> list[list[Place]]:
+    surfaces = situation.scene.asset_of(anchor).surfaces
+    if surfaces and surfaces[0].round:
+        return [_ring(anchor, count, phase / 4) for phase in range(4)]
+    return _rectangles(anchor, count)
+
+
+def _ring(anchor: Placement, count: int, phase: float) -> list[Place]:
+    """`count` places evenly along an ellipse, the first of them `phase` of a place along from its front."""
+    a, b = anchor.size[0] / 2, anchor.size[1] / 2
+    angles = np.linspace(0.0, 2 * np.pi, 721)
+    x, y = a * np.cos(angles), b * np.sin(angles)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    wanted = (np.arange(count) + phase) / count * along[-1]
+    turns = np.interp(wanted, along, angles)
+    return [
+        Place(
+            (a * math.cos(t), b * math.sin(t)),
+            round(math.degrees(math.atan2(math.sin(t) / b, math.cos(t) / a)) % 360.0, 1),
+        )
+        for t in turns
+    ]
+
+
+def _rectangles(anchor: Placement, count: int) -> list[list[Place]]:
     """Ways to seat `count` people about a rectangle, the best first: pairs on the long sides, then heads."""
     depth, width = anchor.size[0], anchor.size[1]
-    long, short = (("front", "back"), ("left", "right")) if width >= depth else (("left", "right"), ("front", "back"))
-    fit_long = max(1, int(max(width, depth) / PLACE_WIDTH + 0.15))
-    fit_short = max(1, int(min(width, depth) / PLACE_WIDTH + 0.15))
-    ranked: list[tuple[float, int, dict[str, int]]] = []
-    for at_heads in range(min(count, 2 * fit_short) + 1):
-        rest = count - at_heads
-        if rest > 2 * fit_long:
-            continue
-        company = {long[0]: (rest + 1) // 2, long[1]: rest // 2, short[0]: (at_heads + 1) // 2, short[1]: at_heads // 2}
-        crowded = max(0.0, (rest + 1) // 2 * PLACE_WIDTH - max(width, depth)) + max(
-            0.0, (at_heads + 1) // 2 * PLACE_WIDTH - min(width, depth)
-        )
-        odd = abs(rest % 2) + abs(at_heads % 2)
-        square = max(width, depth) < 1.2 * min(width, depth)
-        heads = abs(at_heads - count / 2) * 0.3 if square else at_heads * 0.1
-        ranked.append((3.0 * crowded + 0.2 * odd + heads, len(ranked), company))
-    if not ranked:
-        each = -(-count // 4)
-        ranked = [(0.0, 0, {"front": each, "back": each, "left": each, "right": each})]
-    return [{s: n for s, n in company.items() if n} for _, _, company in sorted(ranked, key=lambda r: r[:2])][:3]
+    sides = ("front", "back", "left", "right") if width >= depth else ("left", "right", "front", "back")
+    ranked: list[tuple[float, list[Place]]] = []
+    for heads in range(min(count, 2 * max(1, round(min(depth, width) / PLACE_WIDTH))) + 1):
+        counts = dict(zip(sides, _halves(count - heads) + _halves(heads), strict=True))
+        crowd = sum(max(0.0, n * PLACE_WIDTH - 0.05 - _width(anchor, side)) for side, n in counts.items())
+        odd = (count - heads) % 2 + heads % 2
+        even = abs(heads - count / 2) * 0.3 if max(depth, width) < 1.2 * min(depth, width) else heads * 0.1
+        places = [place for side, n in counts.items() for place in _side_places(anchor, side, n)]
+        ranked.append((3.0 * crowd + 0.2 * odd + even, places))
+    return [places for _, places in sorted(ranked, key=lambda r: r[0])][:4]
 
 
-def _seat(situation: Situation, anchor: Placement, side: str, slot: float, tuck: float, *, cost: float) -> Idea:
-    ax, ay = AXES[side]
-    half = abs(anchor.size[0] * ax + anchor.size[1] * ay) / 2
-    out = half + situation.size[0] / 2 - tuck
-    local = (ax * out + (slot if ay else 0.0), ay * out + (slot if ax else 0.0))
-    yaw = anchor.yaw + math.degrees(math.atan2(-ay, -ax))
-    return beside_at(
-        situation,
-        anchor,
-        local,
-        yaw=yaw,
-        words=(),
-        why=f"a person sits there at {anchor.id}, with a place of their own",
-        cost=cost,
-        ignore=(anchor.id,),
-    )
+def _halves(count: int) -> tuple[int, int]:
+    return (count + 1) // 2, count // 2
 
 
-def _ring(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    radius = max(anchor.size[0], anchor.size[1]) / 2
-    placed = [anchor.to_local((p.position[0], p.position[1])) for p in situation.siblings]
-    angles = [math.degrees(math.atan2(y, x)) for x, y in placed if math.hypot(x, y) < radius + 1.2]
-    step = 360.0 / tie.count
-    phases = (angles[0] % step,) if angles else tuple(step * k / 4 for k in range(4))
-    for rank, phase in enumerate(phases):
-        for number in range(tie.count):
-            angle = phase + number * step
-            if any(abs((angle - a + 180.0) % 360.0 - 180.0) < step / 2 for a in angles):
-                continue
-            for k, tuck in enumerate(TUCKS.get(situation.target.category, USUAL_TUCKS)):
-                out = radius + situation.size[0] / 2 - tuck
-                local = (out * math.cos(math.radians(angle)), out * math.sin(math.radians(angle)))
-                yield beside_at(
-                    situation,
-                    anchor,
-                    local,
-                    yaw=round(anchor.yaw + angle + 180.0, 2),
-                    words=(Constraint(kind="facing", anchors=(anchor.id,)),),
-                    why=f"the seats stand evenly around {anchor.id}",
-                    cost=0.1 * rank + 0.2 * k + 0.03 * number,
-                    ignore=(anchor.id,),
-                )
+def _width(anchor: Placement, side: str) -> float:
+    return anchor.size[1] if side in ("front", "back") else anchor.size[0]
 
 
-def largest_gap(angles: list[float]) -> float:
-    """The largest angle between neighbours round a full turn [degrees]."""
-    ordered = sorted(a % 360.0 for a in angles)
-    return max((b - a for a, b in pairwise([*ordered, ordered[0] + 360.0])), default=360.0)
+def _side_places(anchor: Placement, side: str, count: int) -> list[Place]:
+    """The middles of `count` equal stretches of one side."""
+    width = _width(anchor, side)
+    return [_place(anchor, side, width * ((i + 0.5) / count - 0.5)) for i in range(count)]
+
+
+def _place(anchor: Placement, side: str, shift: float) -> Place:
+    """A point of one side, `shift` from its middle [m]."""
+    angle = math.radians(SIDES[side])
+    half = (anchor.size[0] if side in ("front", "back") else anchor.size[1]) / 2
+    c, s = round(math.cos(angle)), round(math.sin(angle))
+    return Place((c * half - s * shift, s * half + c * shift), SIDES[side])

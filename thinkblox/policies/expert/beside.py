@@ -30,10 +30,17 @@ USUAL_GAPS = (0.1, 0.25, 0.4)
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
-def sides_of(situation: Situation, anchor: Placement, sides: tuple[str, ...], *, why: str = "") -> Iterator[Idea]:
+def sides_of(
+    situation: Situation,
+    anchor: Placement,
+    sides: tuple[str, ...],
+    *,
+    gaps: tuple[float, ...] | None = None,
+    why: str = "",
+) -> Iterator[Idea]:
     """Beside the anchor, parallel to it: backs in line, centres in line, or fronts in line."""
     for side in sides:
-        for rank, gap in enumerate(GAPS.get(situation.target.category, USUAL_GAPS)):
+        for rank, gap in enumerate(gaps or GAPS.get(situation.target.category, USUAL_GAPS)):
             for align, penalty in _alignments(situation, anchor, side):
                 yield _side_idea(situation, anchor, side, gap, align, why=why, cost=0.15 * rank + penalty)
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, Situation, pose_words, turned
 from thinkblox.policies.expert.walls import named_walls
-from thinkblox.room import Opening, Wall
+from thinkblox.room import Opening, Room, Wall
 from thinkblox.scene import Placement
 from thinkblox.value import Vec3
 
@@ -44,16 +44,49 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     if situation.target.category in AT_WINDOWS:
         yield from at_windows(situation)
     for wall in named_walls(situation.room, place):
+        short_view = (
+            0.25 * (_longest_view(situation.room) - _view(situation.room, wall)) if _is_watched(situation) else 0.0
+        )
         half = situation.size[1] / 2
         if wall.length < situation.size[1]:
             continue
         for i in range(17):
             along = half + (wall.length - 2 * half) * i / 16
-            cost = 0.6 * abs(along - wall.length / 2) / wall.length
+            cost = short_view + 0.6 * abs(along - wall.length / 2) / wall.length
             for lift in (0.0, 0.3, -0.3):
                 top = z + lift + situation.size[2]
                 if z + lift >= 0.0 and top <= situation.room.height:
                     yield hang(situation, wall, along, z + lift, why="it hangs where it is seen", cost=cost + abs(lift))
+
+
+def _is_watched(situation: Situation) -> bool:
+    """Whether something later will face it."""
+    return any(tie.kind in ("facing", "opposite") for t in situation.followers for tie in t.ties)
+
+
+def _view(room: Room, wall: Wall) -> float:
+    """How far the room reaches before a wall [m]."""
+    return max(wall.coordinates(corner)[1] for corner in room.floor)
+
+
+def _longest_view(room: Room) -> float:
+    return max(_view(room, wall) for wall in room.walls)
+
+
+def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
+    """On the wall across the room from the anchor, in line with it."""
+    for wall in situation.room.walls:
+        along, inward = wall.coordinates((anchor.position[0], anchor.position[1]))
+        half = situation.size[1] / 2
+        if abs((wall.yaw - anchor.yaw) % 360.0 - 180.0) > 20.0 or inward < 1.0 or wall.length < 2 * half:
+            continue
+        z = min(
+            max(0.0, CENTRES.get(situation.target.category, 1.5) - situation.size[2] / 2),
+            situation.room.height - situation.size[2],
+        )
+        for shift in (0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0, 1.5, -1.5):
+            place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
+            yield hang(situation, wall, place, z, why=f"it faces {anchor.id}", cost=0.5 * abs(place - along))
 
 
 def hang(

@@ -1,9 +1,10 @@
 """One idea of where an object could go, and the situation in which ideas are had."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 from thinkblox.asset import Asset
+from thinkblox.assets import CATALOGUE
 from thinkblox.consistency import wall_gap
 from thinkblox.observe import Observation
 from thinkblox.phrases import Constraint
@@ -13,6 +14,8 @@ from thinkblox.room import Opening, Room, Wall
 from thinkblox.scene import Placement, Scene
 from thinkblox.value import Vec2, Vec3
 
+SEATS = frozenset("chair office_chair armchair rocking_chair sofa bench bean_bag child_chair stool bar_stool".split())
+"""What people sit on."""
 WALL_GAP = 0.02
 """Left free between furniture and the wall behind it, for the skirting board [m]."""
 WINDOW_DEPTH = 0.3
@@ -38,7 +41,6 @@ class Idea:
     cost: float = 0.0
     ignore: tuple[str, ...] = ()
     size: Vec3 | None = None
-    zones_free: bool = field(default=False, kw_only=True)
 
 
 @dataclass(frozen=True)
@@ -111,14 +113,33 @@ class Situation:
         )
 
     @cached_property
+    def used(self) -> tuple[Placement, ...]:
+        """What needs free floor before its front."""
+        return tuple(
+            p
+            for p in self.solid
+            if self.scene.asset_of(p).clearance > 0.0 and p.position[2] < 0.5 and p.category not in SEATS
+        )
+
+    @cached_property
     def clearances(self) -> Rects:
-        """The floor that placed objects need before their fronts, for use."""
+        """The floor that each of `used` needs, for doors, drawers and whoever stands there."""
         rows = []
-        for p in self.solid:
+        for p in self.used:
             depth = self.scene.asset_of(p).clearance
-            if depth > 0.0 and p.position[2] < 0.5:
-                centre = p.to_room((p.size[0] / 2 + depth / 2, 0.0))
-                rows.append((centre, (depth, p.size[1]), p.yaw, 0.05, 1.8))
+            rows.append((p.to_room((p.size[0] / 2 + depth / 2, 0.0)), (depth, p.size[1]), p.yaw, 0.05, 1.8))
+        return Rects.of(rows)
+
+    @cached_property
+    def reserved(self) -> Rects:
+        """The middle of the room, when something later is asked to stand there."""
+        x, y = self.room.polygon.centroid.coords[0]
+        rows = []
+        for t in self.observation.plan.targets:
+            central = any(tie.kind == "in_centre" and tie.asked for tie in t.ties)
+            if central and t.id not in self.scene and t.request != self.target.request:
+                size = CATALOGUE[t.category].size
+                rows.append(((x, y), (max(size[:2]) + 0.9, max(size[:2]) + 0.9), 0.0, 0.0, 1.5))
         return Rects.of(rows)
 
     @cached_property

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from thinkblox.plan import Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
-from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.policies.expert.idea import SEATS, Idea, Situation
 from thinkblox.scene import Placement
 
 STAND_FREE = frozenset(
@@ -26,6 +26,10 @@ STAND_FREE = frozenset(
     )
 )
 """What may stand away from the walls when nothing says where."""
+ELSEWHERE = 12.0
+"""Cost of a place that gives up the relation that decides where a thing goes."""
+LOUNGE = frozenset(("armchair", "rocking_chair", "sofa", "bean_bag"))
+LOW_TABLES = frozenset(("coffee_table", "side_table", "play_table"))
 LIKES_CORNERS = frozenset(("plant", "floor_lamp", "waste_bin", "laundry_basket", "toy_box", "umbrella_stand", "globe"))
 
 
@@ -40,10 +44,10 @@ def imagine(situation: Situation) -> list[Idea]:
     elif mount == "ceiling" and not ideas:
         ideas += hung.from_ceiling(situation)
     elif mount == "floor":
-        ideas += [_dearer(idea, 3.0 if ideas else 0.0) for idea in anywhere(situation)]
+        ideas += [_dearer(idea, ELSEWHERE if ideas else 0.0) for idea in anywhere(situation)]
     elif mount == "surface":
-        ideas += [_dearer(idea, 3.0) for idea in _any_surface(situation)]
-        ideas += [_dearer(idea, 8.0) for idea in anywhere(situation)]
+        ideas += [_dearer(idea, ELSEWHERE / 2) for idea in _any_surface(situation)]
+        ideas += [_dearer(idea, ELSEWHERE) for idea in anywhere(situation)]
     return ideas
 
 
@@ -108,7 +112,7 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return walls.corners(situation)
     if place in ("window", "door"):
         return _near_openings(situation, place)
-    return walls.along_walls(situation, walls.named_walls(situation.room, place))
+    return walls.in_line(situation, place)
 
 
 def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
@@ -126,6 +130,8 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
 
 
 def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    if situation.target.category in LOUNGE and anchor.category in LOW_TABLES:
+        yield from open_floor.about_low_table(situation, anchor)
     sides: tuple[str, ...] = ("left", "right")
     if tie.count > 1:
         sides = (sides[tie.index % 2], sides[1 - tie.index % 2])
@@ -135,7 +141,7 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
 
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    face = situation.target.category in walls.SEATS
+    face = situation.target.category in SEATS
     gaps = beside.GAPS.get(situation.target.category, (0.6, 0.4, 0.9, 0.2))
     yield from beside.before(situation, anchor, gaps=gaps, face=face, why=f"it belongs before {anchor.id}")
 
@@ -168,7 +174,7 @@ def _above(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
 
 def _facing(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if situation.asset.mount == "wall":
-        yield from hung.on_walls(situation)
+        yield from hung.opposite(situation, anchor)
         return
     yield from open_floor.looking_at(situation, anchor)
     yield from walls.opposite(situation, anchor)
@@ -176,7 +182,7 @@ def _facing(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
 
 def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if situation.asset.mount == "wall":
-        yield from hung.on_walls(situation)
+        yield from hung.opposite(situation, anchor)
         return
     yield from walls.opposite(situation, anchor)
 
@@ -189,7 +195,7 @@ def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
 
 
 _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
-    "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.along_walls(s),
+    "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.in_line(s),
     "in_corner": walls.corners,
     "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
 }

@@ -12,7 +12,8 @@ import numpy as np
 from thinkblox.assets import CATALOGUE
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.hung import AT_WINDOWS
-from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.policies.expert.idea import SEATS, Idea, Situation
+from thinkblox.policies.expert.walls import RUNS
 from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
 from thinkblox.relations import measure
 from thinkblox.scene import Placement
@@ -23,6 +24,8 @@ TOUCH = 0.001
 """Overlap that is only contact [m]."""
 NARROW = (0.04, 0.3)
 """A gap between two pieces of furniture that is neither closed nor usable [m]."""
+MOVABLE = 15.0
+"""What is lighter than this is moved aside when the floor is needed [kg]."""
 WIDE = 0.45
 """What is narrower than this does not darken a window [m]."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
@@ -36,7 +39,7 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
     costs = np.array([idea.cost for idea in ideas])
     costs += _impossible(situation, ideas, rects)
     if situation.asset.mount == "floor" and situation.asset.collides:
-        costs += _cramped(situation, rects) + _followers(situation, rects)
+        costs += _cramped(situation, ideas, rects) + _followers(situation, rects)
     costs += 0.12 * rng.standard_normal(len(ideas))
     order = np.argsort(costs, kind="stable")
     finalists = [int(i) for i in order[:40]]
@@ -85,12 +88,7 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     if not situation.asset.collides:
         return costs + 6.0 * _other_rugs(situation, rects)
     depth = overlap_depth(rects, situation.solids)
-    ids = [p.id for p in situation.solid]
-    for n, idea in enumerate(ideas):
-        for id in idea.ignore:
-            if id in ids:
-                depth[n, ids.index(id)] = 0.0
-    worst = depth.max(-1, initial=0.0)
+    worst = _except_ignored(depth, ideas, situation.solid).max(-1, initial=0.0)
     costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
     if situation.asset.mount == "surface":
         return costs
@@ -99,6 +97,17 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     if situation.target.category not in AT_WINDOWS:
         costs += _darkens(situation, rects)
     return costs
+
+
+def _except_ignored(depth: Array, ideas: Sequence[Idea], others: Sequence[Placement]) -> Array:
+    """Strike out what each idea may overlap."""
+    column = {p.id: n for n, p in enumerate(others)}
+    kept = depth.copy()
+    for row, idea in enumerate(ideas):
+        for id in idea.ignore:
+            if id in column:
+                kept[row, column[id]] = 0.0
+    return kept
 
 
 def _other_rugs(situation: Situation, rects: Rects) -> Array:
@@ -112,12 +121,14 @@ def _darkens(situation: Situation, rects: Rects) -> Array:
     return np.where(covered.any(-1), heavy, 0.0)
 
 
-def _cramped(situation: Situation, rects: Rects) -> Array:
+def _cramped(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Array:
     """No room to use it, in the room others need, or a gap that is neither closed nor usable."""
     costs = np.zeros(len(rects))
-    if situation.asset.clearance > 0.0:
+    if situation.asset.clearance > 0.0 and situation.target.category not in SEATS:
         costs += _zone_cost(situation, _zone(rects, "front", situation.asset.clearance), weight=5.0)
-    costs += 5.0 * overlap_depth(rects, situation.clearances).sum(-1)
+    in_use = _except_ignored(overlap_depth(rects, situation.clearances), ideas, situation.used)
+    costs += (1.0 if situation.asset.mass < MOVABLE else 5.0) * in_use.sum(-1)
+    costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     low = [i for i, p in enumerate(situation.solid) if p.position[2] < 0.3]
     if low:
         gaps = separation(rects, situation.solids.take(low))
@@ -151,7 +162,7 @@ def _zone_cost(situation: Situation, zone: Rects, *, weight: float) -> Array:
 
 def _followers(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
-    costs = np.zeros(len(rects))
+    costs = _room_for_run(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -160,6 +171,15 @@ def _followers(situation: Situation, rects: Rects) -> Array:
                 done.add(key)
                 costs += _room_for(situation, rects, follower, tie)
     return costs
+
+
+def _room_for_run(situation: Situation, rects: Rects) -> Array:
+    """The first of a run leaves room for the rest to one side or the other."""
+    rest = situation.target.count - 1
+    if situation.target.category not in RUNS or situation.siblings or rest < 1:
+        return np.zeros(len(rects))
+    length = rest * situation.size[1]
+    return np.minimum(*(_zone_cost(situation, _zone(rects, side, length), weight=2.0) for side in ("left", "right")))
 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
@@ -198,7 +218,11 @@ def _unmet(situation: Situation, idea: Idea) -> float:
     scene = situation.scene.with_placement(placement_of(situation, idea), situation.asset)
     cost = 0.0
     for tie in situation.target.ties:
-        if tie.kind in ("around", "in_rows") or any(a not in scene and a[-1].isdigit() for a in tie.anchors):
+        if (
+            tie.kind in ("around", "in_rows")
+            or not tie.anchors
+            or any(a not in scene and a[-1].isdigit() for a in tie.anchors)
+        ):
             continue
         if not measure(scene, tie.kind, situation.target.id, tie.anchors, rows=tie.rows).holds:
             cost += UNMET_ASKED if tie.asked else UNMET_HABIT

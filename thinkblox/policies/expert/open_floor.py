@@ -4,8 +4,7 @@ import math
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert.idea import Idea, Situation, turned
-from thinkblox.policies.expert.walls import SEATS
+from thinkblox.policies.expert.idea import SEATS, Idea, Situation, turned
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 
@@ -53,6 +52,13 @@ def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
         for rank, distance in enumerate(distances):
             cost = 0.02 * away + 0.25 * rank + (0.3 if side else 0.0)
             yield _looking(situation, anchor, float(turn), distance, cost)
+
+
+def about_low_table(situation: Situation, table: Placement) -> Iterator[Idea]:
+    """Before any side of a low table, looking at it; where a sofa has one long side, the ends are for the others."""
+    for turn in (90.0, 270.0, 0.0, 180.0):
+        for rank, distance in enumerate((0.4, 0.3, 0.48)):
+            yield _looking(situation, table, turn, distance, 0.1 * rank + (0.0 if turn % 180.0 else 0.15))
 
 
 def _looking(situation: Situation, anchor: Placement, turn: float, distance: float, cost: float) -> Idea:

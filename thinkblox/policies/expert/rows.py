@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from thinkblox.phrases import Constraint
+from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea, Situation, turned
 from thinkblox.rects import Rects, outside, overlap_depth
@@ -73,6 +74,7 @@ def _fit(situation: Situation, blocks: list[_Block]) -> list[float]:
     bad += overlap_depth(rects, situation.solids.take(others)).sum(-1) * 40.0
     bad += overlap_depth(rects, situation.door_zones).sum(-1) * 20.0
     bad += overlap_depth(rects, situation.clearances).sum(-1) * 4.0
+    bad += overlap_depth(rects, situation.reserved).sum(-1) * 4.0
     starts = np.cumsum([0, *(len(block.slots) for block in blocks)])
     sums = [float(bad[a:b].sum()) for a, b in pairwise(starts)]
     return [b.cost + s + 10.0 * _strays(situation, b) for b, s in zip(blocks, sums, strict=True)]
@@ -97,7 +99,8 @@ def _directions(situation: Situation, facing: tuple[str, ...]) -> tuple[float, .
     anchors = situation.placed(facing)
     if not anchors:
         return (0.0, 90.0, 180.0, 270.0)
-    return ((anchors[0].yaw + 180.0) % 360.0,)
+    away = situation.target.category in WORKED_AT
+    return ((anchors[0].yaw + (0.0 if away else 180.0)) % 360.0,)
 
 
 def _shifted(
@@ -115,10 +118,11 @@ def _shifted(
     depth, width = situation.size[0], situation.size[1]
     angle = math.radians(yaw)
     (ux, uy), (vx, vy) = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    away = bool(facing) and situation.target.category in WORKED_AT
     local = []
     for number in range(count):
         row, column = divmod(number, columns)
-        u = ((rows - 1) / 2 - row) * (depth + aisle)
+        u = ((rows - 1) / 2 - row) * (depth + aisle) * (-1 if away else 1)
         v = ((columns - 1) / 2 - column) * (width + beside)
         local.append((u, v, yaw + (180.0 if mutual and row % 2 == 0 else 0.0)))
     cx, cy = situation.room.polygon.centroid.coords[0]

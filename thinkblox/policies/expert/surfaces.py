@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from thinkblox.asset import Surface
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea, Situation, turned
 from thinkblox.scene import Placement
-from thinkblox.value import Vec2
+from thinkblox.value import Vec2, Vec3
 
 EDGE = 0.03
 """Kept free at the edge of a surface where there is room [m]."""
@@ -45,25 +46,45 @@ STAFF_SIDE = frozenset(("cash_register",))
 """What turns its working side to the person behind a counter."""
 NEIGHBOURS: dict[str, tuple[str, Vec2]] = {"mouse": ("keyboard", (0.0, 1.0)), "keyboard": ("monitor", (1.0, 0.0))}
 """What keeps its place by a companion rather than by the surface: the side of it that it takes."""
+OVERHANG = 0.02
+"""How far a thing may reach over the edge on each side [m]: feet stand inside its outline."""
+SHRINK = (1.0, 0.85, 0.7, 0.6)
+"""Sizes tried, as shares, for what is too large for every surface of its support."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
 
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Places on each surface of the anchor that is large and high enough."""
-    asset = situation.scene.asset_of(anchor)
-    for rank, surface in enumerate(_in_turn(asset.surfaces, situation, tie)):
+    surfaces = situation.scene.asset_of(anchor).surfaces
+    for step, share in enumerate(SHRINK):
+        size = _scaled(situation.size, share)
+        ideas = list(_at_size(situation, anchor, tie, _in_turn(surfaces, size, tie), size))
+        yield from (replace(i, cost=i.cost + step, size=None if share == 1.0 else size) for i in ideas)
+        if ideas:
+            return
+
+
+def _scaled(size: Vec3, share: float) -> Vec3:
+    x, y, z = (round(extent * share, 3) for extent in size)
+    return (x, y, z)
+
+
+def _at_size(
+    situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple[Surface, ...], size: Vec3
+) -> Iterator[Idea]:
+    for rank, surface in enumerate(surfaces):
         for turn in _turns(situation, anchor, surface):
-            free = _free_half(situation, surface, turn)
+            free = _free_half(size, surface, turn)
             if free is None:
                 continue
             for spot, cost in _spots(situation, anchor, surface, tie, free):
                 yield _idea(situation, anchor, surface, spot, turn, cost + 0.4 * rank + (0.6 if turn % 180 else 0.0))
 
 
-def _in_turn(surfaces: tuple[Surface, ...], situation: Situation, tie: Tie) -> tuple[Surface, ...]:
+def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surface, ...]:
     """The surfaces in the order to try: alike things take the shelves in turn."""
-    fitting = [s for s in surfaces if s.headroom is None or situation.size[2] + HEADROOM <= s.headroom]
+    fitting = [s for s in surfaces if s.headroom is None or size[2] + HEADROOM <= s.headroom]
     alike = [s for s in fitting if s.size == fitting[0].size] if fitting else []
     if len(alike) < 2 or tie.count < 2:
         return tuple(fitting)
@@ -87,13 +108,13 @@ def _against_wall(situation: Situation, anchor: Placement) -> bool:
     return any(abs(wall.coordinates(back)[1]) < 0.4 for wall in situation.room.walls)
 
 
-def _free_half(situation: Situation, surface: Surface, turn: float) -> Vec2 | None:
+def _free_half(size: Vec3, surface: Surface, turn: float) -> Vec2 | None:
     """Half extents over which the centre may move; None when it does not fit at all."""
-    depth, width = situation.size[0], situation.size[1]
+    depth, width = size[0], size[1]
     if turn % 180.0:
         depth, width = width, depth
     half = ((surface.size[0] - depth) / 2, (surface.size[1] - width) / 2)
-    if min(half) < -0.001:
+    if min(half) < -OVERHANG:
         return None
     margin_x, margin_y = min(EDGE, max(0.0, half[0]) / 2), min(EDGE, max(0.0, half[1]) / 2)
     return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))

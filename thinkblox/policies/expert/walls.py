@@ -2,9 +2,11 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert.idea import WALL_GAP, Idea, Situation, pose_words, turned
+from thinkblox.policies.expert.beside import sides_of
+from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, Situation, pose_words, turned
 from thinkblox.room import Room, Wall
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2, Vec3
@@ -31,20 +33,10 @@ FOCAL = frozenset(
     ]
 )
 """What looks best centred on its wall; the rest goes to its ends, or beside its like."""
-SEATS = frozenset(
-    [
-        "chair",
-        "office_chair",
-        "armchair",
-        "rocking_chair",
-        "sofa",
-        "bench",
-        "bean_bag",
-        "child_chair",
-        "stool",
-        "bar_stool",
-    ]
+RUNS = frozenset(
+    "base_cabinet wall_cabinet bookcase shelving_unit locker washing_machine dryer vending_machine server_rack wardrobe".split()
 )
+"""What forms a row along a wall when there are several."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -100,13 +92,22 @@ def _placement(situation: Situation, centre: Vec2, yaw: float) -> Placement:
 def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> Iterator[Idea]:
     """Along each wall: its middle, its ends, beside what stands there, before its windows, and evenly between."""
     _, (depth, width) = oriented(situation.size, situation.asset.front)
-    focal = situation.target.category in FOCAL
+    focal = situation.target.category in FOCAL | SEATS
     for wall in situation.room.walls if walls is None else walls:
         low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
         if high < low:
             continue
         for along in sorted(_places(situation, wall, depth, width, low, high)):
             yield at_wall(situation, wall, along, cost=_place_cost(wall, along, low, high, focal=focal))
+
+
+def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
+    """Along the walls a Place means; what is one of several in a run goes right beside the others."""
+    if situation.target.category in RUNS:
+        for p in situation.siblings:
+            for idea in sides_of(situation, p, ("left", "right"), gaps=(0.002,), why=f"it continues the row of {p.id}"):
+                yield replace(idea, cost=idea.cost - 1.0)
+    yield from along_walls(situation, named_walls(situation.room, place))
 
 
 def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:
