@@ -1,0 +1,159 @@
+"""Every category, seed and variant: the shapes fill the box, and everything is plausible."""
+
+from math import isfinite, prod
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from thinkblox.asset import Asset, Shape
+from thinkblox.assets import CATALOGUE, Category, fit_asset, make_asset
+from thinkblox.errors import InputError
+from thinkblox.value import Vec3, from_json, to_json
+
+CASES: list[tuple[str, int, tuple[str, ...]]] = [(name, seed, ()) for name in CATALOGUE for seed in range(3)]
+CASES += [(name, 1, (word,)) for name, category in CATALOGUE.items() for word in category.variants]
+GENERAL: list[tuple[str, int, tuple[str, ...]]] = [
+    (name, *how) for name in CATALOGUE for how in ((2, ("round", "red")), (4, ("small", "low")))
+]
+
+
+def extent(shape: Shape) -> tuple[np.ndarray, np.ndarray]:
+    centre = np.array(shape.position)
+    if shape.kind == "hull":
+        points = np.array(shape.points) + centre
+        return points.min(axis=0), points.max(axis=0)
+    size = np.array(shape.size)
+    _, x, y, _ = shape.quat_wxyz
+    if x or y:
+        size = size[[2, 1, 0]] if y else size[[0, 2, 1]]
+    return centre - size / 2, centre + size / 2
+
+
+def shapes_of(asset: Asset) -> list[Shape]:
+    return [shape for link in asset.links for shape in link.shapes]
+
+
+@pytest.mark.parametrize(("name", "seed", "words"), CASES + GENERAL)
+def test_fills_its_box_exactly(name: str, seed: int, words: tuple[str, ...]) -> None:
+    asset = make_asset(name, seed=seed, attributes=words)
+    boxes = [extent(shape) for shape in shapes_of(asset)]
+    lo, hi = np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
+    x, y, z = asset.size
+    assert lo == pytest.approx([-x / 2, -y / 2, 0.0], abs=1e-6)
+    assert hi == pytest.approx([x / 2, y / 2, z], abs=1e-6)
+
+
+@pytest.mark.parametrize(("name", "seed", "words"), CASES)
+def test_surfaces_are_inside_and_backed_by_a_shape(name: str, seed: int, words: tuple[str, ...]) -> None:
+    asset = make_asset(name, seed=seed, attributes=words)
+    tops = [extent(shape) for shape in shapes_of(asset)]
+    for surface in asset.surfaces:
+        x, y, z = surface.position
+        assert z <= asset.size[2] + 1e-6
+        assert abs(x) + surface.size[0] / 2 <= asset.size[0] / 2 + 2e-4
+        assert abs(y) + surface.size[1] / 2 <= asset.size[1] / 2 + 2e-4
+        assert surface.headroom is None or surface.headroom > 0.03
+        for u, v in ((0.1, 0.1), (0.6, 0.6), (0.6, -0.6), (-0.6, 0.6), (-0.6, -0.6)):
+            at = (x + u * surface.size[0] / 2, y + v * surface.size[1] / 2)
+            backed = [hi for lo, hi in tops if abs(hi[2] - z) < 6e-4 and _covers(lo, hi, at)]
+            assert backed, f"{surface.name} has nothing under {at}"
+
+
+def _covers(lo: np.ndarray, hi: np.ndarray, at: tuple[float, float]) -> bool:
+    return all(lo[i] - 1e-3 <= at[i] <= hi[i] + 1e-3 for i in range(2))
+
+
+@pytest.mark.parametrize(("name", "seed", "words"), CASES)
+def test_numbers_are_plausible(name: str, seed: int, words: tuple[str, ...]) -> None:
+    asset = make_asset(name, seed=seed, attributes=words)
+    assert 0.05 <= asset.mass <= 600
+    assert 0.2 <= asset.friction <= 1.0
+    assert 2 <= asset.mass / prod(asset.size) <= 6000
+    solid = [s for s in shapes_of(asset) if s.collide]
+    assert len(solid) <= 130
+    assert all(isfinite(v) for s in shapes_of(asset) for v in (*s.size, *s.position))
+    assert all(min(s.size) > 0 for s in shapes_of(asset))
+    assert from_json(to_json(asset), Asset) == asset
+
+
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_only_rugs_and_mats_are_walked_on(name: str) -> None:
+    category = CATALOGUE[name]
+    assert make_asset(name, seed=0).collides is not category.flat
+
+
+def test_the_same_seed_gives_the_same_bytes() -> None:
+    from thinkblox.assets import make
+
+    first = to_json(make_asset("sofa", seed=7, attributes=("three-seat",)))
+    make._made.cache_clear()
+    assert to_json(make_asset("sofa", seed=7, attributes=("three-seat",))) == first
+    assert make_asset("sofa", seed=7).id != make_asset("sofa", seed=8).id
+
+
+@st.composite
+def category_and_size(draw: st.DrawFn) -> tuple[Category, Vec3]:
+    category = CATALOGUE[draw(st.sampled_from(sorted(CATALOGUE)))]
+    least, most = category.size_range
+    x, y, z = (round(draw(st.floats(lo, hi)), 4) for lo, hi in zip(least, most, strict=True))
+    return category, (max(x, least[0]), max(y, least[1]), max(z, least[2]))
+
+
+@settings(max_examples=150, deadline=None)
+@given(category_and_size(), st.integers(0, 50))
+def test_any_size_in_the_range_is_hit(wanted: tuple[Category, Vec3], seed: int) -> None:
+    category, size = wanted
+    asset = fit_asset(make_asset(category.name, seed=seed), size)
+    boxes = [extent(shape) for shape in shapes_of(asset)]
+    hi = np.max([b[1] for b in boxes], axis=0) - np.min([b[0] for b in boxes], axis=0)
+    assert asset.size == pytest.approx(size, abs=1e-4)
+    assert hi == pytest.approx(asset.size, abs=2e-6)
+
+
+def test_fitting_keeps_seed_and_attributes() -> None:
+    bed = make_asset("bed", seed=3, attributes=("double", "oak"))
+    assert fit_asset(bed, bed.size) == bed
+    longer = fit_asset(bed, (2.2, 1.5, 1.0))
+    assert (longer.size, longer.attributes) == ((2.2, 1.5, 1.0), ("double", "oak"))
+
+
+def test_attributes_change_what_is_made() -> None:
+    def size(name: str, *words: str) -> Vec3:
+        return make_asset(name, seed=0, attributes=words).size
+
+    assert size("bed", "king")[1] > size("bed", "double")[1] > size("bed", "single")[1]
+    assert size("dining_table", "for six")[1] < size("dining_table", "for-10")[1]
+    assert size("bookcase", "low")[2] < 1.0 < size("bookcase")[2]
+    assert size("sofa", "two-seat")[1] < size("sofa", "three-seat")[1]
+    across = size("dining_table", "round")
+    assert across[0] == across[1]
+    red = make_asset("chair", seed=0, attributes=("red",))
+    assert any(s.colour[0] > 2 * s.colour[2] for s in shapes_of(red))
+    books = make_asset("bookcase", seed=0, attributes=("filled",))
+    assert len(shapes_of(books)) > len(shapes_of(make_asset("bookcase", seed=0))) + 10
+
+
+def test_unknown_attributes_are_ignored() -> None:
+    assert make_asset("chair", seed=1, attributes=("quixotic",)).size == make_asset("chair", seed=1).size
+
+
+def test_seats_go_under_tables() -> None:
+    for seed in range(6):
+        for table in ("dining_table", "kitchen_table", "desk", "school_desk", "conference_table", "corner_desk"):
+            made = make_asset(table, seed=seed)
+            under = [extent(s)[0][2] for s in shapes_of(made) if extent(s)[1][2] > made.size[2] - 0.001]
+            assert min(under) > 0.6
+        for seat in ("chair", "office_chair"):
+            surface = make_asset(seat, seed=seed).surfaces[0]
+            assert 0.4 < surface.position[2] < 0.5
+
+
+def test_errors_say_what_to_do() -> None:
+    with pytest.raises(InputError, match="wardrobe"):
+        make_asset("wardrobes", seed=0)
+    with pytest.raises(InputError, match=r"width .* to "):
+        make_asset("bed", seed=0, size=(2.0, 9.0, 1.0))
+    with pytest.raises(InputError, match="negative"):
+        make_asset("bed", seed=-1)
