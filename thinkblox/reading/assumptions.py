@@ -8,6 +8,7 @@ from importlib.resources import files
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Thing
 from thinkblox.reading.habits import load_habits
+from thinkblox.reading.reference import are_alike
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _SEATING = {"dining_room": "dining_table", "restaurant": "dining_table", "meeting_room": "conference_table", "kitchen": "kitchen_table"}
@@ -60,18 +61,25 @@ def _usual(line: str) -> Usual:
 def assume(draft: Draft) -> None:
     """Add what the prompt takes for granted, marked as not asked for."""
     if not draft.empty:
-        furnish = _FURNISH in draft.style
-        if (not draft.things and not draft.missing) or furnish:
+        if _FURNISH in draft.style or _is_bare(draft):
             _fill(draft)
         _seat(draft)
         _carry(draft)
+
+
+def _is_bare(draft: Draft) -> bool:
+    """Whether only the room is named, or with it one thing that is not what such a room is for."""
+    if not draft.things:
+        return not draft.missing
+    core = room_types()[draft.room or "room"].usual[0].category
+    return draft.room not in ("", "room") and len(draft.things) == 1 and not are_alike(draft.things[0].noun, core)
 
 
 def _fill(draft: Draft) -> None:
     present = {thing.noun for thing in draft.things}
     made: dict[str, Thing] = {thing.noun: thing for thing in draft.things}
     for usual in room_types()[draft.room or "room"].usual:
-        if usual.category in present or usual.category in draft.excluded:
+        if any(are_alike(usual.category, noun) for noun in present | draft.excluded):
             continue
         if any(anchor not in made and anchor not in _PLACES and anchor for _, anchor, _ in usual.relations):
             continue
@@ -103,9 +111,9 @@ def _seat(draft: Draft) -> None:
 
 
 def _chairs(draft: Draft, table: Thing, count: int) -> None:
-    seat = _add(draft, "chair", count)
+    seat = _add(draft, "chair", count * (table.count or 1))
     kind = "at" if load_habits().is_in(table.noun, "desks") else "around"
-    draft.bonds.append(Bond(relation_kind(kind), seat, (table,), asked=False))
+    draft.bonds.append(Bond(relation_kind(kind), seat, (table,), each=table.many, asked=False))
 
 
 def _has(draft: Draft, group: str) -> bool:

@@ -7,6 +7,8 @@ from thinkblox.reading.habits import load_habits
 _WALLS = ("wall", "long_wall", "short_wall", "north_wall", "east_wall", "south_wall", "west_wall")
 _KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall"}
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
+_JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
+"""Relations that all of a list can share, and what kind of things then do."""
 _COVERS = ("rug", "bath_mat", "door_mat", "yoga_mat")
 
 
@@ -38,14 +40,18 @@ def bind(draft: Draft, bond: Bond) -> None:
         if bond.kind == "on" and anchor.noun in _COVERS and bond.subject.noun not in _COVERS:
             bond = Bond("under", anchor, (bond.subject,), each=bond.each)
         elif bond.kind == "against_wall":
-            bond.kind = "next_to"
-    draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
+            usual = load_habits().tie(bond.subject.noun, anchor.noun)
+            bond.kind = usual if usual in ("at", "around") else "next_to"
+        elif bond.kind == "between" and load_habits().tie(anchor.noun, bond.subject.noun) == "next_to":
+            bond = Bond("next_to", anchor, (bond.subject,))
+    if bond.subject.owner is not None and not bond.implied:
+        draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
     draft.bonds.append(bond)
 
 
 def _is_sharper(bond: Bond, old: Bond) -> bool:
     """Whether `bond` says better what `old` only supposed ("a bed with a lamp next to it")."""
-    return old.implied and old.subject is bond.subject and (not bond.implied)
+    return old.implied and old.subject is bond.subject
 
 
 def subjects_of(current: Thing, kind: str, anchors: tuple[Thing | str, ...], run: list[Thing], *, pronoun: bool) -> list[Thing]:
@@ -61,7 +67,7 @@ def subjects_of(current: Thing, kind: str, anchors: tuple[Thing | str, ...], run
             return [owner]
         if kind in _BY_OWNER and habits.is_in(current.noun, "small", "seats") and kind != "facing":
             return [owner]
-    group = "small" if kind == "on" else "wallpieces" if kind in ("against_wall", "above") else ""
+    group = _JOINED.get(kind, "")
     if group and habits.is_in(current.noun, group):
         return [t for t in run if habits.is_in(t.noun, group) and t not in anchors and t.owner is owner] or [current]
     return [current]

@@ -1,6 +1,6 @@
 """How many of each: what was said, shared out over anchors, or a sensible number for a bare plural."""
 
-from thinkblox.reading.draft import Draft, Thing
+from thinkblox.reading.draft import Bond, Draft, Thing
 from thinkblox.reading.habits import load_habits
 
 MAX_OF_A_KIND = 200
@@ -13,23 +13,43 @@ _BARE = {"school_desk": 6, "chair": 4, "office_chair": 4, "bar_stool": 3, "child
 _BARE |= {"bookcase": 2, "pillow": 2, "base_cabinet": 3, "curtain": 2, "potted_plant": 4, "plant": 3, "locker": 4}
 
 
+def limit_things(draft: Draft) -> None:
+    """Keep as many things as can be asked for; the others are listed as missing."""
+    extra = draft.things[MAX_OBJECTS:]
+    if extra:
+        kept = draft.things = draft.things[:MAX_OBJECTS]
+        known = set(map(id, kept))
+        draft.missing.append(f"{len(extra)} more things, from {extra[0].text!r} on")
+        draft.bonds = [b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))]
+
+
 def settle_counts(draft: Draft) -> None:
     """Give every thing its final count, anchors before what is counted by them."""
-    done: set[int] = set()
-    for thing in draft.things:
-        _settle(draft, thing, done)
+    bonds: dict[int, list[Bond]] = {}
+    for bond in draft.bonds:
+        bonds.setdefault(id(bond.subject), []).append(bond)
+    for thing in _anchors_first(draft.things, bonds):
+        _settle(draft, thing, bonds.get(id(thing), []))
     _limit(draft)
 
 
-def _settle(draft: Draft, thing: Thing, done: set[int]) -> None:
-    if id(thing) in done:
-        return
-    done.add(id(thing))
-    bonds = draft.bonds_of(thing)
-    for bond in bonds:
-        for anchor in bond.anchors:
-            if isinstance(anchor, Thing):
-                _settle(draft, anchor, done)
+def _anchors_first(things: list[Thing], bonds: dict[int, list[Bond]]) -> list[Thing]:
+    """Every thing after what it is bound to, as far as there are no circles."""
+    order: dict[int, Thing] = {}
+    entered: set[int] = set()
+    stack = list(reversed(things))
+    while stack:
+        thing = stack.pop()
+        if id(thing) in entered:
+            order.setdefault(id(thing), thing)
+            continue
+        entered.add(id(thing))
+        anchors = [a for bond in bonds.get(id(thing), []) for a in bond.anchors if isinstance(a, Thing)]
+        stack += [thing, *(anchor for anchor in anchors if id(anchor) not in entered)]
+    return list(order.values())
+
+
+def _settle(draft: Draft, thing: Thing, bonds: list[Bond]) -> None:
     shares = next((bond for bond in bonds if bond.each and thing.asked), None)
     anchors = shares.anchors if shares else ()
     if shares and any(isinstance(a, str) and a == "corner" for a in anchors):
@@ -38,7 +58,7 @@ def _settle(draft: Draft, thing: Thing, done: set[int]) -> None:
         each = thing.count if thing.count is not None else _each(thing)
         thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Thing))
     elif thing.count is None:
-        thing.count = _bare(draft, thing)
+        thing.count = _bare(thing, bonds)
     _carriers(draft, thing)
 
 
@@ -46,11 +66,11 @@ def _each(thing: Thing) -> int:
     return 4 if thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
 
 
-def _bare(draft: Draft, thing: Thing) -> int:
+def _bare(thing: Thing, bonds: list[Bond]) -> int:
     if thing.rows:
         return (_ROWS if thing.rows < 0 else thing.rows) * (_PER_ROW if thing.rows != 1 else _PER_ROW + 1)
-    if any(b.kind == "in_rows" for b in draft.bonds_of(thing)):
-        rows = next(b.rows for b in draft.bonds_of(thing) if b.kind == "in_rows")
+    rows = next((bond.rows for bond in bonds if bond.kind == "in_rows"), None)
+    if rows is not None:
         return max(rows, _ROWS) * _PER_ROW
     return _BARE.get(thing.noun, 3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
 

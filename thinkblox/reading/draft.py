@@ -14,6 +14,7 @@ class Thing:
         noun: a category, or a generic noun ("any_table") until its sense is chosen.
         count: as said; None for a bare plural.
         owner: what it was said to belong to ("a desk with a chair"), if anything.
+        host: the thing whose list it heads, related or not ("a sink with a mirror above it").
         seats: how many people it was said to be for.
         general: only said of the room as a whole ("a shop full of plants").
     """
@@ -27,6 +28,7 @@ class Thing:
     text: str = ""
     asked: bool = True
     owner: "Thing | None" = None
+    host: "Thing | None" = None
     seats: int = 0
     general: bool = False
 

@@ -176,7 +176,7 @@ class Walker:
         head = self.current
         each = self._previous_is_each()
         if each and head is not None:
-            head = head.owner or head
+            head = next(iter(self.references.several(None, "each")), head) if not head.many else head
         self.front = None
         self.chain = None
         self.run = []
@@ -208,6 +208,8 @@ class Walker:
             self.frame.each = True
         elif value == "per":
             self.waiting = _Waiting("per", self.current)
+        elif value == "in_centre" and self._object_of():
+            self.waiting = _Waiting("on", self.current)
         elif value == "in_centre":
             self._attach("in", ("centre",), subject=self.current)
         elif value != "with":
@@ -218,6 +220,11 @@ class Walker:
                 self.front = _Front(value, anchors, each=False)
             else:
                 self._attach(value, anchors, subject=self.current, pronoun=True)
+
+    def _object_of(self) -> bool:
+        """Whether "of <object>" comes next: "in the middle of the table"."""
+        second = self._next(2)
+        return self._next_is("of") and isinstance(second, Phrase) and second.kind == "object"
 
     def _mutual(self, kind: str) -> None:
         """ "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""
@@ -300,6 +307,7 @@ class Walker:
 
     def _mentioned(self, thing: Thing) -> None:
         self.current = thing
+        self.references.mention(thing)
         self.opening = None
         self.fresh = False
         self.chain = self.chain or thing
@@ -325,7 +333,7 @@ class Walker:
         if front is None:
             return
         listed = self.separator in ("and", "comma") and self.run
-        if listed and front.kind == "on" and not self.habits.is_in(thing.noun, "small"):
+        if listed and front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted"):
             self.front = None
             return
         self._attach(front.kind, front.anchors, subject=thing, pronoun=True, each=front.each)
@@ -338,6 +346,7 @@ class Walker:
             return
         tie = self._tie(thing, frame)
         first = not frame.members
+        thing.host = frame.head if first or tie is not None else None
         if tie is None or (not first and self.separator == "comma" and tie not in _LISTED):
             self.frame = frame if first and self.separator == "having" and tie is None and frame.each else None
             return
@@ -383,14 +392,15 @@ class Walker:
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = phrase.value
         self.draft.room_attributes += phrase.attributes
+        self.draft.empty |= "empty" in phrase.attributes
         if phrase.size:
             self.draft.sizes.append(phrase.size)
         if not phrase.definite and not self.draft.things:
             self.current = None
 
     def _size(self, size: Size) -> None:
-        previous = self.items[self.at - 1] if self.at else None
-        of_thing = isinstance(previous, Phrase) and previous.kind == "object"
+        before = [item for item in self.items[max(0, self.at - 2) : self.at] if item != Link("of")]
+        of_thing = bool(before) and isinstance(before[-1], Phrase) and before[-1].kind == "object"
         following = self._next()
         ceiling = isinstance(following, Phrase) and following.value == "ceiling"
         single = len(size.lengths) == 1 and size.area is None and not size.lengths[0].axis
@@ -451,6 +461,7 @@ class Walker:
         self._attach(kind, anchors, subject=waiting.subject, pronoun=phrase.kind == "pronoun", each=each)
         if phrase.kind == "object" and isinstance(anchors[0], Thing):
             self.current = anchors[0]
+            self.references.mention(anchors[0])
             self.run = []
 
     def _fronts(self, phrase: Phrase) -> bool:
@@ -461,8 +472,12 @@ class Walker:
         match phrase.kind:
             case "pronoun" if phrase.value == "it":
                 return kind, self._antecedent(subject, kind)
+            case "pronoun" if phrase.value == "each":
+                return kind, self.references.shared(subject)
             case "pronoun":
                 return kind, self.references.several(subject, kind)
+            case "place" if (thing := self._whole(phrase)) is not None:
+                return ("on" if phrase.value == "centre" else "next_to"), (thing,)
             case "place":
                 return kind, (phrase.value,)
             case "part":
@@ -470,6 +485,14 @@ class Walker:
             case "object":
                 return kind, self._named(phrase, kind)
         return kind, ()
+
+    def _whole(self, phrase: Phrase) -> Thing | None:
+        """The object of "the middle of the table"; None where it is the room's."""
+        second = self._next(2)
+        if not self._object_of() or not isinstance(second, Phrase):
+            return None
+        self.items[self.at + 2] = Phrase("ignored", "")
+        return self.references.named(second) or self._new(second)
 
     def _part_of(self, phrase: Phrase, kind: str) -> str:
         return {"foot": "at_foot_of", "side": "next_to", "head": "next_to", "top": "on"}[phrase.value]

@@ -173,11 +173,11 @@ def _split(phrases: str) -> Iterator[str]:
 def _add_all(lexicon: Lexicon, phrases: str, sort: Sort, value: str, plurals: str) -> None:
     for item in _split(phrases):
         item, _, attribute = item.partition(":")
-        singular, _, plural = item.partition("|")
+        singular, irregular, plural = item.partition("|")
         lexicon.add(singular, Entry(sort, value, singular == plural, attribute))
         if plural and plural != singular:
             lexicon.add(plural, Entry(sort, value, True, attribute))
-        elif not plural and sort in ("object", "room", "place"):
+        elif not irregular and sort in ("object", "room", "place"):
             for form in _plural_forms(singular, plurals):
                 lexicon.add(form, Entry(sort, value, True, attribute))
 

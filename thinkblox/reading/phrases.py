@@ -274,7 +274,9 @@ class _NounPhrase:
         return _continues(following) and lexeme.entry("relation", "having") is None and self._take(lexeme)
 
     def _head(self, lexeme: Lexeme) -> bool:
-        entry = lexeme.entry("object") or lexeme.entry("room", "place") or self._part(lexeme) or self._word(lexeme)
+        verb = not self.determined and lexeme.entry("word", value="filler") is not None
+        noun = None if verb else lexeme.entry("object") or lexeme.entry("room", "place")
+        entry = noun or self._part(lexeme) or self._word(lexeme)
         if entry is None:
             return False
         self.phrase.kind = _HEADS[entry.value] if entry.sort == "word" else entry.sort  # type: ignore[assignment]

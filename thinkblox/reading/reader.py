@@ -5,7 +5,7 @@ from typing import Literal
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.reading.assumptions import assume, room_types
-from thinkblox.reading.counts import settle_counts
+from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Thing
 from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import read_items
@@ -36,6 +36,7 @@ def read_brief(prompt: str) -> Brief:
 
 def _finish(draft: Draft) -> None:
     draft.things = [t for t in draft.things if not any(are_alike(x, t.noun) for x in draft.excluded) or t.count]
+    limit_things(draft)
     _drop_general(draft)
     choose_senses(draft)
     assume(draft)
@@ -45,10 +46,10 @@ def _finish(draft: Draft) -> None:
 
 def _fit_tables(draft: Draft) -> None:
     """Say of every table for how many it is, so that one of that size is made."""
-    for bond in draft.bonds:
-        table = bond.anchors[0] if bond.anchors else None
-        if bond.kind == "around" and isinstance(table, Thing) and table.count:
-            table.attributes.append(f"for-{max(1, (bond.subject.count or 1) // table.count)}")
+    for table in draft.things:
+        seats = sum(b.subject.count or 1 for b in draft.bonds if b.kind == "around" and table in b.anchors)
+        if seats and table.count:
+            table.attributes.append(f"for-{max(1, seats // table.count)}")
 
 
 def _drop_general(draft: Draft) -> None:

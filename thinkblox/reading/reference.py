@@ -22,9 +22,13 @@ _RELATIVES = (
     ("stool", "bar_stool"),
     ("base_cabinet", "any_counter", "counter"),
     ("tv_stand", "any_tv_stand"),
+    ("bathtub", "shower_cabin"),
+    ("counter", "bar_counter", "any_counter"),
 )
 
 
+_MEMORY = 40
+"""How many things back a pronoun can reach."""
 _ON_THE_FLOOR = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "opposite")
 
 
@@ -34,18 +38,28 @@ class References:
     def __init__(self, draft: Draft) -> None:
         self.draft = draft
         self.pairs: list[tuple[Thing, Thing]] = []
+        self.mentions: list[Thing] = []
 
     def named(self, phrase: Phrase) -> Thing | None:
         """The latest thing that "the <noun>" can mean; None when nothing like it was mentioned."""
-        same = (t for t in reversed(self.draft.things) if t.noun == phrase.value)
-        like = (t for t in reversed(self.draft.things) if are_alike(t.noun, phrase.value))
-        return next(same, None) or next(like, None)
+        word = _last_word(phrase.text)
+        recent = list(reversed(self.draft.things))
+        very = (t for t in recent if t.noun == phrase.value and _last_word(t.text) == word)
+        same = (t for t in recent if t.noun == phrase.value)
+        like = (t for t in recent if are_alike(t.noun, phrase.value))
+        called = (t for t in recent if _last_word(t.text) == word)
+        return next(very, None) or next(same, None) or next(like, None) or next(called, None)
+
+    def mention(self, thing: Thing) -> None:
+        """Remember that a thing was spoken of just now."""
+        self.mentions.append(thing)
 
     def single(self, subject: Thing | None, kind: str) -> Thing | None:
         """What "it" means as the anchor of a relation of this kind; None when there is nothing."""
-        if subject is not None and subject.owner is not None and _fits(subject.owner, kind):
-            return subject.owner
-        candidates = [t for t in reversed(self.draft.things) if t is not subject]
+        host = subject.host if subject is not None else None
+        if host is not None and (_fits(host, kind) or host is getattr(subject, "owner", None)):
+            return host
+        candidates = self._recent(subject)
         for wanted in (
             lambda t: not t.many and _fits(t, kind) and not _is_small(t),
             lambda t: not _is_small(t) and _fits(t, kind),
@@ -74,12 +88,27 @@ class References:
         found = self.single(subject, kind)
         return (found,) if found is not None else ()
 
+    def shared(self, subject: Thing | None) -> tuple[Thing, ...]:
+        """What "each" shares out over: the plural thing that the subject belongs to, or the latest."""
+        if subject is not None and subject.host is not None and subject.host.many:
+            return (subject.host,)
+        return self.several(subject, "each")
+
+    def _recent(self, subject: Thing | None) -> list[Thing]:
+        """Things but the subject, the one spoken of last first."""
+        spoken = dict.fromkeys([*reversed(self.mentions[-_MEMORY:]), *reversed(self.draft.things[-_MEMORY:])])
+        return [t for t in spoken if t is not subject and t in self.draft.things[-_MEMORY:]]
+
     def _before(self, subject: Thing | None) -> Iterator[Thing]:
         return (
             t
-            for t in reversed(self.draft.things)
-            if t is not subject and (subject is None or t.owner is not subject) and t is not getattr(subject, "owner", None)
+            for t in self._recent(subject)
+            if (subject is None or t.owner is not subject) and t is not getattr(subject, "owner", None)
         )
+
+
+def _last_word(text: str) -> str:
+    return text.rpartition(" ")[2].casefold()
 
 
 def are_alike(one: str, other: str) -> bool:

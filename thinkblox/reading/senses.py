@@ -25,6 +25,11 @@ def generic_nouns() -> frozenset[str]:
     return frozenset(noun for noun in _rules() if noun.startswith("any_"))
 
 
+def categories_meant() -> frozenset[str]:
+    """Every category that a word can come to mean."""
+    return frozenset(category for rules in _rules().values() for category, _ in rules)
+
+
 def choose_senses(draft: Draft) -> None:
     """Give every thing a category. Twice over, as the sense of one word can hang on that of another."""
     for _ in range(_ROUNDS):

@@ -5,7 +5,7 @@ import unicodedata
 from dataclasses import dataclass
 
 _TOKEN = re.compile(
-    r"(?P<unit>(?<=[\d\s])(?:sq)?(?:m|ft)\s?(?:²|\^2|2(?!\w)))"
+    r"(?P<unit>(?<![^\W\d_])(?:sq)?(?:m|ft)\s?(?:²|\^2|2(?!\w)))"
     r"|(?P<number>(?:(?<![\w.)])[-−])?\d{1,12}(?:[.,]\d{1,6})?)"
     r"|(?P<word>[^\W\d_]+(?:['’`´][^\W\d_]+)*)"
     r"|(?P<mark>[^\w\s])"
