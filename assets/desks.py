@@ -9,6 +9,8 @@ from thinkblox.assets.spec import Spec
 
 def desk(spec: Spec) -> Build:
     """Return a desk: drawers on its right for a broad one, else four legs and a shallow drawer box."""
+    if spec.has("l-shaped", "corner"):
+        return corner_desk(spec)
     x, y, z = spec.size
     build = _topped(spec, spec.wood)
     if y >= 1.15 and not spec.has("simple", "small"):

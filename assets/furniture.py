@@ -170,7 +170,6 @@ TABLES = (
         20,
         tables.high_table,
         front="two",
-        seats=2,
         clearance=0.6,
         low=0.7,
         variants={"long": (0.7, 1.6, 1.08)},
@@ -198,7 +197,12 @@ TABLES = (
         desks.desk,
         clearance=0.9,
         low=0.6,
-        variants={"small": (0.58, 1.0, 0.75), "long": (0.7, 1.7, 0.75)},
+        variants={
+            "l-shaped": (1.50, 1.60, 0.75),
+            "corner": (1.50, 1.60, 0.75),
+            "small": (0.58, 1.0, 0.75),
+            "long": (0.7, 1.7, 0.75),
+        },
     ),
     large(
         "corner_desk", (1.50, 1.60, 0.75), 42, desks.corner_desk, clearance=0.6, low=0.75, high=1.5, noun="corner desk"
@@ -295,6 +299,7 @@ SEATS = (
         low=0.7,
         high=1.5,
         noun="child's chair",
+        variants={"small": (0.31, 0.30, 0.54), "child": (0.33, 0.32, 0.56)},
     ),
     large("dentist_chair", (1.65, 0.76, 1.75), 150, shop.dentist_chair, clearance=0.6, friction=0.7, low=0.8, high=1.3),
 )

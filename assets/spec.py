@@ -6,7 +6,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from thinkblox.assets.palette import Style, colour_of, wood_of
+from thinkblox.assets.palette import ASH, MARBLE, WALNUT, WICKER, Style, colour_of, wood_of
 from thinkblox.assets.part import Finish
 from thinkblox.value import Vec3
 
@@ -48,7 +48,13 @@ class Spec:
             return named
         if colour := colour_of(self.words):
             return Finish(colour, usual.material)
-        return usual
+        return self._of_material(usual) if usual.material == "wood" else usual
+
+    def _of_material(self, usual: Finish) -> Finish:
+        """What stands for wood when another material, or a tone of wood, was asked for."""
+        tones = {"metal": self.style.metal, "stone": MARBLE, "wicker": WICKER, "dark": WALNUT, "light": ASH}
+        tones["plastic"] = Finish(usual.colour, "plastic")
+        return next((finish for word, finish in tones.items() if word in self.words), usual)
 
     @property
     def wood(self) -> Finish:

@@ -1,6 +1,6 @@
 """Tables: a top on legs, on a pedestal or on panels. Legs stand at the corners, so that seats go under."""
 
-from thinkblox.assets.palette import CHARCOAL_PAINT, IRON, MARBLE, STEEL, WHITE_PAINT
+from thinkblox.assets.palette import CHARCOAL_PAINT, GLASS, IRON, MARBLE, STEEL, WHITE_PAINT
 from thinkblox.assets.part import Build, Finish, Part
 from thinkblox.assets.shapes import (
     around,
@@ -30,6 +30,7 @@ def is_round(spec: Spec) -> bool:
 def table_top(spec: Spec, finish: Finish, thickness: float) -> list[Part]:
     """Return the top, over the whole box, with a bevelled lower edge where it is thick enough."""
     x, y, z = spec.size
+    finish = GLASS if spec.has("glass") else finish
     if is_round(spec):
         if abs(x - y) < 1e-9:
             return [disc(finish, (0, 0), x / 2, (z - thickness, z))]
