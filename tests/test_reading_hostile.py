@@ -70,7 +70,20 @@ def test_any_words_give_a_sound_brief(text):
 
 @pytest.mark.parametrize(
     "unit",
-    ["a bed, ", "a ", "very ", "with ", "each ", "a chair on a table on ", "it ", "4 m x ", "((((", "no ", "aaaa", "foo "],
+    [
+        "a bed, ",
+        "a ",
+        "very ",
+        "with ",
+        "each ",
+        "a chair on a table on ",
+        "it ",
+        "4 m x ",
+        "((((",
+        "no ",
+        "aaaa",
+        "foo ",
+    ],
 )
 def test_long_prompts_do_not_hang(unit):
     text = ("a bedroom " + unit * 20_000)[:20_000]

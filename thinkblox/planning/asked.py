@@ -99,9 +99,7 @@ def share(number: int, count: int, anchors: int) -> int:
     return number * anchors // count if count >= anchors else number
 
 
-def _add(
-    members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int
-) -> None:
+def _add(members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int) -> None:
     """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject."""
     if relation.kind in ("between", "in_front_of", "opposite"):
         anchors = [members.support(anchor) or anchor for anchor in anchors]
@@ -109,7 +107,11 @@ def _add(
     free = [anchor for anchor in anchors if not members.depends(anchor, subject)]
     for anchor in anchors:
         mirrored = _MIRRORED.get(relation.kind)
-        if anchor not in free and mirrored and not any(subject.id in tie.anchors and tie.kind == mirrored for tie in anchor.ties):
+        if (
+            anchor not in free
+            and mirrored
+            and not any(subject.id in tie.anchors and tie.kind == mirrored for tie in anchor.ties)
+        ):
             anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked))
     if free:
         ids = tuple(anchor.id for anchor in free)

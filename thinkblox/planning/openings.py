@@ -1,5 +1,7 @@
 """Where the doors and windows of a room go."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from thinkblox.brief import Brief
@@ -12,7 +14,16 @@ _CORNER = 0.2
 """Least distance of an opening to a corner [m]."""
 _SIDES = ("north_wall", "east_wall", "south_wall", "west_wall")
 _WINDOWLESS = frozenset(
-    {"bathroom", "hallway", "storage_room", "laundry_room", "home_cinema", "walk_in_closet", "computer_room", "locker_room"}
+    {
+        "bathroom",
+        "hallway",
+        "storage_room",
+        "laundry_room",
+        "home_cinema",
+        "walk_in_closet",
+        "computer_room",
+        "locker_room",
+    }
 )
 _MANY_WINDOWS = 30.0
 """Floor from which a room has two windows, where the prompt does not say [m2]."""
@@ -21,22 +32,37 @@ _MANY_WINDOWS = 30.0
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     """The room with the doors and windows that the brief asks for, and those that go without saying."""
     planner = _Openings(room, rng)
-    for kind, wall in _wanted(brief, room):
-        planner.add(kind, wall)
+    for wanted in _wanted(brief, room):
+        planner.add(wanted)
     return Room(floor=room.floor, height=room.height, openings=tuple(planner.openings))
 
 
-def _wanted(brief: Brief, room: Room) -> list[tuple[str, str]]:
-    """Kind and wall ("" for any) of every opening, doors first."""
+@dataclass(frozen=True, slots=True)
+class _Wanted:
+    """An opening to be: its kind, its wall ("" for any), and which of how many in that wall it is."""
+
+    kind: str
+    wall: str = ""
+    index: int = 0
+    count: int = 1
+
+
+def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
+    """The openings to be, doors first."""
     asked = {kind: [r for r in brief.openings if r.kind == kind] for kind in ("door", "window")}
-    wanted = [(kind, r.wall) for kind in ("door", "window") for r in asked[kind] for _ in range(r.count)]
-    if not any(kind == "door" for kind, _ in wanted):
-        wanted.insert(0, ("door", ""))
+    wanted = [
+        _Wanted(kind, r.wall, n, r.count if r.wall else 1)
+        for kind in ("door", "window")
+        for r in asked[kind]
+        for n in range(r.count)
+    ]
+    if not any(opening.kind == "door" for opening in wanted):
+        wanted.insert(0, _Wanted("door"))
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
         usual = brief.room_type not in _WINDOWLESS
         count = 2 if room.polygon.area > _MANY_WINDOWS else 1
-        wanted += [("window", "")] * (count if usual else int(named))
+        wanted += [_Wanted("window")] * (count if usual else int(named))
     return wanted
 
 
@@ -48,10 +74,10 @@ class _Openings:
         self.rng = rng
         self.openings: list[Opening] = []
 
-    def add(self, kind: str, wall: str) -> None:
+    def add(self, wanted: _Wanted) -> None:
         """Put a door or window into the named wall, or into the best one that has space for it."""
-        for index in self._walls(kind, wall):
-            if (opening := self._fit(kind, index)) is not None:
+        for index in self._walls(wanted.kind, wanted.wall):
+            if (opening := self._fit(wanted, index)) is not None:
                 self.openings.append(opening)
                 return
 
@@ -67,38 +93,52 @@ class _Openings:
         taken = {opening.wall for opening in self.openings}
         return sorted(range(len(walls)), key=lambda i: (i in taken, _dislike(kind, walls[i]), lengths[i]))
 
-    def _fit(self, kind: str, index: int) -> Opening | None:
-        wall = self.room.walls[index]
-        width = DOOR[0] if kind == "door" else self._window_width(wall)
+    def _fit(self, wanted: _Wanted, index: int) -> Opening | None:
+        wall, kind = self.room.walls[index], wanted.kind
+        width = DOOR[0] if kind == "door" else self._window_width(wall.length / wanted.count)
         number = sum(opening.kind == kind for opening in self.openings) + 1
-        offset = self._offset(kind, index, width)
+        offset = self._offset(wanted, index, width)
         top = self.room.height - 0.1
         if offset is None:
             return None
         if kind == "door":
             hinge = "start" if offset < wall.length / 2.0 else "end"
             return Opening(
-                id=f"door_{number}", kind="door", wall=index, offset=offset, width=width, height=min(DOOR[1], top), hinge=hinge
+                id=f"door_{number}",
+                kind="door",
+                wall=index,
+                offset=offset,
+                width=width,
+                height=min(DOOR[1], top),
+                hinge=hinge,
             )
         sill = min(_SILL, top - 0.5)
         height = min(_WINDOW_HEIGHT, top - sill)
         return Opening(
-            id=f"window_{number}", kind="window", wall=index, offset=offset, width=width, height=round(height, 3), sill=sill
+            id=f"window_{number}",
+            kind="window",
+            wall=index,
+            offset=offset,
+            width=width,
+            height=round(height, 3),
+            sill=sill,
         )
 
-    def _window_width(self, wall: Wall) -> float:
+    def _window_width(self, space: float) -> float:
         usual = float(self.rng.uniform(1.2, 2.0))
-        return round(max(0.4, min(usual, 0.5 * wall.length)), 2)
+        return round(max(0.4, min(usual, 0.5 * space)), 2)
 
-    def _offset(self, kind: str, index: int, width: float) -> float | None:
-        """Near a corner for a door, in the middle of the largest free stretch for a window [m]."""
+    def _offset(self, wanted: _Wanted, index: int, width: float) -> float | None:
+        """Near a corner for a door, in the middle of the free stretch nearest its share of the wall for a window [m]."""
         length = self.room.walls[index].length
         gaps = [(a, b) for a, b in self._gaps(index, length) if b - a >= width]
         if not gaps:
             return None
-        if kind == "window":
-            start, end = max(gaps, key=lambda gap: gap[1] - gap[0])
-            return round((start + end - width) / 2.0, 3)
+        if wanted.kind == "window":
+            share = length * (wanted.index + 0.5) / wanted.count
+            start, end = max(gaps, key=lambda gap: (gap[0] <= share <= gap[1], gap[1] - gap[0]))
+            middle = share if wanted.count > 1 else (start + end) / 2.0
+            return round(min(max(middle - width / 2.0, start), end - width), 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
         return round(corners[int(index == 0)], 3)
 

@@ -11,7 +11,12 @@ from thinkblox.reading.habits import load_habits
 from thinkblox.reading.reference import are_alike
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
-_SEATING = {"dining_room": "dining_table", "restaurant": "dining_table", "meeting_room": "conference_table", "kitchen": "kitchen_table"}
+_SEATING = {
+    "dining_room": "dining_table",
+    "restaurant": "dining_table",
+    "meeting_room": "conference_table",
+    "kitchen": "kitchen_table",
+}
 _A_PLACE_EACH = {"classroom": "school_desk", "office": "desk", "computer_room": "desk", "home_office": "desk"}
 _SLEEPING = ("bedroom", "kids_room", "dorm_room", "hospital_room")
 _FURNISH = "furnished"
@@ -94,7 +99,12 @@ def _scale(draft: Draft) -> None:
     """As many seats, desks or beds as the people the room is for."""
     if not draft.people:
         return
-    names = ("chair", "office_chair", _A_PLACE_EACH.get(draft.room, ""), *(("bed", "hospital_bed") if draft.room in _SLEEPING else ()))
+    names = (
+        "chair",
+        "office_chair",
+        _A_PLACE_EACH.get(draft.room, ""),
+        *(("bed", "hospital_bed") if draft.room in _SLEEPING else ()),
+    )
     for thing in draft.things:
         if not thing.asked and thing.noun in names and (thing.many or draft.room in _SLEEPING):
             thing.count = draft.people

@@ -15,7 +15,13 @@ _COVERS = ("rug", "bath_mat", "door_mat", "yoga_mat")
 def place_bond(kind: str, place: str) -> tuple[RelationKind, str] | None:
     """The relation and place that "<kind> the <place>" means; None when it says nothing ("on the floor")."""
     if place in _WALLS:
-        return ("facing", place) if kind == "facing" else ("opposite", place) if kind == "opposite" else ("against_wall", place)
+        return (
+            ("facing", place)
+            if kind == "facing"
+            else ("opposite", place)
+            if kind == "opposite"
+            else ("against_wall", place)
+        )
     if place == "corner":
         return ("in_corner", place)
     if place == "centre":
@@ -54,7 +60,9 @@ def _is_sharper(bond: Bond, old: Bond) -> bool:
     return old.implied and old.subject is bond.subject
 
 
-def subjects_of(current: Thing, kind: str, anchors: tuple[Thing | str, ...], run: list[Thing], *, pronoun: bool) -> list[Thing]:
+def subjects_of(
+    current: Thing, kind: str, anchors: tuple[Thing | str, ...], run: list[Thing], *, pronoun: bool
+) -> list[Thing]:
     """Which things a relation that follows `current` is about.
 
     "a desk with a chair by the window": the desk. "a vase and two candles on the table": both.

@@ -9,7 +9,15 @@ MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as missing."""
 _CORNERS = 4
 _PER_ROW, _ROWS = 3, 2
-_BARE = {"school_desk": 6, "chair": 4, "office_chair": 4, "bar_stool": 3, "child_chair": 2, "desk": 4, "dining_table": 3}
+_BARE = {
+    "school_desk": 6,
+    "chair": 4,
+    "office_chair": 4,
+    "bar_stool": 3,
+    "child_chair": 2,
+    "desk": 4,
+    "dining_table": 3,
+}
 _BARE |= {"bookcase": 2, "pillow": 2, "base_cabinet": 3, "curtain": 2, "potted_plant": 4, "plant": 3, "locker": 4}
 
 
@@ -20,7 +28,9 @@ def limit_things(draft: Draft) -> None:
         kept = draft.things = draft.things[:MAX_OBJECTS]
         known = set(map(id, kept))
         draft.missing.append(f"{len(extra)} more things, from {extra[0].text!r} on")
-        draft.bonds = [b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))]
+        draft.bonds = [
+            b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))
+        ]
 
 
 def settle_counts(draft: Draft) -> None:

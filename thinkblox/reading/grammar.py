@@ -449,8 +449,6 @@ class Walker:
         if phrase.kind in ("rows", "people", "number", "room", "missing", "adjective"):
             getattr(self, f"_{phrase.kind}")(phrase)
             return
-        if phrase.kind == "place" and not phrase.definite and not waiting.subject and not waiting.fronted:
-            return
         kind, anchors = self._resolve(phrase, waiting)
         if not anchors:
             return
@@ -481,7 +479,9 @@ class Walker:
             case "place":
                 return kind, (phrase.value,)
             case "part":
-                return self._part_of(phrase, kind), self._antecedent(subject, "at_foot_of" if phrase.value == "foot" else "")
+                return self._part_of(phrase, kind), self._antecedent(
+                    subject, "at_foot_of" if phrase.value == "foot" else ""
+                )
             case "object":
                 return kind, self._named(phrase, kind)
         return kind, ()
@@ -560,4 +560,6 @@ def _shares(thing: Thing, head: Thing, tie: str) -> bool:
         return False
     if thing.count is None:
         return tie in ("on", "at", "around")
-    return thing.count == 1 or (tie == "around" and thing.count < 2 * head.count and not are_alike(thing.noun, head.noun))
+    return thing.count == 1 or (
+        tie == "around" and thing.count < 2 * head.count and not are_alike(thing.noun, head.noun)
+    )

@@ -64,7 +64,11 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     keys = _keys(draft.things)
     width, depth, area, height = _room_size(draft.sizes)
     shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
-    sizes = [a for a in draft.room_attributes if a in ("small", "tiny", "large", "long", "narrow", "square", "tall", "low", "wide")]
+    sizes = [
+        a
+        for a in draft.room_attributes
+        if a in ("small", "tiny", "large", "long", "narrow", "square", "tall", "low", "wide")
+    ]
     return Brief(
         prompt=prompt,
         language=code,

@@ -8,7 +8,16 @@ from thinkblox.errors import InputError
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
-METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "ft": 0.3048, "inch": 0.0254, "yard": 0.9144, "mile": 1609.344}
+METRES = {
+    "m": 1.0,
+    "cm": 0.01,
+    "mm": 0.001,
+    "km": 1000.0,
+    "ft": 0.3048,
+    "inch": 0.0254,
+    "yard": 0.9144,
+    "mile": 1609.344,
+}
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 MIN_SIDE, MAX_SIDE = 1.0, 50.0
 """Sides of a room that a prompt may ask for [m]."""
@@ -136,7 +145,9 @@ def _unit(lexicon: Lexicon, tokens: list[Token], start: int) -> tuple[str, int]:
         entry = lexeme.entry("unit")
         if entry and entry.value not in (*_AXES, "by"):
             end = start + lexeme.length
-            dot = end < len(tokens) and tokens[end].text == "." and end + 1 < len(tokens) and tokens[end + 1].text == "x"
+            dot = (
+                end < len(tokens) and tokens[end].text == "." and end + 1 < len(tokens) and tokens[end + 1].text == "x"
+            )
             return entry.value, end + dot
     return "", start
 

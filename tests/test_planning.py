@@ -1,0 +1,198 @@
+"""From a brief to a room and to an order of placing."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from tests.test_reading import OWN, SHARED
+from tests.test_reading_hostile import WORDS
+from thinkblox.brief import Brief, OpeningRequest, Relation, Request
+from thinkblox.errors import InputError
+from thinkblox.planning import plan_brief, plan_room
+from thinkblox.reading import read_brief
+from thinkblox.room import rectangle
+
+ROOM = rectangle(6.0, 5.0)
+
+
+def plan_of(prompt: str):
+    return plan_brief(read_brief(prompt), ROOM)
+
+
+def ties_of(plan, id: str) -> list[tuple]:
+    return [(tie.kind, *tie.anchors) for tie in plan.target(id).ties]
+
+
+def check_plan(plan, brief: Brief) -> None:
+    ids = [target.id for target in plan.targets]
+    assert len(set(ids)) == len(ids)
+    for request in brief.requests:
+        assert sum(target.request == request.key for target in plan.targets) == request.count
+    placed: set[str] = set()
+    for target in plan.targets:
+        assert set(target.depends_on) <= placed, target.id
+        placed.add(target.id)
+        assert all(0 <= tie.index < tie.count for tie in target.ties)
+
+
+@pytest.mark.parametrize("prompt", SHARED | OWN)
+def test_order_is_topological_and_complete(prompt):
+    brief = read_brief(prompt)
+    check_plan(plan_brief(brief, plan_room(brief, rng=0)), brief)
+
+
+@pytest.mark.parametrize("prompt", SHARED | OWN)
+def test_every_asked_relation_becomes_a_tie(prompt):
+    brief = read_brief(prompt)
+    plan = plan_brief(brief, ROOM)
+    tied = {(target.request, tie.kind) for target in plan.targets for tie in target.ties if tie.asked}
+    assert {(r.subject, r.kind) for r in brief.relations if r.asked} <= tied
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.lists(st.sampled_from(WORDS), max_size=40).map(" ".join))
+@example("a bed next to a desk . the desk next to the bed")
+@example("a lamp on a table on a lamp . the table on the lamp")
+def test_any_brief_can_be_planned(text):
+    try:
+        brief = read_brief(text)
+    except InputError:
+        return
+    room = plan_room(brief, rng=1)
+    check_plan(plan_brief(brief, room), brief)
+
+
+def test_a_lamp_for_each_nightstand():
+    plan = plan_of("A bed, two nightstands with a lamp on each.")
+    assert ties_of(plan, "table_lamp_1") == [("on", "nightstand_1")]
+    assert ties_of(plan, "table_lamp_2") == [("on", "nightstand_2")]
+    assert ties_of(plan, "nightstand_2") == [("next_to", "bed_1")]
+    assert not plan.target("nightstand_1").ties[0].asked
+
+
+def test_chairs_are_shared_out_over_tables():
+    plan = plan_of("A restaurant with five square tables with four chairs each.")
+    tie = plan.target("chair_10").ties[0]
+    assert (tie.kind, tie.anchors, tie.index, tie.count) == ("around", ("dining_table_3",), 1, 4)
+
+
+def test_plants_are_shared_out_without_each():
+    plan = plan_of("A florist with fifteen potted plants on three tiered tables.")
+    assert [plan.target(f"potted_plant_{n}").ties[0].anchors for n in (1, 5, 6, 15)] == [
+        ("tiered_table_1",),
+        ("tiered_table_1",),
+        ("tiered_table_2",),
+        ("tiered_table_3",),
+    ]
+
+
+def test_rows_face_each_other():
+    plan = plan_of("Two rows of five chairs facing each other.")
+    assert ties_of(plan, "chair_1") == [("in_rows",), ("facing",)]
+    assert ties_of(plan, "chair_6") == [("in_rows",), ("facing", "chair_1")]
+    assert plan.target("chair_6").ties[0].rows == 2
+
+
+def test_habits_tie_what_nobody_mentions():
+    plan = plan_of("bed, nightstand, desk, office chair, monitor, sofa, coffee table, TV, TV stand, wardrobe, picture")
+    assert ties_of(plan, "nightstand_1") == [("next_to", "bed_1")]
+    assert ties_of(plan, "office_chair_1") == [("at", "desk_1")]
+    assert ties_of(plan, "monitor_1") == [("on", "desk_1")]
+    assert ties_of(plan, "coffee_table_1") == [("in_front_of", "sofa_1")]
+    assert ties_of(plan, "tv_1") == [("on", "tv_stand_1")]
+    assert ties_of(plan, "tv_stand_1") == [("opposite", "sofa_1")]
+    assert ties_of(plan, "wardrobe_1") == [("against_wall", "wall")]
+    assert ties_of(plan, "picture_1") == [("above", "sofa_1")]
+
+
+def test_a_cup_next_to_a_laptop_is_on_its_desk():
+    plan = plan_of("A desk with a laptop, a coffee table, and a cup next to the laptop.")
+    assert ties_of(plan, "cup_1") == [("on", "desk_1"), ("next_to", "laptop_1")]
+
+
+def test_things_spread_over_cabinets():
+    plan = plan_of("Base cabinets along one wall carrying a sink, a stove and a microwave.")
+    anchors = {plan.target(id).ties[0].anchors for id in ("sink_1", "hob_1", "microwave_1")}
+    assert anchors == {("base_cabinet_1",), ("base_cabinet_2",), ("base_cabinet_3",)}
+
+
+def test_relations_in_a_circle_keep_an_order():
+    brief = Brief(
+        prompt="",
+        requests=(Request(key="a", category="bed"), Request(key="b", category="desk")),
+        relations=(
+            Relation(kind="left_of", subject="a", anchors=("b",)),
+            Relation(kind="behind", subject="b", anchors=("a",)),
+        ),
+    )
+    plan = plan_brief(brief, ROOM)
+    check_plan(plan, brief)
+    assert ("in_front_of", "desk_1") in ties_of(plan, "bed_1")
+
+
+def test_large_things_come_first_and_small_things_last():
+    plan = plan_of("A vase, a chair, a rug, a dining table, a sideboard and a wardrobe.")
+    ids = [target.id for target in plan.targets]
+    for earlier, later in pairwise(["dining_table_1", "chair_1", "vase_1"]):
+        assert ids.index(earlier) < ids.index(later)
+
+
+def test_a_board_that_desks_face_is_placed_before_them():
+    plan = plan_of("A classroom with twelve school desks in three rows facing a whiteboard, and a bookcase.")
+    ids = [target.id for target in plan.targets]
+    assert ids.index("whiteboard_1") < ids.index("school_desk_1")
+
+
+@pytest.mark.parametrize("prompt", SHARED)
+@pytest.mark.parametrize("seed", range(3))
+def test_rooms_have_a_door_and_are_neither_tiny_nor_halls(prompt, seed):
+    room = plan_room(read_brief(prompt), rng=np.random.default_rng(seed))
+    assert [o.kind for o in room.openings].count("door") == 1
+    assert 5.0 <= room.polygon.area <= 70.0
+
+
+def test_a_room_is_as_large_as_it_is_said_to_be():
+    assert plan_room(read_brief("a bedroom, 4 m by 5 m"), rng=0).extent == (4.0, 5.0)
+    assert plan_room(read_brief("a studio of 18 square metres"), rng=0).polygon.area == pytest.approx(18.0, abs=0.05)
+    assert plan_room(read_brief("a bedroom 4 x 5 x 3 m"), rng=0).height == 3.0
+
+
+def test_an_l_has_six_corners_and_its_area():
+    room = plan_room(read_brief("An L-shaped kitchen of 20 m2 with a sink."), rng=0)
+    assert len(room.floor) == 6
+    assert room.polygon.area == pytest.approx(20.0, abs=0.1)
+
+
+def test_more_furniture_needs_a_larger_room():
+    few = plan_room(read_brief("A classroom with six school desks."), rng=0)
+    many = plan_room(read_brief("A classroom with forty school desks."), rng=0)
+    assert many.polygon.area > few.polygon.area + 20.0
+
+
+def test_openings_go_where_they_are_asked():
+    room = plan_room(read_brief("A bedroom with two windows on the north wall and a door in the west wall."), rng=0)
+    assert sorted((o.kind, room.walls[o.wall].name) for o in room.openings) == [
+        ("door", "west_wall"),
+        ("window", "north_wall"),
+        ("window", "north_wall"),
+    ]
+
+
+def test_no_windows_where_none_are_wanted_and_one_where_one_is_named():
+    assert {o.kind for o in plan_room(read_brief("A bedroom without windows."), rng=0).openings} == {"door"}
+    laundry = plan_room(read_brief("A laundry room with a washing machine by the window."), rng=0)
+    assert "window" in {o.kind for o in laundry.openings}
+
+
+def test_more_openings_than_the_walls_hold_are_left_out():
+    brief = Brief(prompt="", width=2.0, depth=2.0, openings=(OpeningRequest(kind="window", count=20),))
+    assert 1 <= sum(o.kind == "window" for o in plan_room(brief, rng=0).openings) < 20
+
+
+def test_the_same_seed_gives_the_same_room():
+    brief = read_brief("A bedroom.")
+    assert plan_room(brief, rng=5) == plan_room(brief, rng=5)
+    assert plan_room(brief, rng=5) != plan_room(brief, rng=6)
