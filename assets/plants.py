@@ -121,12 +121,14 @@ def _tree(spec: Spec, reach: float, low: float, z: float) -> list[Part]:
         parts.append(rod(trunk, (0.02, 0, fork - 0.01), tip, 0.009, sides=6, end_radius=0.005))
         turn = float(np.degrees(a)) + 20
         parts += [
-            leaf(spec.choice(LEAVES), tip, turn + 90 * j, 42 - 26 * (j % 2), 0.62 * reach, 0.34 * reach, droop=22)
+            leaf(spec.choice(LEAVES), tip, turn + 90 * j, 46 - 26 * (j % 2), 0.78 * reach, 0.44 * reach, droop=22)
             for j in range(4)
         ]
     crown = (0.02, 0.0, z - 0.36 * reach)
     parts.append(rod(trunk, (0.02, 0, fork - 0.01), crown, 0.01, sides=6, end_radius=0.005))
-    parts += [leaf(LEAVES[k], crown, 120.0 * k + 40, 58 - 8 * k, 0.5 * reach, 0.3 * reach, droop=16) for k in range(3)]
+    parts += [
+        leaf(LEAVES[k], crown, 120.0 * k + 40, 58 - 8 * k, 0.66 * reach, 0.42 * reach, droop=18) for k in range(3)
+    ]
     return parts
 
 
