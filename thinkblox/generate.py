@@ -32,12 +32,13 @@ class Generation:
 
 @dataclass(frozen=True)
 class Progress:
-    """What is told after each object: which, whether it stands, and its number of how many."""
+    """What is told after each object: which, whether it stands, its number of how many, and the attempt from 0."""
 
     target: Target
     placed: bool
     number: int
     total: int
+    attempt: int
 
 
 def generate_room(
@@ -86,12 +87,43 @@ def furnish(
     tolerances: Tolerances,
     on_object: Callable[[Progress], None],
 ) -> Generation:
-    """Place the targets of a plan into a scene, one at a time, and report on the whole."""
+    """Place the targets of a plan into a scene, one at a time; begin anew where that does not end well."""
+    best: Generation | None = None
+    for attempt in range(1 + effort.restarts):
+        made = _attempt(plan, scene, attempt, policy=policy, effort=effort, tolerances=tolerances, on_object=on_object)
+        if best is None or _faults(made.report) < _faults(best.report):
+            best = made
+        if not any(_faults(best.report)):
+            break
+    assert best is not None
+    return best
+
+
+def _faults(report: Report) -> tuple[int, ...]:
+    """What is not as asked, the gravest first."""
+    return (
+        sum(a.asked for a in report.absent),
+        sum(not v.valid for v in report.objects) + (not report.valid),
+        sum(not r.holds for r in report.relations),
+        len(report.absent),
+    )
+
+
+def _attempt(
+    plan: Plan,
+    scene: Scene,
+    attempt: int,
+    *,
+    policy: Policy,
+    effort: Effort,
+    tolerances: Tolerances,
+    on_object: Callable[[Progress], None],
+) -> Generation:
     world = World(scene, tolerances=tolerances)
     trace: list[Round] = []
     absent: list[Absence] = []
     for number, target in enumerate(plan.targets, 1):
-        rng = np.random.default_rng((scene.seed, number))
+        rng = np.random.default_rng((scene.seed, attempt, number))
         placing = Placing(world, plan, target, policy, effort, rng)
         done = placing.run()
         if done is None:
@@ -99,6 +131,6 @@ def furnish(
         else:
             world = world.with_placement(done.placement, done.asset)
         trace += placing.rounds
-        on_object(Progress(target, done is not None, number, len(plan.targets)))
+        on_object(Progress(target, done is not None, number, len(plan.targets), attempt))
     report = report_on(world.scene, plan, absent=absent, tolerances=tolerances)
     return Generation(world.scene, plan, report, tuple(trace))

@@ -38,11 +38,13 @@ class Effort:
         candidates: texts asked for in one round.
         rounds: how often a policy is asked for one object.
         repairs: poses measured around its best try after that.
+        restarts: how often a room that is not all as asked is begun anew; the best one is kept.
     """
 
     candidates: int = 8
     rounds: int = 3
     repairs: int = 40
+    restarts: int = 2
 
 
 class Measured(NamedTuple):
@@ -67,7 +69,7 @@ class Placing:
     failed: list[Measured] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.asset = asset_for(self.target, self.scene.seed)
+        self.asset = asset_for(self.target, self.scene)
 
     @property
     def scene(self) -> Scene:
@@ -181,9 +183,10 @@ class Placing:
         )
 
 
-def asset_for(target: Target, seed: int) -> Asset:
-    """The asset for a target; all targets of one request get the same."""
-    return make_asset(target.category, seed=crc32(f"{seed}/{target.request}".encode()), attributes=target.attributes)
+def asset_for(target: Target, scene: Scene) -> Asset:
+    """The asset for a target; one seed for a whole scene, so that its furniture is of one style."""
+    seed = crc32(f"{scene.seed}/{scene.prompt}".encode())
+    return make_asset(target.category, seed=seed, attributes=target.attributes)
 
 
 def _try(text: str, item: Measured | Rejection) -> Try:

@@ -89,6 +89,9 @@ def overlap_depth(a: Rects, b: Rects) -> Array:
 def outside(rects: Rects, room: shapely.Polygon) -> Array:
     """Share of each footprint that lies outside the room, (n,)."""
     polygons = shapely.polygons(rects.corners)
-    area = shapely.area(polygons)
-    inside = shapely.area(shapely.intersection(polygons, room))
-    return np.asarray(np.maximum(0.0, 1.0 - inside / np.maximum(area, 1e-9)))
+    shapely.prepare(room)
+    share = np.zeros(len(rects))
+    reaching = np.flatnonzero(~shapely.covers(room, polygons))
+    inside = shapely.area(shapely.intersection(polygons[reaching], room))
+    share[reaching] = np.maximum(0.0, 1.0 - inside / np.maximum(shapely.area(polygons[reaching]), 1e-9))
+    return share

@@ -6,9 +6,9 @@ import numpy as np
 
 from thinkblox.observe import Observation, describe_tie
 from thinkblox.phrases import phrase
-from thinkblox.policies.expert.idea import Idea, Situation
-from thinkblox.policies.expert.imagine import imagine
-from thinkblox.policies.expert.judge import HOPELESS, ranked
+from thinkblox.policies.expert.idea import Idea, Situation, pose_words
+from thinkblox.policies.expert.imagine import ELSEWHERE, from_room, from_ties
+from thinkblox.policies.expert.judge import HOPELESS, placement_of, ranked
 from thinkblox.steps import write_step
 
 DISTINCT = 0.12
@@ -21,7 +21,9 @@ class ExpertPolicy:
     def propose(self, observation: Observation, n: int, rng: np.random.Generator) -> list[str]:
         """Up to `n` texts, the best first; later tries look further down its list."""
         situation = Situation(observation)
-        ideas = ranked(situation, imagine(situation), rng)
+        ideas = ranked(situation, from_ties(situation), rng)
+        if observation.feedback or sum(cost < ELSEWHERE for cost, _ in ideas) < n:
+            ideas = sorted([*ideas, *ranked(situation, from_room(situation), rng)], key=lambda pair: pair[0])
         chosen = _distinct(situation, ideas, n * (1 + len(observation.feedback)))
         return [_say(situation, cost, idea) for cost, idea in chosen][-n:]
 
@@ -46,7 +48,8 @@ def _say(situation: Situation, cost: float, idea: Idea) -> str:
         f"Next is {target.id}, {situation.asset.description}" + (f"; wanted: {', '.join(wanted)}." if wanted else ".")
     ]
     lines.append(f"{idea.why[0].upper()}{idea.why[1:]}.")
-    lines.append(f"So it goes {', '.join(phrase(word) for word in idea.words)}.")
+    found = pose_words(situation.room, placement_of(situation, idea), beyond=idea.against) if idea.against else ()
+    lines.append(f"So it goes {', '.join(phrase(word) for word in (*idea.words, *found))}.")
     if situation.observation.feedback:
         lines.append(f"Before, {situation.observation.feedback[-1]}; this place is another.")
     if cost >= HOPELESS:

@@ -129,13 +129,15 @@ def _ring(anchor: Placement, count: int, phase: float) -> list[Place]:
     along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
     wanted = (np.arange(count) + phase) / count * along[-1]
     turns = np.interp(wanted, along, angles)
-    return [
-        Place(
-            (a * math.cos(t), b * math.sin(t)),
-            round(math.degrees(math.atan2(math.sin(t) / b, math.cos(t) / a)) % 360.0, 1),
-        )
-        for t in turns
-    ]
+    return [Place((a * math.cos(t), b * math.sin(t)), _outward(a, b, t)) for t in turns]
+
+
+def _outward(a: float, b: float, t: float) -> float:
+    """Midway between square to an ellipse's edge and away from its centre: how people turn at an oval table."""
+    square = math.atan2(math.sin(t) / b, math.cos(t) / a)
+    away = math.atan2(b * math.sin(t), a * math.cos(t))
+    turn = math.remainder(away - square, 2 * math.pi)
+    return round(math.degrees(square + turn / 2) % 360.0, 1)
 
 
 def _rectangles(anchor: Placement, count: int) -> list[list[Place]]:

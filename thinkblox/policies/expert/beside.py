@@ -38,17 +38,29 @@ def sides_of(
     gaps: tuple[float, ...] | None = None,
     why: str = "",
 ) -> Iterator[Idea]:
-    """Beside the anchor, parallel to it: backs in line, centres in line, or fronts in line."""
+    """Beside the anchor: backs in line, centres in line, or fronts in line; long thin things run along its side."""
     for side in sides:
         for rank, gap in enumerate(gaps or GAPS.get(situation.target.category, USUAL_GAPS)):
-            for align, penalty in _alignments(situation, anchor, side):
-                yield _side_idea(situation, anchor, side, gap, align, why=why, cost=0.15 * rank + penalty)
+            for turn, dear in _turns(situation, side):
+                size = situation.size[:2] if turn == 0.0 else (situation.size[1], situation.size[0])
+                for align, penalty in _alignments(situation, anchor, side, size):
+                    cost = 0.15 * rank + penalty + dear
+                    yield _side_idea(situation, anchor, side, gap, align, size, turn, why=why, cost=cost)
 
 
-def _alignments(situation: Situation, anchor: Placement, side: str) -> tuple[tuple[float, float], ...]:
+def _turns(situation: Situation, side: str) -> tuple[tuple[float, float], ...]:
+    """Turns against the anchor's yaw with their costs; at the left and right a screen runs along, facing the anchor."""
+    inwards = {"left": 270.0, "right": 90.0}.get(side)
+    thin = situation.size[1] > max(1.2, 2.0 * situation.size[0])
+    if inwards is None or not thin:
+        return ((0.0, 0.0),)
+    return ((inwards, 0.0), (0.0, 0.8))
+
+
+def _alignments(situation: Situation, anchor: Placement, side: str, size: Vec2) -> tuple[tuple[float, float], ...]:
     """Offsets along the side with their costs: flush backs for what stands beside, centres for what stands before."""
     along = 0 if side in ("left", "right") else 1
-    room = (anchor.size[along] - situation.size[along]) / 2
+    room = (anchor.size[along] - size[along]) / 2
     if along == 0:
         small_round = situation.asset.front == "any" and situation.size[0] < 0.6
         back, centre = (0.1, 0.0) if small_round else (0.0, 0.3)
@@ -57,9 +69,17 @@ def _alignments(situation: Situation, anchor: Placement, side: str) -> tuple[tup
 
 
 def _side_idea(
-    situation: Situation, anchor: Placement, side: str, gap: float, align: float, *, why: str, cost: float
+    situation: Situation,
+    anchor: Placement,
+    side: str,
+    gap: float,
+    align: float,
+    size: Vec2,
+    turn: float,
+    *,
+    why: str,
+    cost: float,
 ) -> Idea:
-    size = situation.size
     if side in ("left", "right"):
         local = (align, (anchor.size[1] / 2 + gap + size[1] / 2) * (1 if side == "left" else -1))
     else:
@@ -68,7 +88,7 @@ def _side_idea(
         situation,
         anchor,
         local,
-        yaw=anchor.yaw,
+        yaw=anchor.yaw + turn,
         words=(Constraint(kind="beside", anchors=(anchor.id,), side=side, values=(gap,)),),
         why=why or f"it belongs beside {anchor.id}",
         cost=cost,

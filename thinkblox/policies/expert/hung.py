@@ -3,11 +3,10 @@
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert.idea import Idea, Situation, pose_words, turned
+from thinkblox.policies.expert.idea import Idea, Situation, turned
 from thinkblox.policies.expert.walls import named_walls
 from thinkblox.room import Opening, Room, Wall
 from thinkblox.scene import Placement
-from thinkblox.value import Vec3
 
 CENTRES = {
     "picture": 1.5,
@@ -89,28 +88,15 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             yield hang(situation, wall, place, z, why=f"it faces {anchor.id}", cost=0.5 * abs(place - along))
 
 
-def hang(
-    situation: Situation, wall: Wall, along: float, z: float, *, why: str, cost: float, size: Vec3 | None = None
-) -> Idea:
+def hang(situation: Situation, wall: Wall, along: float, z: float, *, why: str, cost: float) -> Idea:
     """Flat against the wall, its base at height z."""
-    depth = (size or situation.size)[0]
-    x, y = wall.point(along, depth / 2 + BACK_GAP)
-    placement = Placement(
-        id=situation.target.id,
-        category=situation.target.category,
-        asset=situation.asset.id,
-        position=(x, y, z),
-        yaw=wall.yaw,
-        size=size or situation.size,
-        support=wall.name,
-    )
+    x, y = wall.point(along, situation.size[0] / 2 + BACK_GAP)
     words = (
         Constraint(kind="against", anchors=(wall.name,)),
-        *pose_words(situation.room, placement, beyond=(wall.name,)),
         Constraint(kind="above", anchors=("floor",), values=(round(z, 3),)),
         turned(wall.yaw),
     )
-    return Idea((x, y, z), wall.yaw, words, why, cost, size=size)
+    return Idea((x, y, z), wall.yaw, words, why, cost, against=(wall.name,))
 
 
 def at_windows(situation: Situation) -> Iterator[Idea]:

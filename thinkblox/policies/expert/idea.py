@@ -28,6 +28,7 @@ class Idea:
 
     Attributes:
         words: what the reasoning says about the pose, in the phrases of the step language.
+        against: walls it stands or hangs against; the distance from the next wall is then said as well.
         why: the reason, as a clause ("its head belongs to a wall").
         cost: how far it is from the best of its kind; about 1 is a clear drawback.
         ignore: ids that it may overlap as seen from above (the table a seat is tucked under).
@@ -41,6 +42,7 @@ class Idea:
     cost: float = 0.0
     ignore: tuple[str, ...] = ()
     size: Vec3 | None = None
+    against: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

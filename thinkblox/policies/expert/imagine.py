@@ -1,7 +1,9 @@
 """From a target's relations to ideas: the first tie decides where to look, the room itself is the last resort."""
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 
+from thinkblox.asset import Mount
 from thinkblox.plan import Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
 from thinkblox.policies.expert.idea import SEATS, Idea, Situation
@@ -33,30 +35,23 @@ LOW_TABLES = frozenset(("coffee_table", "side_table", "play_table"))
 LIKES_CORNERS = frozenset(("plant", "floor_lamp", "waste_bin", "laundry_basket", "toy_box", "umbrella_stand", "globe"))
 
 
-def imagine(situation: Situation) -> list[Idea]:
-    """All ideas for the object, from its ties in their order; where those have none, from the room as a whole."""
-    mount = situation.asset.mount
-    ideas: list[Idea] = []
-    for rank, tie in enumerate(situation.target.ties):
-        ideas += [_dearer(idea, 2.0 * rank) for idea in _from_tie(situation, tie)]
-    if mount == "wall" and not ideas:
-        ideas += hung.on_walls(situation)
-    elif mount == "ceiling" and not ideas:
-        ideas += hung.from_ceiling(situation)
-    elif mount == "floor":
-        ideas += [_dearer(idea, ELSEWHERE if ideas else 0.0) for idea in anywhere(situation)]
-    elif mount == "surface":
-        ideas += [_dearer(idea, ELSEWHERE / 2) for idea in _any_surface(situation)]
-        ideas += [_dearer(idea, ELSEWHERE) for idea in anywhere(situation)]
-    return ideas
+def from_ties(situation: Situation) -> list[Idea]:
+    """Ideas from each tie of the target in its order."""
+    return [
+        _dearer(idea, 2.0 * rank)
+        for rank, tie in enumerate(situation.target.ties)
+        for idea in _from_tie(situation, tie)
+    ]
+
+
+def from_room(situation: Situation) -> list[Idea]:
+    """Ideas from the room as a whole; dear, where a tie says that the object belongs somewhere."""
+    dearer = ELSEWHERE if situation.target.ties else 0.0
+    return [_dearer(idea, dearer) for idea in _BY_MOUNT[situation.asset.mount](situation)]
 
 
 def _dearer(idea: Idea, cost: float) -> Idea:
-    return (
-        idea
-        if cost == 0.0
-        else Idea(idea.position, idea.yaw, idea.words, idea.why, idea.cost + cost, idea.ignore, idea.size)
-    )
+    return idea if cost == 0.0 else replace(idea, cost=idea.cost + cost)
 
 
 def anywhere(situation: Situation) -> Iterator[Idea]:
@@ -75,6 +70,8 @@ def _any_surface(situation: Situation) -> Iterator[Idea]:
     for anchor in situation.solid:
         if situation.scene.asset_of(anchor).surfaces:
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
+    for idea in anywhere(situation):
+        yield _dearer(idea, ELSEWHERE / 2)
 
 
 def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
@@ -159,7 +156,7 @@ def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
 
 def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
     for idea in beside.between(situation, (rug,)):
-        yield Idea(idea.position, idea.yaw, idea.words[1:], f"it stands on {rug.id}", idea.cost, (rug.id,))
+        yield replace(idea, words=idea.words[1:], why=f"it stands on {rug.id}", ignore=(rug.id,))
 
 
 def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
@@ -198,6 +195,12 @@ _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
     "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.in_line(s),
     "in_corner": walls.corners,
     "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
+}
+_BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {
+    "floor": anywhere,
+    "wall": hung.on_walls,
+    "ceiling": hung.from_ceiling,
+    "surface": _any_surface,
 }
 _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "on": _on,

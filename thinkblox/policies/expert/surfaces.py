@@ -47,7 +47,7 @@ STAFF_SIDE = frozenset(("cash_register",))
 NEIGHBOURS: dict[str, tuple[str, Vec2]] = {"mouse": ("keyboard", (0.0, 1.0)), "keyboard": ("monitor", (1.0, 0.0))}
 """What keeps its place by a companion rather than by the surface: the side of it that it takes."""
 OVERHANG = 0.02
-"""How far a thing may reach over the edge on each side [m]: feet stand inside its outline."""
+"""Half of how far a thing may reach over the front edge [m]: feet stand inside its outline."""
 SHRINK = (1.0, 0.85, 0.7, 0.6)
 """Sizes tried, as shares, for what is too large for every surface of its support."""
 HEADROOM = 0.02
@@ -78,8 +78,10 @@ def _at_size(
             free = _free_half(size, surface, turn)
             if free is None:
                 continue
-            for spot, cost in _spots(situation, anchor, surface, tie, free):
-                yield _idea(situation, anchor, surface, spot, turn, cost + 0.4 * rank + (0.6 if turn % 180 else 0.0))
+            forward = max(0.0, (size[1 if turn % 180.0 else 0] - surface.size[0]) / 2)
+            for (x, y), cost in _spots(situation, anchor, surface, tie, free):
+                dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0)
+                yield _idea(situation, anchor, surface, (x + forward, y), turn, dearer)
 
 
 def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surface, ...]:

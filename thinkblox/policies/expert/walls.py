@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
-from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, Situation, pose_words, turned
+from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, Situation, turned
 from thinkblox.room import Room, Wall
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2, Vec3
@@ -34,7 +34,18 @@ FOCAL = frozenset(
 )
 """What looks best centred on its wall; the rest goes to its ends, or beside its like."""
 RUNS = frozenset(
-    "base_cabinet wall_cabinet bookcase shelving_unit locker washing_machine dryer vending_machine server_rack wardrobe".split()
+    (
+        "base_cabinet",
+        "wall_cabinet",
+        "bookcase",
+        "shelving_unit",
+        "locker",
+        "washing_machine",
+        "dryer",
+        "vending_machine",
+        "server_rack",
+        "wardrobe",
+    )
 )
 """What forms a row along a wall when there are several."""
 STEPS = 14
@@ -67,26 +78,8 @@ def at_wall(
     turn, (depth, _) = oriented(situation.size, situation.asset.front)
     x, y = wall.point(along, gap + depth / 2)
     yaw = (wall.yaw + turn) % 360.0
-    placement = _placement(situation, (x, y), yaw)
-    words = (
-        Constraint(kind="against", anchors=(wall.name,)),
-        *pose_words(situation.room, placement, beyond=(wall.name,)),
-        turned(yaw),
-    )
-    return Idea((x, y, 0.0), yaw, words, why or "its back belongs to a wall", cost)
-
-
-def _placement(situation: Situation, centre: Vec2, yaw: float) -> Placement:
-    target, asset = situation.target, situation.asset
-    return Placement(
-        id=target.id,
-        category=target.category,
-        asset=asset.id,
-        position=(*centre, 0.0),
-        yaw=yaw,
-        size=situation.size,
-        support="floor",
-    )
+    words = (Constraint(kind="against", anchors=(wall.name,)), turned(yaw))
+    return Idea((x, y, 0.0), yaw, words, why or "its back belongs to a wall", cost, against=(wall.name,))
 
 
 def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> Iterator[Idea]:
@@ -153,7 +146,7 @@ def _corner_ideas(situation: Situation, before: Wall, after: Wall) -> Iterator[I
     flush = 0.45 if diagonal and situation.asset.front == "one" else 0.0
     for wall, along in ((after, width / 2 + WALL_GAP), (before, before.length - width / 2 - WALL_GAP)):
         idea = at_wall(situation, wall, along, cost=flush, why="it fills the corner")
-        yield Idea(idea.position, idea.yaw, (words, *idea.words), idea.why, idea.cost)
+        yield replace(idea, words=(words, *idea.words))
     if diagonal and abs(_dot(before, after)) < 0.01:
         yield _diagonal(situation, before, after, words)
 
@@ -171,9 +164,8 @@ def _diagonal(situation: Situation, before: Wall, after: Wall, words: Constraint
     x, y = after.point(reach, reach)
     look = (before.inward[0] + after.inward[0], before.inward[1] + after.inward[1])
     yaw = after.yaw if round_thing else round(math.degrees(math.atan2(look[1], look[0])) % 360.0, 2)
-    placement = _placement(situation, (x, y), yaw)
     why = "it fills the corner" if round_thing else "it looks into the room from the corner"
-    rest = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(placement.yaw))
+    rest = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
     return Idea((x, y, 0.0), yaw, (words, *rest), why)
 
 
@@ -192,14 +184,5 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             if aside < 0.5 + inward / 2:
                 cost = aside + (0.0 if facing < -0.5 else 2.0)
                 idea = at_wall(situation, wall, place, cost=cost, why=f"it faces {anchor.id} across the room")
-                yield Idea(
-                    idea.position,
-                    idea.yaw,
-                    (*idea.words, *_facing(anchor, idea, aside)),
-                    idea.why,
-                    idea.cost,
-                )
-
-
-def _facing(anchor: Placement, idea: Idea, aside: float) -> tuple[Constraint, ...]:
-    return (Constraint(kind="facing", anchors=(anchor.id,)),) if aside < 0.05 else ()
+                in_line = (Constraint(kind="facing", anchors=(anchor.id,)),) if aside < 0.05 else ()
+                yield replace(idea, words=(*idea.words, *in_line))
