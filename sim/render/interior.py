@@ -20,7 +20,7 @@ SLAB = 0.14
 """Thickness of the floor [m]."""
 _SKIRTING = (0.09, 0.014)
 _PANE: Colour = (0.80, 0.90, 1.0)
-_LEAF: Colour = (0.90, 0.87, 0.82)
+_LEAF: Colour = (0.84, 0.81, 0.76)
 _HANDLE: Colour = (0.55, 0.53, 0.50)
 
 
@@ -47,7 +47,7 @@ def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
     """Add floor, walls, openings and ground."""
     _add_floor(soup, room, palette)
     for index, wall in enumerate(room.walls):
-        colour = palette.accent if index == shell.accent else palette.wall
+        colour = palette.accent if index == shell.accent and shell.standing[index] else palette.wall
         openings = [o for o in room.openings if o.wall == index]
         _add_wall(_WallFrame(soup, room, index, shell), wall, openings, colour)
     if shell.ground:
@@ -108,6 +108,7 @@ def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening], colour: Co
         frame.box((start, end), (-THICKNESS, 0.0), (bottom, ceiling), colour, "wall")
         if ceiling == top:
             frame.box((start, end), (-THICKNESS, 0.0), (top, top + 0.004), frame.shell.cut, "cut")
+    _add_ends(frame, low, high, top)
     for opening in openings:
         if opening.kind == "window" and top >= opening.sill + opening.height:
             _add_window(frame, opening)
@@ -142,7 +143,20 @@ def _ends(frame: _WallFrame) -> tuple[float, float]:
 
 
 def _yields(frame: _WallFrame, other: int) -> bool:
-    return frame.shell.standing[other] and not frame.shell.standing[frame.index]
+    """Whether the other wall covers the corner: the higher one does, and of two alike the one that ends there."""
+    mine, theirs = frame.shell.standing[frame.index], frame.shell.standing[other]
+    return theirs and not mine if mine != theirs else other == (frame.index - 1) % len(frame.room.walls)
+
+
+def _add_ends(frame: _WallFrame, low: float, high: float, top: float) -> None:
+    """The faces where a wall of full height ends beside one that was cut away."""
+    standing, index, bottom = frame.shell.standing, frame.index, -SLAB
+    if not standing[index]:
+        return
+    if not standing[index - 1]:
+        frame.box((low - 0.003, low), (-THICKNESS, 0.0), (bottom, top + 0.004), frame.shell.cut, "cut")
+    if not standing[(index + 1) % len(standing)]:
+        frame.box((high, high + 0.003), (-THICKNESS, 0.0), (bottom, top + 0.004), frame.shell.cut, "cut")
 
 
 def _corner(first: Wall, second: Wall) -> float:
@@ -171,7 +185,6 @@ def _add_window(frame: _WallFrame, opening: Opening) -> None:
 
 def _add_door(frame: _WallFrame, opening: Opening, top: float) -> None:
     start, end = opening.offset, opening.offset + opening.width
-    frame.box((start, end), (-THICKNESS, 0.0), (-SLAB, -0.001), CUT, "trim")
     if top < opening.height:
         return
     bar, height = 0.07, opening.height

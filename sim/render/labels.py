@@ -15,6 +15,10 @@ Measure = Callable[[str, int], tuple[float, float]]
 """Width and height of a text at a font size [pixels]."""
 
 
+CROWD = 7
+"""From this many of a kind on, their names are short."""
+
+
 @dataclass(frozen=True)
 class Thing:
     """Something to be named: its names from the fullest to the shortest, and its place in the picture [pixels]."""
@@ -46,7 +50,7 @@ class Label:
 
 
 def names_of(placements: Sequence[Placement]) -> dict[str, tuple[str, ...]]:
-    """What each object can be called, by id: "bed", or "dining chair 3", "chair 3", "3" where there are several."""
+    """What each object can be called, by id: "bed"; "dining chair 3", "chair 3" or "3" where there are several."""
     counts = Counter(p.category for p in placements)
     return {p.id: _names(p, counts[p.category]) for p in placements}
 
@@ -57,11 +61,15 @@ def _names(placement: Placement, count: int) -> tuple[str, ...]:
         return (" ".join(words), "\n".join(words)) if len(words) > 1 else (words[0],)
     number = placement.id.rsplit("_", 1)[-1]
     full, last = " ".join(words), words[-1]
+    if count >= CROWD:
+        return f"{last} {number}", number
     names = (f"{full} {number}", "\n".join([*words[:-1], f"{last} {number}"]), f"{last} {number}", number)
     return tuple(dict.fromkeys(names))
 
 
-def laid_out(things: Sequence[Thing], measure: Measure, *, size: int, fonts: Sequence[int]) -> tuple[Label, ...]:
+def laid_out(
+    things: Sequence[Thing], measure: Measure, *, size: int, fonts: Sequence[int], reserved: Sequence[Box] = ()
+) -> tuple[Label, ...]:
     """A label for every thing, small things first, none on another as far as there is room.
 
     Args:
@@ -69,9 +77,10 @@ def laid_out(things: Sequence[Thing], measure: Measure, *, size: int, fonts: Seq
         measure: how large a text is.
         size: width and height of the picture [pixels].
         fonts: font sizes to try, largest first.
+        reserved: boxes that are written on already.
     """
     labels: list[Label] = []
-    taken: list[Box] = []
+    taken: list[Box] = list(reserved)
     for thing in sorted(things, key=lambda t: (t.area, t.id)):
         label, box = _placed(thing, things, measure, taken, size, fonts)
         labels.append(label)

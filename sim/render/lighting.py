@@ -1,7 +1,8 @@
 """How much light reaches a point: sky, sun, what other surfaces send back, and lamps."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,8 @@ from thinkblox.sim.render.tessellate import Floats
 
 CELLS = 16
 """Points take turns with this many sets of directions, 4 x 4 in the picture; a blur of that width joins them."""
-_OFFSET = np.float32(1.5e-3)
+_OFFSET = np.float32(2.5e-4)
+SKY_STEPS = 128
 _WARM = np.array([1.0, 0.72, 0.44], np.float32)
 LAMP_REACH = 2.2
 """Distance at which a lamp's glow ends [m]."""
@@ -42,6 +44,11 @@ class Lights:
     gather: int = 20
     sun_rays: int = 6
 
+    @cached_property
+    def sky_table(self) -> Floats:
+        """Radiance (SKY_STEPS, 3) by direction, from straight down to straight up."""
+        return self.sky(np.linspace(-1, 1, SKY_STEPS, dtype=np.float32))
+
     def sky(self, up: Floats) -> Floats:
         """Radiance (n, 3) of the sky in directions whose vertical part is `up` (n,)."""
         height = np.sqrt(np.clip(up, np.float32(0), np.float32(1)))[:, None]
@@ -49,8 +56,10 @@ class Lights:
         return np.where(up[:, None] > 0, above, self.below)
 
 
-def lights(tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: int = 6, spread: float = 4.0) -> Lights:
-    """Warm sun with an angular radius of `spread` [degrees], a cooler sky, and the scene's lamps."""
+def lights(
+    tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: int = 6, spread: float = 4.0, strength: float = 1.0
+) -> Lights:
+    """Warm sun of some strength with an angular radius of `spread` [degrees], a cooler sky, and the scene's lamps."""
 
     def rgb(*values: float) -> Floats:
         return np.array(values, np.float32)
@@ -58,10 +67,10 @@ def lights(tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: i
     sun = towards_sun / np.linalg.norm(towards_sun)
     return Lights(
         sun=sun.astype(np.float32),
-        sun_colour=rgb(1.02, 0.93, 0.80),
+        sun_colour=rgb(1.10, 1.03, 0.93) * np.float32(strength),
         spread=math.tan(math.radians(spread)),
-        zenith=rgb(0.66, 0.69, 0.72),
-        horizon=rgb(0.80, 0.77, 0.73),
+        zenith=rgb(0.62, 0.67, 0.73),
+        horizon=rgb(0.80, 0.82, 0.84),
         below=rgb(0.45, 0.42, 0.39),
         lamps=_lamps(tracer),
         gather=gather,
@@ -80,15 +89,15 @@ def _lamps(tracer: Tracer) -> Floats:
 
 
 def bounce_table(tracer: Tracer, lights: Lights) -> Floats:
-    """Radiance (m, 3) that each face sends back, as if nothing stood in its light."""
+    """Radiance of the sky's steps, then that which each face sends back as if nothing stood in its light."""
     triangles = tracer.triangles
     colour = np.array([p.colour for p in triangles.patches], np.float32)[triangles.patch]
     material = np.array([p.material for p in triangles.patches])[triangles.patch]
     diffuse, glow = finish_table("diffuse")[material][:, None], finish_table("glow")[material][:, None]
     facing = np.maximum(tracer.face_normals @ lights.sun, 0)[:, None]
-    light = np.float32(0.45) + np.float32(0.40) * facing * lights.sun_colour
-    table: Floats = (colour * (np.maximum(diffuse, np.float32(0.4)) * light + glow)).astype(np.float32)
-    return table
+    light = np.float32(0.42) + np.float32(0.34) * facing * lights.sun_colour
+    back = colour * (np.maximum(diffuse, np.float32(0.4)) * light + glow)
+    return np.concatenate([lights.sky_table, back]).astype(np.float32)
 
 
 @dataclass(frozen=True)
@@ -97,6 +106,10 @@ class Irradiance:
 
     sky: Floats
     sun: Floats
+
+    def __getitem__(self, pick: NDArray[np.int64] | slice) -> "Irradiance":
+        """The light at some of the points."""
+        return Irradiance(self.sky[pick], self.sun[pick])
 
 
 def irradiance(
@@ -119,18 +132,17 @@ def _gathered(
     tracer: Tracer, lights: Lights, bounce: Floats, points: Surfels, origin: Floats, cell: NDArray[np.int64]
 ) -> Floats:
     rays = _ball(lights.gather)[cell] + points.normal[:, None, :] * np.float32(1.002)
+    inside = np.einsum("nkc,nc->nk", rays, points.facing) > 0
     flat = rays.reshape(-1, 3)
-    inside = np.einsum("nkc,nc->nk", rays, points.facing).ravel()
     flat /= np.sqrt(np.einsum("ij,ij->i", flat, flat))[:, None]
-    starts = np.repeat(origin, lights.gather, axis=0)
-    hits = tracer.solid(starts, flat)
+    hits = tracer.solid(np.repeat(origin, lights.gather, axis=0), flat)
     missed = hits.face < 0
-    near = np.minimum(hits.distance, np.float32(1.0))
-    back = bounce[np.maximum(hits.face, 0)] * (np.float32(0.35) + np.float32(0.65) * near)[:, None]
-    light = np.where(missed[:, None], lights.sky(flat[:, 2]), back)
-    light *= (inside > 0)[:, None]
-    mean: Floats = light.reshape(-1, lights.gather, 3).mean(1, dtype=np.float32)
-    return mean
+    sky = (flat[:, 2] * np.float32(SKY_STEPS / 2 - 0.5) + np.float32(SKY_STEPS / 2)).astype(np.int32)
+    light = bounce[np.where(missed, sky, hits.face + np.int32(SKY_STEPS))].reshape(*rays.shape)
+    near = np.float32(0.35) + np.float32(0.65) * np.minimum(hits.distance, np.float32(1.0))
+    weight = np.where(missed, np.float32(1), near).reshape(inside.shape) * inside
+    total: Floats = np.einsum("nkc,nk->nc", light, weight)
+    return total * np.float32(1 / lights.gather)
 
 
 def _sunlit(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats, cell: NDArray[np.int64]) -> Floats:
@@ -159,7 +171,7 @@ def _lamp_light(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats,
         fall = (1 - square[near] / np.float32(LAMP_REACH**2)) ** 2 / (square[near] + np.float32(0.06))
         reach = np.maximum(1 - (lamp[3] + np.float32(0.02)) / np.sqrt(square[near]), np.float32(0))
         open_way = ~tracer.blocked(origin[near], np.ascontiguousarray(way[near]), reach)
-        total[near] += (np.float32(0.11) * fall * cosine[near] * open_way)[:, None] * _WARM
+        total[near] += (np.float32(0.15) * fall * cosine[near] * open_way)[:, None] * _WARM
     return total
 
 
@@ -170,12 +182,18 @@ def _fibonacci(count: int) -> NDArray[np.float64]:
     return np.stack([level * np.cos(turn), level * np.sin(turn), height], 1)
 
 
+@lru_cache(maxsize=8)
 def _ball(count: int) -> Floats:
     """Evenly spread unit vectors, turned another way for each cell: (CELLS, count, 3)."""
     rng = np.random.default_rng(11)
     base = _fibonacci(count)
     turns = [np.linalg.qr(rng.normal(size=(3, 3)))[0] for _ in range(CELLS)]
     return np.stack([base @ turn for turn in turns]).astype(np.float32)
+
+
+def plainer(lights: Lights) -> Lights:
+    """The same light with fewer rays, for what matters less."""
+    return replace(lights, gather=max(lights.gather // 2, 1), sun_rays=max(lights.sun_rays // 2, 1))
 
 
 def _sun_directions(lights: Lights) -> Floats:

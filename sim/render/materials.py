@@ -46,21 +46,21 @@ FINISHES: dict[str, Finish] = {
     "paper": Finish(),
     "leaf": Finish(mirror=0.02, gloss=14.0, sheen=0.08),
     "stone": Finish(mirror=0.03, gloss=30.0),
-    "light": Finish(diffuse=0.35, glow=1.5),
+    "light": Finish(diffuse=0.25, glow=1.15),
     "screen": Finish(diffuse=0.8, mirror=0.06, gloss=160.0),
     "wall": Finish(),
     "floor": Finish(mirror=0.028, gloss=36.0),
     "trim": Finish(mirror=0.02, gloss=30.0),
     "cut": Finish(),
-    "pane": Finish(diffuse=0.0, glow=1.0),
+    "pane": Finish(diffuse=0.0, glow=1.45),
     "ground": Finish(),
 }
 
 WALLS: tuple[Colour, ...] = (
-    (0.925, 0.890, 0.835),
-    (0.915, 0.895, 0.860),
-    (0.930, 0.880, 0.815),
-    (0.900, 0.895, 0.870),
+    (0.925, 0.910, 0.880),
+    (0.930, 0.920, 0.900),
+    (0.925, 0.900, 0.860),
+    (0.905, 0.905, 0.890),
 )
 ACCENTS: tuple[Colour, ...] = (
     (0.660, 0.725, 0.655),
@@ -70,10 +70,10 @@ ACCENTS: tuple[Colour, ...] = (
     (0.760, 0.695, 0.690),
 )
 FLOORS: tuple[Colour, ...] = (
-    (0.765, 0.600, 0.425),
-    (0.720, 0.555, 0.395),
-    (0.800, 0.665, 0.505),
-    (0.655, 0.490, 0.345),
+    (0.760, 0.650, 0.520),
+    (0.715, 0.590, 0.455),
+    (0.800, 0.710, 0.590),
+    (0.640, 0.510, 0.385),
 )
 TRIM: Colour = (0.945, 0.935, 0.915)
 CUT: Colour = (0.80, 0.775, 0.735)

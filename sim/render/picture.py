@@ -6,21 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.render.camera import Camera
-from thinkblox.sim.render.lighting import CELLS, Irradiance, Lights, bounce_table, irradiance
+from thinkblox.sim.render.lighting import CELLS, Irradiance, Lights, bounce_table, irradiance, plainer
 from thinkblox.sim.render.rays import Tracer, in_parallel
 from thinkblox.sim.render.shading import Shader, tone_mapped
 from thinkblox.sim.render.smoothing import Grid, sampled, smoothed
-from thinkblox.sim.render.surfels import Surfels, see
+from thinkblox.sim.render.surfels import Surfels, is_material, see
 from thinkblox.sim.render.tessellate import Floats
 
 _CHUNK = 1 << 13
-_SUB = np.array(
-    [(0.0625, 0.3125), (0.3125, 0.9375), (0.5625, 0.1875), (0.8125, 0.5625), (0.1875, 0.6875), (0.6875, 0.8125)],
-    np.float32,
-)
-"""Where in an edge pixel it is cast again, besides its centre."""
-
-
 @dataclass(frozen=True)
 class Settings:
     """How a picture is made.
@@ -29,13 +22,13 @@ class Settings:
         exposure: factor on the light before tone mapping.
         background: linear RGB (size, size, 3) behind everything.
         coarse: pixels from one point of the light's grid to the next.
-        smooth_edges: whether pixels on edges are cast again.
+        edge_rays: how many more rays a pixel on an edge gets.
     """
 
     exposure: float
     background: Floats
     coarse: int = 2
-    smooth_edges: bool = True
+    edge_rays: int = 11
 
 
 @dataclass(frozen=True)
@@ -47,6 +40,11 @@ class _Job:
     settings: Settings
     bounce: Floats
     shader: Shader
+
+    @property
+    def ground(self) -> NDArray[np.bool_]:
+        """For each patch, whether it is the ground outside; the last one stands for nothing."""
+        return np.append(is_material(self.tracer.triangles, "ground"), False)
 
     @property
     def spread(self) -> float:
@@ -69,15 +67,15 @@ def paint(tracer: Tracer, camera: Camera, size: int, lights: Lights, settings: S
     job = _Job(tracer, camera, size, lights, settings, bounce_table(tracer, lights), shader)
     y, x = (axis.ravel().astype(np.float32) for axis in np.mgrid[0:size, 0:size])
     points = see(tracer, camera, x + np.float32(0.5), y + np.float32(0.5), size)
-    light, grid = _light(job, points, x, y)
+    light = _light(job, points, x, y)
     colour = _shaded(job, points, light, x, y)
-    if settings.smooth_edges:
+    if settings.edge_rays:
         _soften_edges(job, points, light, colour)
     picture = np.rint(colour.reshape(size, size, 3) * 255)
     return picture.astype(np.uint8)
 
 
-def _light(job: _Job, points: Surfels, x: Floats, y: Floats) -> tuple[Irradiance, Grid]:
+def _light(job: _Job, points: Surfels, x: Floats, y: Floats) -> Irradiance:
     """Light at all pixels: cast on the coarse grid, smoothed, brought to the pixels, cast where that finds none."""
     coarse = job.settings.coarse
     grid = _coarse_light(job, points)
@@ -90,10 +88,10 @@ def _light(job: _Job, points: Surfels, x: Floats, y: Floats) -> tuple[Irradiance
         return sampled(grid, x[part] / coarse, y[part] / coarse, points.position[part], points.normal[part])
 
     parts = in_parallel(fine, range(0, len(x), _CHUNK))
-    light = np.concatenate([part[0] for part in parts])
-    lost = np.flatnonzero(~np.concatenate([part[1] for part in parts]) & (points.patch >= 0))
+    light, found = _joined(parts)
+    lost = np.flatnonzero(~found & (points.patch >= 0))
     light[lost] = _cast_light(job, points[lost], np.zeros(len(lost), np.int64), times=4)
-    return Irradiance(light[:, :3], light[:, 3:]), grid
+    return Irradiance(light[:, :3], light[:, 3:])
 
 
 def _coarse_light(job: _Job, points: Surfels) -> Grid:
@@ -104,7 +102,11 @@ def _coarse_light(job: _Job, points: Surfels) -> Grid:
     chosen = points[index.ravel()]
     seen = chosen.patch >= 0
     light = np.zeros((len(cell), 6), np.float32)
+    ground = job.ground[chosen.patch] & seen
+    seen = seen & ~ground
     light[seen] = _cast_light(job, chosen[seen], cell[seen])
+    light[ground] = _cast_light(job, chosen[ground], cell[ground], lights=plainer(job.lights))
+    seen = seen | ground
     width = (np.float32(job.pixel) + np.float32(job.spread) * np.where(seen, chosen.distance, 0)) * coarse
 
     def plane(values: Floats) -> Floats:
@@ -115,10 +117,10 @@ def _coarse_light(job: _Job, points: Surfels) -> Grid:
     )
 
 
-def _cast_light(job: _Job, points: Surfels, cell: NDArray[np.int64], *, times: int = 1) -> Floats:
+def _cast_light(job: _Job, points: Surfels, cell: NDArray[np.int64], *, times: int = 1, lights: Lights | None = None) -> Floats:
     def part(at: int) -> Floats:
         here = slice(at, at + _CHUNK // 2)
-        light = irradiance(job.tracer, job.lights, job.bounce, points[here], cell[here], times=times)
+        light = irradiance(job.tracer, lights or job.lights, job.bounce, points[here], cell[here], times=times)
         return np.concatenate([light.sky, light.sun], 1)
 
     parts = in_parallel(part, range(0, len(cell), _CHUNK // 2))
@@ -131,7 +133,7 @@ def _shaded(job: _Job, points: Surfels, light: Irradiance, x: Floats, y: Floats)
     def part(at: int) -> Floats:
         here = slice(at, at + _CHUNK)
         behind = background[y[here].astype(int), x[here].astype(int)]
-        linear = job.shader.colours(points[here], Irradiance(light.sky[here], light.sun[here]), behind, job.spread)
+        linear = job.shader.colours(points[here], light[here], behind, job.spread)
         return tone_mapped(linear, job.settings.exposure)
 
     return np.concatenate(in_parallel(part, range(0, len(x), _CHUNK)))
@@ -142,12 +144,23 @@ def _soften_edges(job: _Job, points: Surfels, light: Irradiance, colour: Floats)
     edge = np.flatnonzero(_edges(job, points))
     x, y = (edge % job.size).astype(np.float32), (edge // job.size).astype(np.float32)
     grid = _full_grid(job, points, light)
+    _ = grid.table
     total = colour[edge]
-    for across, down in _SUB:
+    for across, down in _spread_over_pixel(job.settings.edge_rays):
         fine = see(job.tracer, job.camera, x + across, y + down, job.size)
         found = _sub_light(job, grid, fine, x + across - np.float32(0.5), y + down - np.float32(0.5))
         total += _shaded(job, fine, found, x, y)
-    colour[edge] = total / np.float32(len(_SUB) + 1)
+    colour[edge] = total / np.float32(job.settings.edge_rays + 1)
+
+
+def _spread_over_pixel(count: int) -> Floats:
+    """Places (count, 2) in and a little around a unit square, one in each row and column of a grid.
+
+    They reach past the pixel, so that a line thinner than it does not turn into dashes.
+    """
+    i = np.arange(count)
+    places = np.stack([(i + 0.5) / count, (i * max(round(count * 0.42), 1) % count + 0.5) / count], 1)
+    return (np.float32(1.5) * (places - 0.5) + 0.5).astype(np.float32)
 
 
 def _full_grid(job: _Job, points: Surfels, light: Irradiance) -> Grid:
@@ -170,15 +183,17 @@ def _full_grid(job: _Job, points: Surfels, light: Irradiance) -> Grid:
 def _sub_light(job: _Job, grid: Grid, points: Surfels, x: Floats, y: Floats) -> Irradiance:
     def part(at: int) -> tuple[Floats, NDArray[np.bool_]]:
         here = slice(at, at + _CHUNK)
-        return sampled(grid, x[here], y[here], points.position[here], points.normal[here], least=1e-4)
+        return sampled(grid, x[here], y[here], points.position[here], points.normal[here], least=1e-3)
 
-    parts = in_parallel(part, range(0, len(x), _CHUNK))
-    if not parts:
-        return Irradiance(np.zeros((0, 3), np.float32), np.zeros((0, 3), np.float32))
-    light = np.concatenate([p[0] for p in parts])
-    lost = np.flatnonzero(~np.concatenate([p[1] for p in parts]) & (points.patch >= 0))
+    light, found = _joined(in_parallel(part, range(0, len(x), _CHUNK)))
+    lost = np.flatnonzero(~found & (points.patch >= 0))
     light[lost] = _cast_light(job, points[lost], lost % CELLS)
     return Irradiance(light[:, :3], light[:, 3:])
+
+
+def _joined(parts: list[tuple[Floats, NDArray[np.bool_]]]) -> tuple[Floats, NDArray[np.bool_]]:
+    light = np.concatenate([np.zeros((0, 6), np.float32), *(part[0] for part in parts)])
+    return light, np.concatenate([np.zeros(0, bool), *(part[1] for part in parts)])
 
 
 def _edges(job: _Job, points: Surfels) -> NDArray[np.bool_]:

@@ -1,7 +1,7 @@
 """The plan of a room: an orthographic picture from above with names, measures and doors."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +10,7 @@ from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.render.camera import Camera, plan_camera
 from thinkblox.sim.render.interior import THICKNESS, Shell, add_room
-from thinkblox.sim.render.labels import Label, Thing, laid_out, names_of
+from thinkblox.sim.render.labels import Box, Label, Thing, laid_out, names_of
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear, palette
 from thinkblox.sim.render.picture import Settings, paint
@@ -55,7 +55,8 @@ def render_top(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] | No
     draw = ImageDraw.Draw(picture)
     for text, at in notes:
         _write(draw, text, _pixel(camera, at, size), _font_size(size, 15))
-    for label in plan_labels(scene, camera, size):
+    reserved = [_text_box(text, _pixel(camera, at, size), _font_size(size, 15)) for text, at in notes]
+    for label in plan_labels(scene, camera, size, reserved):
         _write_label(draw, label, size)
     return picture
 
@@ -67,12 +68,12 @@ def plan_of(room: Room, *, margin: float = _MARGIN) -> Camera:
     return plan_camera(outer, margin=margin)
 
 
-def plan_labels(scene: Scene, camera: Camera, size: int) -> tuple[Label, ...]:
-    """One label for each object."""
+def plan_labels(scene: Scene, camera: Camera, size: int, reserved: Sequence[Box] = ()) -> tuple[Label, ...]:
+    """One label for each object, clear of the `reserved` boxes [pixels]."""
     names = names_of(scene.placements)
     things = [Thing(p.id, names[p.id], pixel_box(camera, p, size)) for p in scene.placements]
     fonts = [_font_size(size, points) for points in (17, 14, 12)]
-    return laid_out(things, text_size, size=size, fonts=fonts)
+    return laid_out(things, text_size, size=size, fonts=fonts, reserved=reserved)
 
 
 def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] | None) -> Floats:
@@ -82,9 +83,9 @@ def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] 
     add_room(soup, scene.room, palette(scene.seed), shell)
     add_objects(soup, scene, poses, hidden={p.id for p in overhead(scene)})
     tracer = Tracer(soup.triangles())
-    light = lights(tracer, np.array([-0.30, 0.34, 1.0], np.float32), gather=10, sun_rays=4, spread=6.0)
+    light = lights(tracer, np.array([-0.30, 0.34, 1.0], np.float32), gather=8, sun_rays=4, spread=6.0, strength=0.75)
     paper = np.broadcast_to(np.array(linear(_PAPER), np.float32), (size, size, 3))
-    return paint(tracer, camera, size, light, Settings(1.0, paper))
+    return paint(tracer, camera, size, light, Settings(1.12, paper, coarse=3, edge_rays=5))
 
 
 def overhead(scene: Scene) -> list[Placement]:
@@ -141,6 +142,11 @@ def text_size(text: str, font: int) -> tuple[float, float]:
     lines = text.split("\n")
     face = ImageFont.load_default(font)
     return max(face.getlength(line) for line in lines), font * 1.18 * len(lines)
+
+
+def _text_box(text: str, at: tuple[float, float], font: int) -> Box:
+    width, height = text_size(text, font)
+    return at[0] - width / 2, at[1] - height / 2, at[0] + width / 2, at[1] + height / 2
 
 
 def _write_label(draw: "ImageDraw", label: Label, size: int) -> None:

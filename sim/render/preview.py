@@ -20,8 +20,12 @@ from thinkblox.sim.render.tessellate import Floats
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-ELEVATION = 38.0
+ELEVATION = 40.0
 """How steeply the camera looks down [degrees]."""
+
+
+MARGIN = 0.045
+"""Share of the picture left free round the room."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,7 @@ def _view(room: Room, azimuth: float) -> View:
     towards = np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
     standing = tuple(bool(np.dot(wall.inward, towards) > 0.05) for wall in room.walls)
     for _ in range(2):
-        camera = framed(_outline(room, standing), azimuth=azimuth, elevation=ELEVATION)
+        camera = framed(_outline(room, standing), azimuth=azimuth, elevation=ELEVATION, margin=MARGIN)
         standing = tuple(wall.coordinates((camera.position[0], camera.position[1]))[1] > 0.3 for wall in room.walls)
     return View(azimuth, camera, standing)
 
@@ -118,7 +122,7 @@ def _by_support(scene: Scene) -> list[Placement]:
 
 def _sun(azimuth: float) -> Floats:
     """A sun behind the viewer's left shoulder, so that the two far walls differ."""
-    turn, high = np.radians(azimuth - 38.0), np.radians(52.0)
+    turn, high = np.radians(azimuth - 21.0), np.radians(50.0)
     return np.array([np.cos(high) * np.cos(turn), np.cos(high) * np.sin(turn), np.sin(high)], np.float32)
 
 

@@ -6,7 +6,7 @@ from thinkblox.sim.render.lighting import Irradiance, Lights
 from thinkblox.sim.render.materials import MATERIALS, finish_table
 from thinkblox.sim.render.soup import Triangles
 from thinkblox.sim.render.surfels import Surfels
-from thinkblox.sim.render.tessellate import Floats
+from thinkblox.sim.render.tessellate import Floats, Ints
 from thinkblox.sim.render.textures import planks, weave, wood
 
 
@@ -34,30 +34,39 @@ class Shader:
             background: linear RGB (n, 3) behind the scene.
             spread: growth of a pixel's width with distance; 0 for an orthographic camera.
         """
-        material = np.where(points.patch < 0, -1, self._material[points.patch])
-        cosine = np.clip(-np.einsum("ij,ij->i", points.normal, points.view), np.float32(0.05), np.float32(1))
-        width = self._pixel + np.float32(spread) * np.minimum(points.distance, np.float32(1e3))
-        base = self._base(points, material, width / cosine)
-        colour = self._lit(points, light, material, base, cosine)
-        self._ground(points, light, material, background, colour)
+        colour = np.empty((len(points.patch), 3), np.float32)
+        material = np.where(points.patch < 0, np.int64(-1), self._material[points.patch])
+        outside = (material < 0) | (material == MATERIALS.index("ground"))
+        out, inside = np.flatnonzero(outside), np.flatnonzero(~outside)
+        colour[out] = self._backdrop(points.patch[out], light[out], background[out])
+        colour[inside] = self._lit(points[inside], light[inside], material[inside], spread)
         if points.clear is not None and points.shine is not None:
             colour = colour * points.clear + points.shine[:, None]
         return colour
 
-    def _lit(self, points: Surfels, light: Irradiance, material: Floats, base: Floats, cosine: Floats) -> Floats:
-        table = {name: values[material][:, None] for name, values in self._table.items()}
-        fresnel = (1 - cosine[:, None]) ** 5
-        total = light.sky + light.sun
-        colour = base * (table["diffuse"] + table["sheen"] * (1 - cosine[:, None]) ** 2) * total
-        colour += base * table["glow"]
-        mirror = table["mirror"] + (np.float32(0.35) * (1 - table["mirror"]) * fresnel) * (table["mirror"] > 0)
-        bent = points.view + 2 * cosine[:, None] * points.normal
-        sharp = np.maximum(bent @ self._lights.sun, np.float32(0))[:, None] ** table["gloss"]
-        sky = self._lights.sky(bent[:, 2]) * np.minimum(light.sky.mean(1, keepdims=True) * np.float32(1.5), 1)
-        shine = mirror * (sky + sharp * np.sqrt(table["gloss"]) * np.float32(0.25) * light.sun)
-        return np.asarray(colour + shine * np.where(table["tinted"] > 0, base, np.float32(1)), np.float32)
+    def _lit(self, points: Surfels, light: Irradiance, material: Ints, spread: float) -> Floats:
+        cosine = np.clip(-np.einsum("ij,ij->i", points.normal, points.view), np.float32(0.05), np.float32(1))
+        width = self._pixel + np.float32(spread) * points.distance
+        base = self._base(points, material, width / cosine)
+        grazing = 1 - cosine
+        scatter = self._table["diffuse"][material] + self._table["sheen"][material] * grazing**2
+        colour = base * scatter[:, None] * (light.sky + light.sun)
+        glow = self._table["glow"][material] * (np.float32(0.45) + np.float32(0.55) * cosine)
+        colour += base * glow[:, None]
+        shiny = np.flatnonzero(self._table["mirror"][material] > 0)
+        colour[shiny] += self._shine(points[shiny], light[shiny], material[shiny], base[shiny], cosine[shiny])
+        return colour
 
-    def _base(self, points: Surfels, material: Floats, width: Floats) -> Floats:
+    def _shine(self, points: Surfels, light: Irradiance, material: Ints, base: Floats, cosine: Floats) -> Floats:
+        mirror, gloss = self._table["mirror"][material][:, None], self._table["gloss"][material][:, None]
+        mirror = mirror + np.float32(0.35) * (1 - mirror) * (1 - cosine[:, None]) ** 5
+        bent = points.view + 2 * cosine[:, None] * points.normal
+        sharp = np.maximum(bent @ self._lights.sun, np.float32(0))[:, None] ** gloss
+        sky = self._lights.sky(bent[:, 2]) * np.minimum(light.sky.mean(1, keepdims=True) * np.float32(1.5), 1)
+        shine = mirror * (sky + sharp * np.sqrt(gloss) * np.float32(0.25) * light.sun)
+        return np.where(self._table["tinted"][material][:, None] > 0, base * shine, shine)
+
+    def _base(self, points: Surfels, material: Ints, width: Floats) -> Floats:
         base = self._colour[points.patch]
         for name, paint in (
             ("floor", self._floor),
@@ -96,16 +105,13 @@ class Shader:
         views = np.array([[0.42, 0.52, 0.33], [0.62, 0.70, 0.52], [0.96, 0.95, 0.90], [0.66, 0.82, 0.98]])
         return np.stack([np.interp(high, stops, views[:, c]) for c in range(3)], 1).astype(np.float32)
 
-    def _ground(self, points: Surfels, light: Irradiance, material: Floats, background: Floats, colour: Floats) -> None:
+    def _backdrop(self, patch: Ints, light: Irradiance, background: Floats) -> Floats:
         """Outside, only shadows show on a plain backdrop."""
-        out = np.flatnonzero((material == MATERIALS.index("ground")) | (material < 0))
-        if not len(out):
-            return
         full = self._lights.sky(np.ones(1, np.float32)) * np.float32(0.97)
         full = full + self._lights.sun_colour * self._lights.sun[2]
-        share = np.clip((light.sky[out] + light.sun[out]) / full, np.float32(0), np.float32(1)).mean(1, keepdims=True)
-        share = np.where(points.patch[out, None] < 0, np.float32(1), np.float32(0.35) + np.float32(0.65) * share)
-        colour[out] = background[out] * share
+        share = np.clip((light.sky + light.sun) / full, np.float32(0), np.float32(1)).mean(1, keepdims=True)
+        share = np.where(patch[:, None] < 0, np.float32(1), np.float32(0.35) + np.float32(0.65) * share)
+        return np.asarray(background * share, np.float32)
 
 
 def tone_mapped(colour: Floats, exposure: float = 1.0) -> Floats:

@@ -64,10 +64,15 @@ def _band(pads: Floats, top: int, bottom: int, radius: int, step: int) -> Floats
         for across in range(-radius, radius + 1):
             rows, columns = reach + down * step, reach + across * step
             other = pads[:, top + rows : bottom + rows, columns : columns + width]
-            weight = _alike(position, normal, tight, other)
+            weight = _alike(position, normal, tight, other) * _tap(down, radius) * _tap(across, radius)
             weights += weight
             total += other[8:] * weight
     return total / weights
+
+
+def _tap(offset: int, radius: int) -> np.float32:
+    """Half weight for the outermost neighbours: the width is then 2 radius, and a pattern of that period vanishes."""
+    return np.float32(0.5 if abs(offset) == radius else 1.0)
 
 
 def _alike(position: Floats, normal: Floats, tight: Floats, other: Floats) -> Floats:
@@ -89,6 +94,8 @@ def sampled(
 ) -> tuple[Floats, NDArray[np.bool_]]:
     """Light (n, channels) for points at grid coordinates, from the four nearest grid points of the same surface.
 
+    A point none of whose neighbours is on its surface takes their plain mean.
+
     Args:
         grid: the light to look up.
         x, y: coordinates in the grid (n,); grid point (0, 0) is at 0, 0.
@@ -96,7 +103,7 @@ def sampled(
         least: weight below which a point counts as found nowhere.
 
     Returns:
-        the light, and whether any of it was found.
+        the light, and whether it comes from the point's own surface.
     """
     height, width = grid.seen.shape
     x0, y0 = np.floor(x), np.floor(y)
@@ -110,6 +117,8 @@ def sampled(
             other = grid.table[rows * width + columns].T
             share = (fx if across else 1 - fx) * (fy if down else 1 - fy) + np.float32(0.02)
             weight = share * _alike(position.T, normal.T, 1 / (np.float32(1.5) * other[7] + np.float32(1e-4)), other)
+            weight += share * other[6] * np.float32(1e-4)
             weights += weight
             total += (other[8:] * weight).T
-    return total / np.maximum(weights, np.float32(1e-6))[:, None], weights > least
+    light: Floats = total / np.maximum(weights, np.float32(1e-9))[:, None]
+    return light, weights > least

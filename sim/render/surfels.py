@@ -121,7 +121,8 @@ def _through_glass(
     start = np.zeros(len(origins), np.float32)
     todo = np.arange(len(origins))
     for layer in range(2):
-        hits = tracer.glass(origins[todo] + directions[todo] * start[todo, None], directions[todo])
+        from_here = origins if layer == 0 else origins[todo] + directions[todo] * start[todo, None]
+        hits = tracer.glass(from_here, directions if layer == 0 else directions[todo])
         start[todo] += np.where(hits.face < 0, FAR, hits.distance) + np.float32(1e-4)
         seen = start[todo] < distance[todo]
         todo, face = todo[seen], hits.face[seen]

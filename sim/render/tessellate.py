@@ -51,7 +51,7 @@ def tessellate(shape: Shape) -> Mesh:
 
 def edge_radius(size: Vec3, *, soft: bool) -> float:
     """Radius of a box's rounded edges [m]: a hard edge catches a little light, a cushion is plump."""
-    return min(0.035, 0.3 * min(size)) if soft else min(0.004, 0.12 * min(size))
+    return min(0.035, 0.3 * min(size)) if soft else min(0.0025, 0.12 * min(size))
 
 
 def rounded_box(size: Vec3, radius: float) -> Mesh:
