@@ -61,7 +61,8 @@ def framed(points: Vector, *, azimuth: float, elevation: float, field: float = 3
 
     Args:
         points: what must be seen [m].
-        azimuth, elevation: direction in which the camera stands, seen from the points [degrees].
+        azimuth: direction in which the camera stands, seen from the points [degrees].
+        elevation: how far it stands above them [degrees].
         field: field of view [degrees].
         margin: share of the picture left free on each side.
     """

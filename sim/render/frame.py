@@ -57,7 +57,8 @@ def cast(
         standing: which walls are drawn at full height; those that the camera sees from inside, when None.
     """
     soup = Soup()
-    shell = Shell(inside_walls(scene.room, camera) if standing is None else standing, accent_wall(scene.room))
+    upright = inside_walls(scene.room, camera) if standing is None else standing
+    shell = Shell(upright, accent_wall(scene.room), ground=False)
     add_room(soup, scene.room, palette(scene.seed), shell)
     add_objects(soup, scene, poses)
     tracer = Tracer(soup.triangles())

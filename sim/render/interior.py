@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from shapely import constrained_delaunay_triangles
+from shapely import constrained_delaunay_triangles, get_coordinates, orient_polygons
 
 from thinkblox.room import Opening, Room, Wall
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, TRIM, Colour, Palette, linear
@@ -222,9 +222,8 @@ def _add_floor(soup: Soup, room: Room, palette: Palette) -> None:
     turn = np.eye(3) if width >= depth else np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     corners: list[tuple[float, float]] = []
     for triangle in constrained_delaunay_triangles(room.polygon).geoms:
-        ring = list(triangle.exterior.coords)[:3]
-        corners += ring if triangle.exterior.is_ccw else ring[::-1]
-    flat = np.array([(x, y, 0.0) for x, y, *_ in corners]) @ turn
+        corners += get_coordinates(orient_polygons(triangle))[:3].tolist()
+    flat = np.array([(x, y, 0.0) for x, y in corners]) @ turn
     patch = Patch(linear(palette.floor), MATERIALS.index("floor"), ROOM, turn, np.zeros(3), (width, depth, SLAB))
     soup.add(_level(flat), patch)
 

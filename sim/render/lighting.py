@@ -57,7 +57,13 @@ class Lights:
 
 
 def lights(
-    tracer: Tracer, towards_sun: Floats, *, gather: int = 20, sun_rays: int = 6, spread: float = 4.0, strength: float = 1.0
+    tracer: Tracer,
+    towards_sun: Floats,
+    *,
+    gather: int = 20,
+    sun_rays: int = 6,
+    spread: float = 4.0,
+    strength: float = 1.0,
 ) -> Lights:
     """Warm sun of some strength with an angular radius of `spread` [degrees], a cooler sky, and the scene's lamps."""
 

@@ -1,6 +1,7 @@
 """A picture of triangles: cast once for every pixel, light on a coarser grid, edges cast again more finely."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from thinkblox.sim.render.surfels import Surfels, is_material, see
 from thinkblox.sim.render.tessellate import Floats
 
 _CHUNK = 1 << 13
+
+
 @dataclass(frozen=True)
 class Settings:
     """How a picture is made.
@@ -85,7 +88,9 @@ def _light(job: _Job, points: Surfels, x: Floats, y: Floats) -> Irradiance:
 
     def fine(at: int) -> tuple[Floats, NDArray[np.bool_]]:
         part = slice(at, at + _CHUNK)
-        return sampled(grid, x[part] / coarse, y[part] / coarse, points.position[part], points.normal[part])
+        return sampled(
+            grid, x[part] / np.float32(coarse), y[part] / np.float32(coarse), points.position[part], points.normal[part]
+        )
 
     parts = in_parallel(fine, range(0, len(x), _CHUNK))
     light, found = _joined(parts)
@@ -109,7 +114,7 @@ def _coarse_light(job: _Job, points: Surfels) -> Grid:
     seen = seen | ground
     width = (np.float32(job.pixel) + np.float32(job.spread) * np.where(seen, chosen.distance, 0)) * coarse
 
-    def plane(values: Floats) -> Floats:
+    def plane(values: NDArray[Any]) -> Floats:
         return np.ascontiguousarray(values.T.reshape(-1, *index.shape), dtype=np.float32)
 
     return Grid(
@@ -117,7 +122,9 @@ def _coarse_light(job: _Job, points: Surfels) -> Grid:
     )
 
 
-def _cast_light(job: _Job, points: Surfels, cell: NDArray[np.int64], *, times: int = 1, lights: Lights | None = None) -> Floats:
+def _cast_light(
+    job: _Job, points: Surfels, cell: NDArray[np.int64], *, times: int = 1, lights: Lights | None = None
+) -> Floats:
     def part(at: int) -> Floats:
         here = slice(at, at + _CHUNK // 2)
         light = irradiance(job.tracer, lights or job.lights, job.bounce, points[here], cell[here], times=times)

@@ -27,7 +27,7 @@ class Marks:
 
         self._camera, self._size = camera, size * _FINE
         self._sheet = Image.new("RGBA", (self._size, self._size), (0, 0, 0, 0))
-        self._draw: ImageDraw = ImageDraw.Draw(self._sheet)
+        self._draw = ImageDraw.Draw(self._sheet)
         self._pen = max(round(size / 512), 1)
 
     def over(self, picture: "Image") -> "Image":

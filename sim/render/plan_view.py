@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
@@ -17,7 +18,6 @@ from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.plan_marks import INK, Marks, mark_measures, mark_north, mark_openings, mark_scale
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.soup import Pose, Soup, add_objects
-from thinkblox.sim.render.tessellate import Floats
 from thinkblox.value import Vec2
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def plan_labels(scene: Scene, camera: Camera, size: int, reserved: Sequence[Box]
     return laid_out(things, text_size, size=size, fonts=fonts, reserved=reserved)
 
 
-def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] | None) -> Floats:
+def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] | None) -> NDArray[np.uint8]:
     soup = Soup()
     standing = (True,) * len(scene.room.walls)
     shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=_CUT, ground=False)

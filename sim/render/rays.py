@@ -67,7 +67,7 @@ def _face_normals(triangles: Triangles) -> Floats:
     a, b, c = (triangles.vertices[triangles.faces[:, k]].astype(np.float64) for k in range(3))
     cross = np.cross(b - a, c - a)
     length = np.linalg.norm(cross, axis=1, keepdims=True)
-    return (cross / np.maximum(length, 1e-30)).astype(np.float32)
+    return np.asarray(cross / np.maximum(length, 1e-30), np.float32)
 
 
 def _embree(triangles: Triangles, faces: Ints) -> Any:

@@ -55,7 +55,7 @@ class Shader:
         colour += base * glow[:, None]
         shiny = np.flatnonzero(self._table["mirror"][material] > 0)
         colour[shiny] += self._shine(points[shiny], light[shiny], material[shiny], base[shiny], cosine[shiny])
-        return colour
+        return np.asarray(colour, np.float32)
 
     def _shine(self, points: Surfels, light: Irradiance, material: Ints, base: Floats, cosine: Floats) -> Floats:
         mirror, gloss = self._table["mirror"][material][:, None], self._table["gloss"][material][:, None]
@@ -64,7 +64,7 @@ class Shader:
         sharp = np.maximum(bent @ self._lights.sun, np.float32(0))[:, None] ** gloss
         sky = self._lights.sky(bent[:, 2]) * np.minimum(light.sky.mean(1, keepdims=True) * np.float32(1.5), 1)
         shine = mirror * (sky + sharp * np.sqrt(gloss) * np.float32(0.25) * light.sun)
-        return np.where(self._table["tinted"][material][:, None] > 0, base * shine, shine)
+        return np.asarray(np.where(self._table["tinted"][material][:, None] > 0, base * shine, shine), np.float32)
 
     def _base(self, points: Surfels, material: Ints, width: Floats) -> Floats:
         base = self._colour[points.patch]
@@ -81,7 +81,7 @@ class Shader:
 
     def _local(self, points: Surfels) -> Floats:
         offset = points.position - self._origin[points.patch]
-        return np.einsum("nij,ni->nj", self._turn[points.patch], offset)
+        return np.asarray(np.einsum("nij,ni->nj", self._turn[points.patch], offset), np.float32)
 
     def _floor(self, points: Surfels, base: Floats, width: Floats) -> Floats:
         local = self._local(points)

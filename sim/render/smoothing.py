@@ -98,8 +98,10 @@ def sampled(
 
     Args:
         grid: the light to look up.
-        x, y: coordinates in the grid (n,); grid point (0, 0) is at 0, 0.
-        position, normal: the points (n, 3).
+        x: column in the grid (n,).
+        y: row in the grid (n,).
+        position: the points (n, 3) [m].
+        normal: their normals (n, 3).
         least: weight below which a point counts as found nowhere.
 
     Returns:
@@ -120,5 +122,5 @@ def sampled(
             weight += share * other[6] * np.float32(1e-4)
             weights += weight
             total += (other[8:] * weight).T
-    light: Floats = total / np.maximum(weights, np.float32(1e-9))[:, None]
-    return light, weights > least
+    light = total / np.maximum(weights, np.float32(1e-9))[:, None]
+    return np.asarray(light, np.float32), weights > least

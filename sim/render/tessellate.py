@@ -69,7 +69,9 @@ def _rounded_cube(steps: int) -> tuple[Floats, Floats, Ints]:
     sides = np.array([-1.0] * (steps + 1) + [1.0] * (steps + 1))
     count = len(slopes)
     grid = _grid_faces(count, count)
-    signs, normals, faces = [], [], []
+    signs: list[NDArray[np.float64]] = []
+    normals: list[NDArray[np.float64]] = []
+    faces: list[Ints] = []
     for axis in range(3):
         for side in (-1.0, 1.0):
             u, v = _AXES[axis]
@@ -118,7 +120,7 @@ def ellipsoid(size: Vec3) -> Mesh:
     around = _segments(max(size) / 2)
     angles = [math.pi * (i / (around // 2) - 0.5) for i in range(around // 2 + 1)]
     unit = _revolve([(math.cos(a), math.sin(a), math.sin(a)) for a in angles], (2.0, 2.0, 2.0), around)
-    half = np.asarray(size, np.float32) / 2
+    half: Floats = np.array(size, np.float32) / np.float32(2)
     return Mesh(unit.vertices * half, _unit(unit.vertices / half), unit.faces)
 
 
@@ -192,4 +194,4 @@ def _creased(faces: NDArray[np.int64], corners: NDArray[np.float64], flat: NDArr
 
 def _unit(vectors: NDArray[Any]) -> Floats:
     length = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return (vectors / np.maximum(length, 1e-20)).astype(np.float32)
+    return np.asarray(vectors / np.maximum(length, 1e-20), np.float32)

@@ -19,7 +19,7 @@ def _noise() -> Floats:
     wave = np.hypot(*np.meshgrid(np.fft.fftfreq(_SIZE), np.fft.fftfreq(_SIZE))) * _SIZE
     power = np.where(wave > 0, 1 / (4 + wave) ** 1.3, 0.0) * np.exp(-((wave / 90) ** 2))
     field = np.fft.ifft2(np.fft.fft2(rng.normal(size=(_SIZE, _SIZE))) * power).real
-    return (field / field.std()).astype(np.float32)
+    return np.asarray(field / field.std(), np.float32)
 
 
 @lru_cache(maxsize=1)
@@ -37,13 +37,12 @@ def noise(x: Floats, y: Floats) -> Floats:
     j = j * _SIZE
     low = field[j + i] * (1 - fx) + field[j + i1] * fx
     high = field[j1 + i] * (1 - fx) + field[j1 + i1] * fx
-    mixed: Floats = low * (1 - fy) + high * fy
-    return mixed
+    return np.asarray(low * (1 - fy) + high * fy, np.float32)
 
 
 def fade(footprint: Floats, detail: float) -> Floats:
     """How much of a pattern with features of `detail` metres a pixel of this width [m] can show, 1 to 0."""
-    return np.clip(np.float32(1.6) - footprint / np.float32(detail), np.float32(0), np.float32(1))
+    return np.asarray(np.clip(np.float32(1.6) - footprint / np.float32(detail), 0, 1), np.float32)
 
 
 def planks(along: Floats, across: Floats, footprint: Floats) -> tuple[Floats, Floats]:
@@ -68,11 +67,11 @@ def _line(share: Floats, footprint: Floats, width: float, gap: float = 0.0022) -
     pixel = np.maximum(footprint, np.float32(0.001))
     covered = (np.float32(gap / 2) + pixel / 2 - distance) / pixel
     most = np.minimum(np.float32(gap) / pixel, np.float32(1))
-    return np.clip(covered, 0, 1) * most
+    return np.asarray(np.clip(covered, 0, 1) * most, np.float32)
 
 
 def _hash(key: Floats) -> Floats:
-    return _dice()[(key.astype(np.int64) * 2654435761 >> 7) & 4095]
+    return np.asarray(_dice()[(key.astype(np.int64) * 2654435761 >> 7) & 4095], np.float32)
 
 
 def wood(along: Floats, across: Floats, footprint: Floats, key: Floats) -> Floats:

@@ -1,0 +1,229 @@
+"""Pictures: of the right size, the same every time, and showing what is there."""
+
+import math
+
+import numpy as np
+import pytest
+
+from thinkblox.asset import Asset, Link, Shape
+from thinkblox.room import Opening, Room, rectangle
+from thinkblox.scene import Placement, Scene
+from thinkblox.sim.render import (
+    NOTHING,
+    ROOM,
+    best_view,
+    cast,
+    contact_sheet,
+    plan_of,
+    render_asset,
+    render_marked,
+    render_preview,
+    render_top,
+)
+from thinkblox.sim.render.labels import Thing, laid_out, names_of
+from thinkblox.sim.render.plan_view import plan_labels
+from thinkblox.value import Vec3
+
+L_SHAPE = Room(floor=((0.0, 0.0), (5.0, 0.0), (5.0, 2.5), (2.5, 2.5), (2.5, 5.0), (0.0, 5.0)))
+OPEN = rectangle(
+    4.0,
+    3.0,
+    openings=(
+        Opening(id="door_1", kind="door", wall=0, offset=0.4, width=0.9, height=2.0),
+        Opening(id="window_1", kind="window", wall=2, offset=1.0, width=1.5, height=1.2, sill=0.9),
+    ),
+)
+
+
+def asset(category: str, size: Vec3, colour: Vec3 = (0.7, 0.3, 0.2), **options: object) -> Asset:
+    box = Shape(kind="box", size=size, position=(0.0, 0.0, size[2] / 2), colour=colour, material="paper")
+    links = (Link(name="body", shapes=(box,)),)
+    fields = {"mount": "floor", "links": links} | options
+    return Asset(id=f"{category}-1", category=category, description="", size=size, mass=1, friction=1, **fields)  # type: ignore[arg-type]
+
+
+BOX = asset("box", (0.6, 0.4, 0.5))
+PICTURE = asset("picture", (0.04, 1.0, 0.8), (0.1, 0.1, 0.9), mount="wall")
+LAMP = asset("pendant_lamp", (0.5, 0.5, 0.6), mount="ceiling")
+
+
+def put(scene: Scene, thing: Asset, position: Vec3, yaw: float = 0.0, support: str = "floor") -> Scene:
+    number = 1 + sum(p.category == thing.category for p in scene.placements)
+    placement = Placement(
+        id=f"{thing.category}_{number}", category=thing.category, asset=thing.id, position=position, yaw=yaw,
+        size=thing.size, support=support,
+    )  # fmt: skip
+    return scene.with_placement(placement, thing)
+
+
+def pixels(picture: object) -> np.ndarray:
+    return np.asarray(picture).astype(int)
+
+
+@pytest.mark.parametrize("room", [OPEN, L_SHAPE, Room(floor=((0.0, 0.0), (4.0, 0.0), (0.0, 3.0)))])
+@pytest.mark.parametrize("furnished", [True, False])
+def test_pictures_have_their_size_and_show_something(room: Room, furnished: bool) -> None:
+    scene = Scene(room=room)
+    if furnished:
+        scene = put(scene, BOX, (1.0, 1.0, 0.0))
+    for render in (render_preview, render_top, render_marked):
+        picture = render(scene, size=96)
+        assert picture.size == (96, 96)
+        assert picture.mode == "RGB"
+        assert pixels(picture).std() > 10
+
+
+def test_the_same_scene_gives_the_same_bytes() -> None:
+    scene = put(put(Scene(room=OPEN, seed=3), BOX, (1.0, 1.0, 0.0), 30.0), LAMP, (2.0, 1.5, 2.0), 0.0, "ceiling")
+    for render in (render_preview, render_top, render_marked):
+        assert render(scene, size=128).tobytes() == render(scene, size=128).tobytes()
+
+
+def test_the_seed_chooses_the_colours() -> None:
+    pictures = {render_preview(Scene(room=OPEN, seed=seed), size=64).tobytes() for seed in range(4)}
+    assert len(pictures) > 1
+
+
+def test_ids_and_depth_are_those_of_the_objects_seen_from_above() -> None:
+    scene = put(put(Scene(room=OPEN), BOX, (1.0, 1.0, 0.0), 90.0), BOX, (3.0, 2.0, 0.0))
+    camera = plan_of(OPEN)
+    frame = cast(scene, camera, size=256)
+    assert frame.names == ("box_1", "box_2")
+    for number, placement in enumerate(scene.placements):
+        rows, columns = np.nonzero(frame.ids == number)
+        expected = camera.project(np.array([placement.position]), 256)[0]
+        assert (columns.mean() + 0.5, rows.mean() + 0.5) == pytest.approx(expected, abs=0.6)
+        metres = 2 * camera.reach / 256
+        assert len(rows) * metres**2 == pytest.approx(0.24, rel=0.05)
+        assert frame.depth[rows, columns] == pytest.approx(50.0 - 0.5, abs=0.01)
+    x, y = camera.project(np.array([[2.0, 0.5, 0.0]]), 256)[0].astype(int)
+    assert frame.ids[y, x] == ROOM
+    assert frame.depth[y, x] == pytest.approx(50.0, abs=1e-3)
+    assert frame.ids[0, 0] == NOTHING
+    assert math.isinf(frame.depth[0, 0])
+
+
+def test_glass_is_seen_through_and_keeps_its_id() -> None:
+    pane = Shape(kind="box", size=(0.6, 0.4, 0.5), position=(0.0, 0.0, 0.25), colour=(0.5, 0.8, 0.9), material="glass")
+    glass = asset("tank", (0.6, 0.4, 0.5), links=(Link(name="body", shapes=(pane,)),))
+    scene = put(Scene(room=OPEN), glass, (2.0, 1.5, 0.0))
+    frame = cast(scene, plan_of(OPEN), size=128)
+    inside = frame.ids == 0
+    assert inside.sum() > 50
+    assert frame.depth[inside] == pytest.approx(50.0, abs=1e-3)
+    assert np.abs(frame.colour[inside].mean(0) - frame.colour[frame.ids == ROOM].mean(0)).max() < 90
+
+
+def test_walls_between_the_eye_and_the_room_are_cut() -> None:
+    scene = put(Scene(room=OPEN), BOX, (2.0, 1.5, 0.0))
+    view = best_view(scene)
+    eye = view.camera.position
+    for wall, stands in zip(OPEN.walls, view.standing, strict=True):
+        assert stands == (wall.coordinates((eye[0], eye[1]))[1] > 0.3)
+    assert sum(view.standing) == 2
+    assert (cast(scene, view.camera, size=128).ids == 0).sum() > 30
+
+
+def test_the_window_is_on_the_far_side() -> None:
+    assert best_view(Scene(room=OPEN)).standing[2]
+
+
+def test_a_picture_on_a_cut_wall_does_not_float_before_the_view() -> None:
+    empty = Scene(room=OPEN)
+    view = best_view(empty)
+    wall = next(w for w, stands in zip(OPEN.walls, view.standing, strict=True) if not stands)
+    x, y = wall.point(wall.length / 2, 0.02)
+    hung = put(empty, PICTURE, (x, y, 1.4), wall.yaw, wall.name)
+    if best_view(hung).azimuth == view.azimuth:
+        assert render_preview(hung, size=96).tobytes() == render_preview(empty, size=96).tobytes()
+
+
+def test_the_room_fills_the_picture_and_stays_inside() -> None:
+    for room in (OPEN, L_SHAPE, rectangle(9.0, 2.0), rectangle(0.6, 0.6)):
+        corners = np.array([(x, y, z) for x, y in room.floor for z in (0.0, room.height)])
+        view = best_view(Scene(room=room))
+        standing = [view.standing[i] or view.standing[i - 1] for i in range(len(room.floor))]
+        seen = view.camera.project(corners[np.repeat(standing, 2) | (corners[:, 2] == 0)], 100)
+        assert seen.min() > 2
+        assert seen.max() < 98
+        assert np.ptp(seen, axis=0).max() > 75
+
+
+def test_poses_go_before_the_scene() -> None:
+    scene = put(Scene(room=OPEN), BOX, (1.0, 1.0, 0.0))
+    moved = put(Scene(room=OPEN), BOX, (3.0, 2.0, 0.0))
+    poses = {"box_1": ((3.0, 2.0, 0.0), (1.0, 0.0, 0.0, 0.0))}
+    ids = cast(scene, plan_of(OPEN), size=96, poses=poses).ids
+    assert (ids == cast(moved, plan_of(OPEN), size=96).ids).all()
+
+
+def test_a_link_that_moved_is_drawn_where_it_is() -> None:
+    door = Shape(kind="box", size=(0.05, 0.4, 0.5), position=(0.3, 0.0, 0.25))
+    case = asset("case", (0.6, 0.4, 0.5))
+    case = asset("case", (0.6, 0.4, 0.5), links=(*case.links, Link(name="drawer", shapes=(door,))))
+    scene = put(Scene(room=OPEN), case, (2.0, 1.5, 0.0))
+    shut = (cast(scene, plan_of(OPEN), size=256).ids == 0).sum()
+    poses = {"case_1/drawer": ((2.3, 1.5, 0.0), (1.0, 0.0, 0.0, 0.0))}
+    assert (cast(scene, plan_of(OPEN), size=256, poses=poses).ids == 0).sum() > shut + 20
+
+
+def test_what_hangs_from_the_ceiling_hides_nothing_in_the_plan() -> None:
+    scene = put(Scene(room=OPEN), BOX, (2.0, 1.5, 0.0))
+    lit = put(scene, LAMP, (2.0, 1.5, 2.0), 0.0, "ceiling")
+    middle = slice(62, 66)
+    without, under = pixels(render_marked(scene, size=128, marked=())), pixels(render_marked(lit, size=128, marked=()))
+    assert (without[middle, middle] == under[middle, middle]).all()
+
+
+def test_every_object_has_a_label_and_they_hardly_overlap() -> None:
+    scene = Scene(room=OPEN)
+    for i in range(12):
+        scene = put(scene, BOX, (0.6 + 0.9 * (i % 4), 0.5 + 0.9 * (i // 4), 0.0))
+    scene = put(scene, LAMP, (2.0, 1.5, 2.0), 0.0, "ceiling")
+    labels = plan_labels(scene, plan_of(OPEN), 512)
+    assert {label.id for label in labels} == {p.id for p in scene.placements}
+    assert all(label.text for label in labels)
+
+
+def test_names_are_short_for_many_of_a_kind_and_plain_for_one() -> None:
+    scene = put(put(Scene(room=OPEN), LAMP, (1.0, 1.0, 2.0), 0.0, "ceiling"), BOX, (1.0, 1.0, 0.0))
+    names = names_of(scene.placements)
+    assert names["box_1"] == ("box",)
+    assert names["pendant_lamp_1"][0] == "pendant lamp"
+    for _ in range(8):
+        scene = put(scene, LAMP, (1.0, 1.0, 2.0), 0.0, "ceiling")
+    assert names_of(scene.placements)["pendant_lamp_4"] == ("lamp 4", "4")
+
+
+def test_labels_of_neighbours_do_not_cover_each_other() -> None:
+    things = [Thing(f"t_{i}", ("a long name", "short"), (50 + 12.0 * i, 100, 60 + 12.0 * i, 110)) for i in range(6)]
+    labels = laid_out(things, lambda text, font: (len(text) * font / 2, float(font)), size=400, fonts=(12, 10))
+    boxes = [
+        (
+            at[0] - len(label.text) * label.font / 4,
+            at[1] - label.font / 2,
+            at[0] + len(label.text) * label.font / 4,
+            at[1] + label.font / 2,
+        )
+        for label in labels
+        for at in [label.at]
+    ]
+    for i, (left, top, right, bottom) in enumerate(boxes):
+        for other in boxes[i + 1 :]:
+            assert min(right, other[2]) <= max(left, other[0]) or min(bottom, other[3]) <= max(top, other[1])
+
+
+def test_portraits_and_contact_sheets() -> None:
+    picture = render_asset(BOX, size=64)
+    assert picture.size == (64, 64)
+    assert pixels(picture).std() > 10
+    assert render_asset(BOX, size=64).tobytes() == picture.tobytes()
+    sheet = contact_sheet([BOX, PICTURE, LAMP], columns=2, size=64)
+    assert sheet.width == 128
+    assert sheet.height > 128
+
+
+def test_a_target_is_marked_in_another_colour() -> None:
+    scene = put(Scene(room=OPEN), BOX, (2.0, 1.5, 0.0))
+    plain, target = render_marked(scene, size=128), render_marked(scene, size=128, targets=("box_1",))
+    assert plain.tobytes() != target.tobytes()
