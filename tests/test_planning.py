@@ -11,6 +11,7 @@ from tests.test_reading import OWN, SHARED
 from tests.test_reading_hostile import WORDS
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
+from thinkblox.plan import Plan
 from thinkblox.planning import plan_brief, plan_room
 from thinkblox.reading import read_brief
 from thinkblox.room import rectangle
@@ -18,15 +19,15 @@ from thinkblox.room import rectangle
 ROOM = rectangle(6.0, 5.0)
 
 
-def plan_of(prompt: str):
+def plan_of(prompt: str) -> Plan:
     return plan_brief(read_brief(prompt), ROOM)
 
 
-def ties_of(plan, id: str) -> list[tuple]:
+def ties_of(plan: Plan, id: str) -> list[tuple[str, ...]]:
     return [(tie.kind, *tie.anchors) for tie in plan.target(id).ties]
 
 
-def check_plan(plan, brief: Brief) -> None:
+def check_plan(plan: Plan, brief: Brief) -> None:
     ids = [target.id for target in plan.targets]
     assert len(set(ids)) == len(ids)
     for request in brief.requests:
@@ -39,13 +40,13 @@ def check_plan(plan, brief: Brief) -> None:
 
 
 @pytest.mark.parametrize("prompt", SHARED | OWN)
-def test_order_is_topological_and_complete(prompt):
+def test_order_is_topological_and_complete(prompt: str) -> None:
     brief = read_brief(prompt)
     check_plan(plan_brief(brief, plan_room(brief, rng=0)), brief)
 
 
 @pytest.mark.parametrize("prompt", SHARED | OWN)
-def test_every_asked_relation_becomes_a_tie(prompt):
+def test_every_asked_relation_becomes_a_tie(prompt: str) -> None:
     brief = read_brief(prompt)
     plan = plan_brief(brief, ROOM)
     tied = {(target.request, tie.kind) for target in plan.targets for tie in target.ties if tie.asked}
@@ -56,7 +57,7 @@ def test_every_asked_relation_becomes_a_tie(prompt):
 @given(st.lists(st.sampled_from(WORDS), max_size=40).map(" ".join))
 @example("a bed next to a desk . the desk next to the bed")
 @example("a lamp on a table on a lamp . the table on the lamp")
-def test_any_brief_can_be_planned(text):
+def test_any_brief_can_be_planned(text: str) -> None:
     try:
         brief = read_brief(text)
     except InputError:
@@ -65,7 +66,7 @@ def test_any_brief_can_be_planned(text):
     check_plan(plan_brief(brief, room), brief)
 
 
-def test_a_lamp_for_each_nightstand():
+def test_a_lamp_for_each_nightstand() -> None:
     plan = plan_of("A bed, two nightstands with a lamp on each.")
     assert ties_of(plan, "table_lamp_1") == [("on", "nightstand_1")]
     assert ties_of(plan, "table_lamp_2") == [("on", "nightstand_2")]
@@ -73,13 +74,13 @@ def test_a_lamp_for_each_nightstand():
     assert not plan.target("nightstand_1").ties[0].asked
 
 
-def test_chairs_are_shared_out_over_tables():
+def test_chairs_are_shared_out_over_tables() -> None:
     plan = plan_of("A restaurant with five square tables with four chairs each.")
     tie = plan.target("chair_10").ties[0]
     assert (tie.kind, tie.anchors, tie.index, tie.count) == ("around", ("dining_table_3",), 1, 4)
 
 
-def test_plants_are_shared_out_without_each():
+def test_plants_are_shared_out_without_each() -> None:
     plan = plan_of("A florist with fifteen potted plants on three tiered tables.")
     assert [plan.target(f"potted_plant_{n}").ties[0].anchors for n in (1, 5, 6, 15)] == [
         ("tiered_table_1",),
@@ -89,14 +90,14 @@ def test_plants_are_shared_out_without_each():
     ]
 
 
-def test_rows_face_each_other():
+def test_rows_face_each_other() -> None:
     plan = plan_of("Two rows of five chairs facing each other.")
     assert ties_of(plan, "chair_1") == [("in_rows",), ("facing",)]
     assert ties_of(plan, "chair_6") == [("in_rows",), ("facing", "chair_1")]
     assert plan.target("chair_6").ties[0].rows == 2
 
 
-def test_habits_tie_what_nobody_mentions():
+def test_habits_tie_what_nobody_mentions() -> None:
     plan = plan_of("bed, nightstand, desk, office chair, monitor, sofa, coffee table, TV, TV stand, wardrobe, picture")
     assert ties_of(plan, "nightstand_1") == [("next_to", "bed_1")]
     assert ties_of(plan, "office_chair_1") == [("at", "desk_1")]
@@ -108,18 +109,18 @@ def test_habits_tie_what_nobody_mentions():
     assert ties_of(plan, "picture_1") == [("above", "sofa_1")]
 
 
-def test_a_cup_next_to_a_laptop_is_on_its_desk():
+def test_a_cup_next_to_a_laptop_is_on_its_desk() -> None:
     plan = plan_of("A desk with a laptop, a coffee table, and a cup next to the laptop.")
     assert ties_of(plan, "cup_1") == [("on", "desk_1"), ("next_to", "laptop_1")]
 
 
-def test_things_spread_over_cabinets():
+def test_things_spread_over_cabinets() -> None:
     plan = plan_of("Base cabinets along one wall carrying a sink, a stove and a microwave.")
     anchors = {plan.target(id).ties[0].anchors for id in ("sink_1", "hob_1", "microwave_1")}
     assert anchors == {("base_cabinet_1",), ("base_cabinet_2",), ("base_cabinet_3",)}
 
 
-def test_relations_in_a_circle_keep_an_order():
+def test_relations_in_a_circle_keep_an_order() -> None:
     brief = Brief(
         prompt="",
         requests=(Request(key="a", category="bed"), Request(key="b", category="desk")),
@@ -133,14 +134,14 @@ def test_relations_in_a_circle_keep_an_order():
     assert ("in_front_of", "desk_1") in ties_of(plan, "bed_1")
 
 
-def test_large_things_come_first_and_small_things_last():
+def test_large_things_come_first_and_small_things_last() -> None:
     plan = plan_of("A vase, a chair, a rug, a dining table, a sideboard and a wardrobe.")
     ids = [target.id for target in plan.targets]
     for earlier, later in pairwise(["dining_table_1", "chair_1", "vase_1"]):
         assert ids.index(earlier) < ids.index(later)
 
 
-def test_a_board_that_desks_face_is_placed_before_them():
+def test_a_board_that_desks_face_is_placed_before_them() -> None:
     plan = plan_of("A classroom with twelve school desks in three rows facing a whiteboard, and a bookcase.")
     ids = [target.id for target in plan.targets]
     assert ids.index("whiteboard_1") < ids.index("school_desk_1")
@@ -148,31 +149,31 @@ def test_a_board_that_desks_face_is_placed_before_them():
 
 @pytest.mark.parametrize("prompt", SHARED)
 @pytest.mark.parametrize("seed", range(3))
-def test_rooms_have_a_door_and_are_neither_tiny_nor_halls(prompt, seed):
+def test_rooms_have_a_door_and_are_neither_tiny_nor_halls(prompt: str, seed: int) -> None:
     room = plan_room(read_brief(prompt), rng=np.random.default_rng(seed))
     assert [o.kind for o in room.openings].count("door") == 1
     assert 5.0 <= room.polygon.area <= 70.0
 
 
-def test_a_room_is_as_large_as_it_is_said_to_be():
+def test_a_room_is_as_large_as_it_is_said_to_be() -> None:
     assert plan_room(read_brief("a bedroom, 4 m by 5 m"), rng=0).extent == (4.0, 5.0)
     assert plan_room(read_brief("a studio of 18 square metres"), rng=0).polygon.area == pytest.approx(18.0, abs=0.05)
     assert plan_room(read_brief("a bedroom 4 x 5 x 3 m"), rng=0).height == 3.0
 
 
-def test_an_l_has_six_corners_and_its_area():
+def test_an_l_has_six_corners_and_its_area() -> None:
     room = plan_room(read_brief("An L-shaped kitchen of 20 m2 with a sink."), rng=0)
     assert len(room.floor) == 6
     assert room.polygon.area == pytest.approx(20.0, abs=0.1)
 
 
-def test_more_furniture_needs_a_larger_room():
+def test_more_furniture_needs_a_larger_room() -> None:
     few = plan_room(read_brief("A classroom with six school desks."), rng=0)
     many = plan_room(read_brief("A classroom with forty school desks."), rng=0)
     assert many.polygon.area > few.polygon.area + 20.0
 
 
-def test_openings_go_where_they_are_asked():
+def test_openings_go_where_they_are_asked() -> None:
     room = plan_room(read_brief("A bedroom with two windows on the north wall and a door in the west wall."), rng=0)
     assert sorted((o.kind, room.walls[o.wall].name) for o in room.openings) == [
         ("door", "west_wall"),
@@ -181,18 +182,18 @@ def test_openings_go_where_they_are_asked():
     ]
 
 
-def test_no_windows_where_none_are_wanted_and_one_where_one_is_named():
+def test_no_windows_where_none_are_wanted_and_one_where_one_is_named() -> None:
     assert {o.kind for o in plan_room(read_brief("A bedroom without windows."), rng=0).openings} == {"door"}
     laundry = plan_room(read_brief("A laundry room with a washing machine by the window."), rng=0)
     assert "window" in {o.kind for o in laundry.openings}
 
 
-def test_more_openings_than_the_walls_hold_are_left_out():
+def test_more_openings_than_the_walls_hold_are_left_out() -> None:
     brief = Brief(prompt="", width=2.0, depth=2.0, openings=(OpeningRequest(kind="window", count=20),))
     assert 1 <= sum(o.kind == "window" for o in plan_room(brief, rng=0).openings) < 20
 
 
-def test_the_same_seed_gives_the_same_room():
+def test_the_same_seed_gives_the_same_room() -> None:
     brief = read_brief("A bedroom.")
     assert plan_room(brief, rng=5) == plan_room(brief, rng=5)
     assert plan_room(brief, rng=5) != plan_room(brief, rng=6)

@@ -3,6 +3,7 @@
 import pytest
 
 from thinkblox.assets import CATALOGUE
+from thinkblox.brief import Brief
 from thinkblox.reading import read_brief
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.habits import load_habits
@@ -37,8 +38,10 @@ SHARED = {
     "A bookstore, 8x6 m: rows of bookcases with aisles between them, a display table with stacks of books in the "
     "middle, a cash counter near the door and a reading chair with a side table and a lamp.": (
         "6 bookcase, 1 display_table, 3 book_stack, 1 counter, 1 armchair, 1 side_table, 1 floor_lamp",
-        "bookcase in_rows, display_table in_centre centre, book_stack on display_table, counter near door, "
-        "side_table next_to armchair, floor_lamp next_to armchair",
+        (
+            "bookcase in_rows, display_table in_centre centre, book_stack on display_table, counter near door, "
+            "side_table next_to armchair, floor_lamp next_to armchair"
+        ),
     ),
     "A buffet restaurant with a long buffet counter carrying food trays, plates and bowls, five square tables with "
     "four chairs each, and a water dispenser.": (
@@ -53,15 +56,21 @@ SHARED = {
     "A computer room: four desks along the walls, each with a monitor, a keyboard, a mouse and an office chair; a "
     "printer on a cabinet and a server rack in a corner.": (
         "4 desk, 4 monitor, 4 keyboard, 4 mouse, 4 office_chair, 1 printer, 1 cabinet, 1 server_rack",
-        "desk against_wall wall, monitor on desk, keyboard on desk, mouse on desk, office_chair at desk, "
-        "printer on cabinet, server_rack in_corner corner",
+        (
+            "desk against_wall wall, monitor on desk, keyboard on desk, mouse on desk, office_chair at desk, "
+            "printer on cabinet, server_rack in_corner corner"
+        ),
     ),
     "A deli with a glass display fridge, a counter with a cash register and a scale, three high tables with two stools "
     "each, shelves with jars and bottles, and a menu board on the wall.": (
-        "1 display_fridge, 1 counter, 1 cash_register, 1 scale, 3 high_table, 6 bar_stool, 2 shelving_unit, 3 jar, "
-        "3 bottle, 1 menu_board",
-        "cash_register on counter, scale on counter, bar_stool around high_table, jar on shelving_unit, "
-        "bottle on shelving_unit, menu_board against_wall wall",
+        (
+            "1 display_fridge, 1 counter, 1 cash_register, 1 scale, 3 high_table, 6 bar_stool, 2 shelving_unit, 3 jar, "
+            "3 bottle, 1 menu_board"
+        ),
+        (
+            "cash_register on counter, scale on counter, bar_stool around high_table, jar on shelving_unit, "
+            "bottle on shelving_unit, menu_board against_wall wall"
+        ),
     ),
     "A florist's shop full of plants: fifteen potted plants on three tiered tables, buckets of flowers on the floor, a "
     "wooden counter with a register, and a bench.": (
@@ -71,8 +80,10 @@ SHARED = {
     "A game room with a pool table in the centre, a table football, two arcade cabinets side by side, a dart board on "
     "the wall, a sofa and a low table with a games console.": (
         "1 pool_table, 1 table_football, 2 arcade_cabinet, 1 dart_board, 1 sofa, 1 coffee_table, 1 games_console",
-        "pool_table in_centre centre, arcade_cabinet next_to arcade_cabinet, dart_board against_wall wall, "
-        "games_console on coffee_table",
+        (
+            "pool_table in_centre centre, arcade_cabinet next_to arcade_cabinet, dart_board against_wall wall, "
+            "games_console on coffee_table"
+        ),
     ),
     "A home office, L-shaped, with a corner desk, an office chair, two bookcases, a filing cabinet, a desk lamp, a "
     "laptop and a picture on the wall.": (
@@ -82,8 +93,10 @@ SHARED = {
     "A kitchen with base cabinets along one wall carrying a sink, a stove and a microwave, a fridge at the end, an "
     "island with three stools and a bowl of fruit on it.": (
         "3 base_cabinet, 1 sink, 1 hob, 1 microwave, 1 fridge, 1 kitchen_island, 3 bar_stool, 1 fruit_bowl",
-        "base_cabinet against_wall wall, sink on base_cabinet, hob on base_cabinet, microwave on base_cabinet, "
-        "fridge next_to base_cabinet, bar_stool at kitchen_island, fruit_bowl on kitchen_island",
+        (
+            "base_cabinet against_wall wall, sink on base_cabinet, hob on base_cabinet, microwave on base_cabinet, "
+            "fridge next_to base_cabinet, bar_stool at kitchen_island, fruit_bowl on kitchen_island"
+        ),
     ),
     "A hospital room: a bed with its head against the wall, a bedside cabinet with a water glass on it, a visitor's "
     "chair facing the bed, a curtain rail and a waste bin by the door.": (
@@ -98,8 +111,10 @@ SHARED = {
     "A meeting room with an oval table, ten chairs around it, a screen on the short wall, a whiteboard opposite and a "
     "credenza with a coffee machine.": (
         "1 conference_table, 10 chair, 1 projector_screen, 1 whiteboard, 1 credenza, 1 coffee_machine",
-        "chair around conference_table, projector_screen against_wall short_wall, "
-        "whiteboard opposite projector_screen, coffee_machine on credenza",
+        (
+            "chair around conference_table, projector_screen against_wall short_wall, "
+            "whiteboard opposite projector_screen, coffee_machine on credenza"
+        ),
     ),
     "A laundry room with a washing machine beside a dryer, a shelf above them with two boxes, a laundry basket and an "
     "ironing board.": (
@@ -108,11 +123,13 @@ SHARED = {
     ),
     "Ein kleines Schlafzimmer mit einem Bett, einem Schrank und einem Schreibtisch.": ("1 bed, 1 wardrobe, 1 desk", ""),
     "An empty room with nothing in it but a chair.": ("1 chair", ""),
-    "A waiting room with two rows of five chairs facing each other, a low table with magazines between them and a plant "
-    "in each corner.": (
+    "A waiting room with two rows of five chairs facing each other, a low table with magazines between them and a "
+    "plant in each corner.": (
         "10 chair, 1 coffee_table, 3 magazine, 4 plant",
-        "chair in_rows, chair facing chair, coffee_table between chair, magazine on coffee_table, "
-        "plant in_corner corner",
+        (
+            "chair in_rows, chair facing chair, coffee_table between chair, magazine on coffee_table, "
+            "plant in_corner corner"
+        ),
     ),
 }
 
@@ -191,14 +208,14 @@ OWN = {
 }
 
 
-def counted(brief) -> dict[str, int]:
+def counted(brief: Brief) -> dict[str, int]:
     counts: dict[str, int] = {}
     for request in brief.requests:
         counts[request.category] = counts.get(request.category, 0) + request.count
     return counts
 
 
-def related(brief) -> set[str]:
+def related(brief: Brief) -> set[str]:
     category = {request.key: request.category for request in brief.requests}
     return {
         " ".join([category[r.subject], r.kind, *(category.get(a, a) for a in r.anchors)])
@@ -208,7 +225,7 @@ def related(brief) -> set[str]:
 
 
 @pytest.mark.parametrize(("prompt", "expected"), (SHARED | OWN).items())
-def test_objects_are_counted_and_related(prompt, expected):
+def test_objects_are_counted_and_related(prompt: str, expected: tuple[str, str]) -> None:
     objects, relations = expected
     brief = read_brief(prompt)
     wanted = {category: int(count) for count, category in (item.split() for item in objects.split(", "))}
@@ -218,13 +235,13 @@ def test_objects_are_counted_and_related(prompt, expected):
 
 
 @pytest.mark.parametrize("prompt", SHARED)
-def test_every_word_of_the_shared_prompts_is_understood(prompt):
+def test_every_word_of_the_shared_prompts_is_understood(prompt: str) -> None:
     brief = read_brief(prompt)
     assert brief.unknown == ()
     assert brief.missing == ()
 
 
-def test_a_bare_room_is_filled_and_says_so():
+def test_a_bare_room_is_filled_and_says_so() -> None:
     brief = read_brief("A cosy reading corner.")
     assert brief.room_type == "reading_corner"
     assert brief.style == ("cosy",)
@@ -232,11 +249,11 @@ def test_a_bare_room_is_filled_and_says_so():
     assert not any(r.asked for r in brief.requests)
 
 
-def test_named_objects_are_not_added_to():
+def test_named_objects_are_not_added_to() -> None:
     assert all(r.asked for r in read_brief("A bedroom with a bed and a chair.").requests)
 
 
-def test_an_empty_room_stays_empty():
+def test_an_empty_room_stays_empty() -> None:
     assert read_brief("An empty room.").requests == ()
     assert read_brief("A bedroom with nothing in it.").empty
 
@@ -258,44 +275,44 @@ def test_an_empty_room_stays_empty():
         ("une chambre de 12 m2 avec un lit", (None, None, 12.0)),
     ],
 )
-def test_sizes(prompt, size):
+def test_sizes(prompt: str, size: tuple[float | None, ...]) -> None:
     brief = read_brief(prompt)
     assert (brief.width, brief.depth, brief.area) == pytest.approx(size)
 
 
-def test_a_size_of_an_object_is_not_the_rooms():
+def test_a_size_of_an_object_is_not_the_rooms() -> None:
     brief = read_brief("A living room with a 2 m sofa and a rug of 2 x 3 m.")
     assert (brief.width, brief.area) == (None, None)
     assert brief.unknown == ("2 m", "2 x 3 m")
 
 
-def test_openings():
+def test_openings() -> None:
     brief = read_brief("A bedroom with a bed, a window on the north wall, two doors and no rug.")
     assert [(o.kind, o.wall, o.count) for o in brief.openings] == [("window", "north_wall", 1), ("door", "", 2)]
     assert [o.count for o in read_brief("A bedroom without windows.").openings] == [0]
 
 
-def test_what_is_refused_is_neither_asked_nor_assumed():
+def test_what_is_refused_is_neither_asked_nor_assumed() -> None:
     categories = {r.category for r in read_brief("A living room without a TV.").requests}
     assert "sofa" in categories
     assert not categories & {"tv", "wall_tv"}
     assert counted(read_brief("A bedroom with a bed but no rug, and a desk.")) == {"bed": 1, "desk": 1}
 
 
-def test_unknown_things_are_listed():
+def test_unknown_things_are_listed() -> None:
     brief = read_brief("A bedroom with a bed, a hoverboard and two unicorns.")
     assert brief.missing == ("a hoverboard", "two unicorns")
     assert counted(brief) == {"bed": 1}
     assert read_brief("A bedroom with a squibbly bed.").unknown == ("squibbly",)
 
 
-def test_too_many_are_listed_not_lost():
+def test_too_many_are_listed_not_lost() -> None:
     brief = read_brief("A room with 1000 chairs.")
     assert counted(brief) == {"chair": 200}
     assert brief.missing == ("800 more of '1000 chairs'",)
 
 
-def test_every_category_is_in_the_catalogue():
+def test_every_category_is_in_the_catalogue() -> None:
     habits = load_habits()
     nouns = {e.value for code in LANGUAGES for es in load(code).phrases.values() for e in es if e.sort == "object"}
     nouns |= {usual.category for kind in room_types().values() for usual in kind.usual}
@@ -304,11 +321,11 @@ def test_every_category_is_in_the_catalogue():
     assert nouns - PLACES - generic_nouns() <= set(CATALOGUE)
 
 
-def test_every_room_type_is_known():
+def test_every_room_type_is_known() -> None:
     rooms = {e.value for code in LANGUAGES for es in load(code).phrases.values() for e in es if e.sort == "room"}
     assert rooms <= set(room_types())
 
 
-def test_small_things_are_those_the_catalogue_puts_on_surfaces():
+def test_small_things_are_those_the_catalogue_puts_on_surfaces() -> None:
     habits = load_habits()
     assert {c for c in habits.group("small") if CATALOGUE[c].mount != "surface"} == set()

@@ -1,5 +1,6 @@
 """Prompts that cannot be used are refused with a reason; anything else gives a brief, and soon."""
 
+import contextlib
 import time
 
 import pytest
@@ -12,9 +13,10 @@ from thinkblox.reading import read_brief
 from thinkblox.value import from_json, to_json
 
 WORDS = (
-    "a an the two five each it its them with on between facing and , . ; : no nothing but only for six people bed sofa "
-    "table lamp desk chairs window corner wall rows of in by 4 m x 5 0 -3 nan km bedroom kitchen hoverboard full opposite "
-    "side foot middle room square metres against around under above next to every all L-shaped ein Bett mit une lampe"
+    "a an the two five each it its them with on between facing and , . ; : no nothing but only for six people "
+    "bed sofa table lamp desk chairs window corner wall rows of in by 4 m x 5 0 -3 nan km bedroom kitchen "
+    "hoverboard full opposite side foot middle room square metres against around under above next to every all "
+    "L-shaped ein Bett mit une lampe"
 ).split()
 
 
@@ -37,18 +39,16 @@ WORDS = (
         ("a bedroom of 1000000 m2", "1000000 m2"),
     ],
 )
-def test_unusable_prompts_are_refused_with_a_reason(prompt, says):
+def test_unusable_prompts_are_refused_with_a_reason(prompt: str, says: str) -> None:
     with pytest.raises(InputError, match=says):
         read_brief(prompt)
 
 
 @settings(max_examples=300, deadline=None)
 @given(st.text(max_size=200))
-def test_any_text_gives_a_brief_or_an_input_error(text):
-    try:
+def test_any_text_gives_a_brief_or_an_input_error(text: str) -> None:
+    with contextlib.suppress(InputError):
         assert isinstance(read_brief(text), Brief)
-    except InputError as error:
-        assert str(error)
 
 
 @settings(max_examples=300, deadline=None)
@@ -56,7 +56,7 @@ def test_any_text_gives_a_brief_or_an_input_error(text):
 @example("each with each other between them on it")
 @example("on on on the the each bed of of bed")
 @example("a bed facing itself and each other on it under it")
-def test_any_words_give_a_sound_brief(text):
+def test_any_words_give_a_sound_brief(text: str) -> None:
     try:
         brief = read_brief(text)
     except InputError:
@@ -85,11 +85,9 @@ def test_any_words_give_a_sound_brief(text):
         "foo ",
     ],
 )
-def test_long_prompts_do_not_hang(unit):
+def test_long_prompts_do_not_hang(unit: str) -> None:
     text = ("a bedroom " + unit * 20_000)[:20_000]
     start = time.perf_counter()
-    try:
+    with contextlib.suppress(InputError):
         read_brief(text)
-    except InputError:
-        pass
     assert time.perf_counter() - start < 5.0

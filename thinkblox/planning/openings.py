@@ -1,6 +1,7 @@
 """Where the doors and windows of a room go."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -102,7 +103,7 @@ class _Openings:
         if offset is None:
             return None
         if kind == "door":
-            hinge = "start" if offset < wall.length / 2.0 else "end"
+            hinge: Literal["start", "end"] = "start" if offset < wall.length / 2.0 else "end"
             return Opening(
                 id=f"door_{number}",
                 kind="door",
@@ -129,7 +130,7 @@ class _Openings:
         return round(max(0.4, min(usual, 0.5 * space)), 2)
 
     def _offset(self, wanted: _Wanted, index: int, width: float) -> float | None:
-        """Near a corner for a door, in the middle of the free stretch nearest its share of the wall for a window [m]."""
+        """Near a corner for a door, in the middle of its share of the wall for a window [m]."""
         length = self.room.walls[index].length
         gaps = [(a, b) for a, b in self._gaps(index, length) if b - a >= width]
         if not gaps:

@@ -1,4 +1,4 @@
-"""What a prompt leaves unsaid: the usual furniture of a room that is only named, seats for people, a table for a vase."""
+"""What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
 import tomllib
 from dataclasses import dataclass

@@ -34,7 +34,7 @@ def place_bond(kind: str, place: str) -> tuple[RelationKind, str] | None:
 
 def relation_kind(kind: str) -> RelationKind:
     """The relation a preposition stands for before an object ("in" a basket is "on" it)."""
-    return _KINDS.get(kind, kind)  # type: ignore[arg-type, return-value]
+    return _KINDS.get(kind, kind)  # type: ignore[arg-type]
 
 
 def bind(draft: Draft, bond: Bond) -> None:

@@ -96,7 +96,7 @@ class Lexicon:
     def longest(self, tokens: list[Token], start: int) -> Lexeme:
         """The longest phrase that begins at `start`, or a single token without a meaning."""
         found, length = self._single(tokens[start]), 1
-        key = (tokens[start].text,)
+        key: tuple[str, ...] = (tokens[start].text,)
         for end in range(start + 1, min(start + _LONGEST, len(tokens)) + 1):
             if end > start + 1:
                 key = (*key, tokens[end - 1].text)
@@ -130,9 +130,14 @@ class Lexicon:
                 return entries
         return ()
 
+    def _key(self, phrase: str) -> tuple[str, ...]:
+        if phrase.isascii() and not self.contractions and phrase.replace(" ", "").isalpha():
+            return tuple(phrase.lower().split())
+        return tuple(token.text for token in self.tokens(phrase))
+
     def add(self, phrase: str, entry: Entry) -> None:
         """Let `phrase` mean `entry`, besides what it means already."""
-        key = tuple(token.text for token in self.tokens(phrase))
+        key = self._key(phrase)
         if not key or entry in self.phrases.get(key, ()):
             return
         self.phrases[key] = (*self.phrases.get(key, ()), entry)

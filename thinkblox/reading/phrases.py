@@ -253,11 +253,17 @@ class _NounPhrase:
         if adjectives and (not noun or _continues(following)):
             for entry in adjectives:
                 (self.phrase.attributes if entry.sort == "attribute" else self.phrase.styles).append(entry.value)
-        elif self.chunker.lexicon.adjectives_after or not noun or not following.entry("object", "room"):
-            return False
-        elif noun.sort == "place" or (noun.sort == "object" and following.entry("object") is None):
+        elif not self._compounds(noun, following):
             return False
         return self._take(lexeme)
+
+    def _compounds(self, noun: Entry | None, following: Lexeme) -> bool:
+        """Whether a noun only describes the one after it: "a bedroom chair", "a glass table"."""
+        if noun is None or noun.sort == "place" or self.chunker.lexicon.adjectives_after:
+            return False
+        return following.entry("object", "room") is not None and (
+            noun.sort == "room" or bool(following.entry("object"))
+        )
 
     def _stranger(self, lexeme: Lexeme) -> bool:
         if not self.determined or lexeme.entries or lexeme.first.kind != "word":
@@ -322,7 +328,7 @@ class _NounPhrase:
         self._complement()
 
     def _complement(self) -> None:
-        """ "table de bois", "silla de madera": what follows "de" without an article only describes."""
+        """Skip what follows "de" without an article, as it only describes: "table de bois", "silla de madera"."""
         lexeme = self.chunker.peek()
         if lexeme.first.text not in self.chunker.lexicon.complement or lexeme.length != 1:
             return

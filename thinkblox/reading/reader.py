@@ -15,6 +15,7 @@ from thinkblox.reading.sizes import Size, check_area, check_side
 
 MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
+_ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
 def read_brief(prompt: str) -> Brief:
@@ -53,7 +54,7 @@ def _fit_tables(draft: Draft) -> None:
 
 
 def _drop_general(draft: Draft) -> None:
-    """ "a shop full of plants: fifteen potted plants ..." asks for the plants once."""
+    """Ask once for the plants of "a shop full of plants: fifteen potted plants ..."."""
     for thing in list(draft.things):
         others = [t for t in draft.things if t is not thing and t.asked and are_alike(t.noun, thing.noun)]
         if thing.general and others:
@@ -64,11 +65,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     keys = _keys(draft.things)
     width, depth, area, height = _room_size(draft.sizes)
     shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
-    sizes = [
-        a
-        for a in draft.room_attributes
-        if a in ("small", "tiny", "large", "long", "narrow", "square", "tall", "low", "wide")
-    ]
+    sizes = [a for a in draft.room_attributes if a in _ROOM_SIZES]
     return Brief(
         prompt=prompt,
         language=code,

@@ -1,4 +1,4 @@
-"""Lengths and areas in words: "4 m by 5 m", "12'6\" x 15 ft", "18 square metres"."""
+"""Lengths and areas in words: "4 m by 5 m", "12 ft x 15 ft", "18 square metres"."""
 
 import math
 from collections.abc import Iterator

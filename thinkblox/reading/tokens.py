@@ -33,6 +33,8 @@ class Token:
 
 def fold(text: str) -> str:
     """Lower case without accents: "Küche" and "kuche" are the same word to us."""
+    if text.isascii():
+        return text.lower()
     plain = unicodedata.normalize("NFKD", text.casefold().translate(_LETTERS))
     return "".join(c for c in plain if not unicodedata.combining(c))
 

@@ -1,0 +1,96 @@
+"""Anchors: what a relation is to ("the bed", "it", "each corner", "the foot of the bed"), and who its subject is."""
+
+from thinkblox.reading.attach import bind, place_bond, relation_kind, subjects_of
+from thinkblox.reading.draft import Bond, Thing
+from thinkblox.reading.memory import Memory, Waiting
+from thinkblox.reading.phrases import Phrase
+
+
+class Anchors(Memory):
+    """Finds what relations refer to and binds the two."""
+
+    def resolve(self, phrase: Phrase, waiting: Waiting) -> tuple[str, tuple[Thing | str, ...]]:
+        """Return the relation and anchors that a noun phrase after a preposition means; no anchors when none."""
+        kind, subject = waiting.kind, waiting.subject
+        match phrase.kind:
+            case "pronoun" if phrase.value == "it":
+                return kind, self.antecedent(subject, kind)
+            case "pronoun" if phrase.value == "each":
+                return kind, self.references.shared(subject)
+            case "pronoun":
+                return kind, self.references.several(subject, kind)
+            case "place" if (thing := self._whole(phrase)) is not None:
+                return ("on" if phrase.value == "centre" else "next_to"), (thing,)
+            case "place":
+                return kind, (phrase.value,)
+            case "part":
+                means = self._part_of(phrase)
+                return means, self.antecedent(subject, means if means == "at_foot_of" else "")
+            case "object":
+                return kind, self.named(phrase, kind)
+        return kind, ()
+
+    def _whole(self, phrase: Phrase) -> Thing | None:
+        """The object of "the middle of the table"; None where it is the room's."""
+        second = self.next_item(2)
+        if not self.object_of() or not isinstance(second, Phrase):
+            return None
+        self.items[self.at + 2] = Phrase("ignored", "")
+        return self.references.named(second) or self.new_thing(second)
+
+    def _part_of(self, phrase: Phrase) -> str:
+        return {"foot": "at_foot_of", "side": "next_to", "head": "next_to", "top": "on"}[phrase.value]
+
+    def named(self, phrase: Phrase, kind: str) -> tuple[Thing | str, ...]:
+        """The thing an anchor phrase names, and a second one after "between ... and"."""
+        known = self.references.named(phrase) if phrase.definite or phrase.each or phrase.whose else None
+        thing = known or self.new_thing(phrase)
+        second = self.next_item(2)
+        paired = kind == "between" and not thing.many and self.next_is("and")
+        if not paired or not isinstance(second, Phrase) or second.kind != "object":
+            return (thing,)
+        other = self.references.named(second) if second.definite else None
+        self.items[self.at + 2] = Phrase("ignored", "")
+        return (thing, other or self.new_thing(second))
+
+    def attach(
+        self,
+        kind: str,
+        anchors: tuple[Thing | str, ...],
+        *,
+        subject: Thing | None,
+        pronoun: bool = False,
+        each: bool = False,
+    ) -> None:
+        """Bind what the words relate; a place of the room may belong to a door or window just mentioned."""
+        if not anchors:
+            return
+        if isinstance(anchors[0], str):
+            self.attach_place(kind, anchors[0], subject, each=each)
+            return
+        if subject is None or (kind == "per" and not isinstance(anchors[0], Thing)):
+            return
+        if kind in ("per", "for"):
+            tie = self.habits.tie(subject.noun, anchors[0].noun) or "next_to"
+            bind(self.draft, Bond(tie, subject, anchors, each=kind == "per" or each))
+            return
+        if kind == "in" and not self.habits.is_in(anchors[0].noun, "surfaces"):
+            kind = "on"
+        relation = relation_kind(kind)
+        if relation == "between" and self.chain is not None:
+            subject = self.chain
+        for one in subjects_of(subject, kind, anchors, self.run, pronoun=pronoun and relation != "between"):
+            bind(self.draft, Bond(relation, one, anchors, each=each))
+            if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of", "near"):
+                self.references.pairs.append((one, anchors[0]))
+
+    def attach_place(self, kind: str, place: str, subject: Thing | None, *, each: bool) -> None:
+        """Bind a thing, or the door or window just mentioned, to a place of the room."""
+        if self.opening is not None and place.endswith("_wall") and subject is None:
+            self.opening.wall = place
+            return
+        meant = place_bond(kind, place)
+        if subject is None or meant is None:
+            return
+        for one in subjects_of(subject, meant[0], (place,), self.run, pronoun=False):
+            bind(self.draft, Bond(meant[0], one, (meant[1],), each=each))

@@ -1,0 +1,156 @@
+"""What each kind of noun phrase does: name a thing, a room, a door, a number of people, or anchor a relation."""
+
+from thinkblox.reading.attach import bind
+from thinkblox.reading.draft import Bond, Gap, Thing
+from thinkblox.reading.lists import Lists
+from thinkblox.reading.memory import Front
+from thinkblox.reading.phrases import Link, Phrase
+from thinkblox.reading.sizes import Size
+
+
+class Nouns(Lists):
+    """Reads noun phrases into the draft."""
+
+    def _phrase(self, phrase: Phrase) -> None:
+        self.draft.style += [] if self.negating else phrase.styles
+        if phrase.kind == "object" and phrase.room and not self.draft.room and not self.draft.things:
+            phrase.kind, phrase.value = "room", phrase.room
+        if self._is_excluded(phrase):
+            return
+        if self.waiting is not None and self.waiting.kind == "of":
+            self.waiting = None
+            return
+        handler = getattr(self, f"_{phrase.kind}", None)
+        if self.waiting is not None:
+            self._anchor(phrase)
+        elif handler is not None:
+            handler(phrase)
+        if phrase.kind not in ("ignored", "adjective"):
+            self.separator = ""
+
+    def _is_excluded(self, phrase: Phrase) -> bool:
+        none = phrase.count == 0
+        if not (self.negating or none) or phrase.kind not in ("object", "place", "missing", "room"):
+            return False
+        if phrase.kind == "object":
+            self.draft.excluded.add(phrase.value)
+        elif phrase.value in ("window", "door"):
+            self.draft.openings.append(Gap(phrase.value, 0))
+        self.waiting = None
+        return True
+
+    def _object(self, phrase: Phrase) -> None:
+        """An object that is no anchor: a member of a list, the subject of what stood in front, or a new thing."""
+        if (phrase.definite or phrase.each) and (known := self.references.named(phrase)) and not self._is_new(phrase):
+            self.frame = None
+            self.mention(known)
+            return
+        thing = self.new_thing(phrase)
+        if self.front is not None:
+            self.take_front(thing)
+        elif self.frame is not None:
+            self.take_member(thing)
+        if self.frame is None and len(self.run) and self.separator == "and":
+            self.references.pairs.append((self.run[-1], thing))
+        self.run.append(thing)
+        self.mention(thing)
+
+    def _is_new(self, phrase: Phrase) -> bool:
+        """Whether a count does not fit, so that it is another thing: "the two small chairs" after "a chair"."""
+        known = self.references.named(phrase)
+        return bool(known and phrase.count and known.count and phrase.count > known.count)
+
+    def _pronoun(self, phrase: Phrase) -> None:
+        """A pronoun that is no anchor: "four chairs each" shares out; "it has ..." goes back to what was mentioned."""
+        following = self.next_item()
+        having = isinstance(following, Link) and following.kind == "having"
+        if phrase.value == "each" and not having:
+            members = self.frame.members if self.frame else [self.current] if self.current else []
+            for bond in (b for thing in members for b in self.draft.bonds_of(thing) if b.anchors):
+                bond.each = True
+        elif phrase.value in ("it", "them") and self.fresh:
+            found = self.references.single(None, "") if phrase.value == "it" else None
+            self.current = found or (self.references.several(None, "") or (None,))[0]
+            self.fresh = False
+
+    def _place(self, phrase: Phrase) -> None:
+        """A door or window that is asked for; other places say nothing by themselves."""
+        if phrase.value in ("window", "door") and not phrase.definite:
+            self.opening = Gap(phrase.value, phrase.count or (2 if phrase.plural else 1))
+            self.draft.openings.append(self.opening)
+            self.current, self.frame, self.fresh = None, None, False
+
+    def _room(self, phrase: Phrase) -> None:
+        if not self.draft.room or self.draft.room == "room":
+            self.draft.room = phrase.value
+        self.draft.room_attributes += phrase.attributes
+        self.draft.empty |= "empty" in phrase.attributes
+        if phrase.size:
+            self.draft.sizes.append(phrase.size)
+        if not phrase.definite and not self.draft.things:
+            self.current = None
+
+    def _size(self, size: Size) -> None:
+        before = [item for item in self.items[max(0, self.at - 2) : self.at] if item != Link("of")]
+        of_thing = bool(before) and isinstance(before[-1], Phrase) and before[-1].kind == "object"
+        following = self.next_item()
+        ceiling = isinstance(following, Phrase) and following.value == "ceiling"
+        single = len(size.lengths) == 1 and size.area is None and not size.lengths[0].axis
+        if of_thing or (single and not ceiling and self.draft.things):
+            self.draft.unknown.append(size.text)
+        else:
+            self.draft.sizes.append(size)
+
+    def _people(self, phrase: Phrase) -> None:
+        self._number(phrase)
+
+    def _number(self, phrase: Phrase) -> None:
+        """Read "for six (people)", "seats eight": of the table just mentioned, or of the room."""
+        if not phrase.count:
+            return
+        if self.current is not None and self.habits.is_in(self.current.noun, "tables", "desks"):
+            self.current.seats = phrase.count
+        elif not self.draft.things:
+            self.draft.people = phrase.count
+
+    def _adjective(self, phrase: Phrase) -> None:
+        if self.current is None or phrase.attributes == ["L-shaped"]:
+            self.draft.room_attributes += phrase.attributes
+        else:
+            self.current.attributes += phrase.attributes
+
+    def _missing(self, phrase: Phrase) -> None:
+        self.draft.missing.append(phrase.text)
+        self.current, self.fresh = None, False
+
+    def _gap(self, phrase: Phrase) -> None:
+        """Aisles and gaps are no objects; what is said of them next is not about the thing before."""
+        self.current = None
+
+    def _rows(self, phrase: Phrase) -> None:
+        if self.current is not None:
+            bind(self.draft, Bond("in_rows", self.current, rows=max(phrase.rows, 0)))
+
+    def _anchor(self, phrase: Phrase) -> None:
+        """The noun phrase after a preposition."""
+        waiting, self.waiting = self.waiting, None
+        if waiting is None:
+            return
+        if phrase.kind in ("rows", "people", "number", "room", "missing", "adjective"):
+            getattr(self, f"_{phrase.kind}")(phrase)
+            return
+        kind, anchors = self.resolve(phrase, waiting)
+        if not anchors:
+            return
+        each = phrase.each
+        if waiting.fronted and self._fronts(phrase):
+            self.front = Front(kind, anchors, each)
+            return
+        self.attach(kind, anchors, subject=waiting.subject, pronoun=phrase.kind == "pronoun", each=each)
+        if phrase.kind == "object" and isinstance(anchors[0], Thing):
+            self.current = anchors[0]
+            self.references.mention(anchors[0])
+            self.run = []
+
+    def _fronts(self, phrase: Phrase) -> bool:
+        return phrase.kind in ("object", "place", "pronoun", "part")
