@@ -84,13 +84,19 @@ class _WallFrame:
         colour: Colour,
         material: str,
         radius: float = 0.0,
+        slant: tuple[float, float] = (0.0, 0.0),
     ) -> None:
-        """One box from lower to upper bounds; nothing when it has no extent."""
+        """One box from lower to upper bounds; nothing when it has no extent.
+
+        `slant` says how much further its outer face runs at the start and at the end [m].
+        """
         low = np.array([along[0], inward[0], up[0]])
         size = np.array([along[1], inward[1], up[1]]) - low
         if size.min() > 1e-6:
             mesh = rounded_box((float(size[0]), float(size[1]), float(size[2])), radius)
-            self.soup.add(mesh, self.patch(low + size / 2, (size[0], size[1], size[2]), colour, material))
+            self.soup.add(
+                _slanted(mesh, slant), self.patch(low + size / 2, (size[0], size[1], size[2]), colour, material)
+            )
 
     def patch(self, centre: np.ndarray, size: Vec3, colour: Colour, material: str) -> Patch:
         """A patch whose frame is along the wall, into the room, up, centred at a point given in that order."""
@@ -100,15 +106,29 @@ class _WallFrame:
         return Patch(linear(colour), MATERIALS.index(material), ROOM, turn, start + turn @ centre, size)
 
 
+def _slanted(mesh: Mesh, slant: tuple[float, float]) -> Mesh:
+    if slant == (0.0, 0.0):
+        return mesh
+    vertices = mesh.vertices.copy()
+    outer = vertices[:, 1] < 0
+    vertices[:, 0] += outer * np.where(vertices[:, 0] < 0, -slant[0], slant[1]).astype(np.float32)
+    return Mesh(vertices, mesh.normals, mesh.faces)
+
+
 def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening], colour: Colour) -> None:
     standing = frame.shell.standing[frame.index]
     top = (frame.shell.top or frame.room.height) if standing else RIM
-    low, high = _ends(frame)
-    for start, end, bottom, ceiling in _solid_parts(openings, low, high, top):
-        frame.box((start, end), (-THICKNESS, 0.0), (bottom, ceiling), colour, "wall")
+    low, high = _end(frame, -1), _end(frame, 1)
+    first, last = -low.run, wall.length + high.run
+    for start, end, bottom, ceiling in _solid_parts(openings, first, last, top):
+        slant = (low.slant if start == first else 0.0, high.slant if end == last else 0.0)
+        frame.box((start, end), (-THICKNESS, 0.0), (bottom, ceiling), colour, "wall", slant=slant)
         if ceiling == top:
-            frame.box((start, end), (-THICKNESS, 0.0), (top, top + 0.004), frame.shell.cut, "cut")
-    _add_ends(frame, low, high, top)
+            cap = (top, top + 0.004)
+            frame.box((start, end), (-THICKNESS, 0.0), cap, frame.shell.cut, "cut", slant=slant)
+    for bare, at in ((low.bare, first - 0.003), (high.bare, last)):
+        if bare:
+            frame.box((at, at + 0.003), (-THICKNESS, 0.0), (-SLAB, top + 0.004), frame.shell.cut, "cut")
     for opening in openings:
         if opening.kind == "window" and top >= opening.sill + opening.height:
             _add_window(frame, opening)
@@ -133,37 +153,32 @@ def _solid_parts(
     return [part for part in parts if part[1] - part[0] > 1e-6 and part[3] - part[2] > 1e-6]
 
 
-def _ends(frame: _WallFrame) -> tuple[float, float]:
-    """Where the wall's body starts and ends along it: it covers the corners, unless a higher neighbour does."""
-    walls, index = frame.room.walls, frame.index
-    before, after = (index - 1) % len(walls), (index + 1) % len(walls)
-    low = 0.0 if _yields(frame, before) else _corner(walls[before], frame.wall)
-    high = 0.0 if _yields(frame, after) else _corner(frame.wall, walls[after])
-    return -low, frame.wall.length + high
+@dataclass(frozen=True)
+class _End:
+    """How a wall's body ends: how far past its corner it runs, how much further its outer face runs, and whether the
+    end is bare because the neighbour is lower.
+    """
+
+    run: float = 0.0
+    slant: float = 0.0
+    bare: bool = False
 
 
-def _yields(frame: _WallFrame, other: int) -> bool:
-    """Whether the other wall covers the corner: the higher one does, and of two alike the one that ends there."""
-    mine, theirs = frame.shell.standing[frame.index], frame.shell.standing[other]
-    return theirs and not mine if mine != theirs else other == (frame.index - 1) % len(frame.room.walls)
-
-
-def _add_ends(frame: _WallFrame, low: float, high: float, top: float) -> None:
-    """The faces where a wall of full height ends beside one that was cut away."""
-    standing, index, bottom = frame.shell.standing, frame.index, -SLAB
-    if not standing[index]:
-        return
-    if not standing[index - 1]:
-        frame.box((low - 0.003, low), (-THICKNESS, 0.0), (bottom, top + 0.004), frame.shell.cut, "cut")
-    if not standing[(index + 1) % len(standing)]:
-        frame.box((high, high + 0.003), (-THICKNESS, 0.0), (bottom, top + 0.004), frame.shell.cut, "cut")
+def _end(frame: _WallFrame, side: int) -> _End:
+    """One end: mitred with a neighbour of the same height, covering the corner beside a lower one."""
+    walls, standing = frame.room.walls, frame.shell.standing
+    other = (frame.index + side) % len(walls)
+    corner = _corner(*(walls[i] for i in ((frame.index, other) if side > 0 else (other, frame.index))))
+    if standing[frame.index] == standing[other]:
+        return _End(slant=corner)
+    return _End(run=max(corner, 0.0), bare=True) if standing[frame.index] else _End()
 
 
 def _corner(first: Wall, second: Wall) -> float:
-    """How far two walls' outer faces run past their common corner [m]; 0 where the room's corner points inwards."""
+    """How far two walls' outer faces run past their common corner [m]; negative where it points into the room."""
     (ax, ay), (bx, by) = first.along, second.along
     turn = math.atan2(ax * by - ay * bx, ax * bx + ay * by)
-    return THICKNESS * min(math.tan(max(turn, 0.0) / 2), 2.0)
+    return THICKNESS * min(max(math.tan(turn / 2), -1.0), 2.0)
 
 
 def _add_window(frame: _WallFrame, opening: Opening) -> None:

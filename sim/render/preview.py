@@ -5,10 +5,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from shapely import contains_xy
 
 from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.render.camera import Camera, Vector, framed
+from thinkblox.sim.render.frame import inside_walls
 from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_room
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import GROUND, linear, palette
@@ -65,8 +67,25 @@ def _view(room: Room, azimuth: float) -> View:
     standing = tuple(bool(np.dot(wall.inward, towards) > 0.05) for wall in room.walls)
     for _ in range(2):
         camera = framed(_outline(room, standing), azimuth=azimuth, elevation=ELEVATION, margin=MARGIN)
-        standing = tuple(wall.coordinates((camera.position[0], camera.position[1]))[1] > 0.3 for wall in room.walls)
+        standing = tuple(
+            inside and not _hides_floor(room, i, camera) for i, inside in enumerate(inside_walls(room, camera))
+        )
     return View(azimuth, camera, standing)
+
+
+def _hides_floor(room: Room, index: int, camera: Camera) -> bool:
+    """Whether a wall, at full height, stands before a part of the floor, as in an L-shaped room."""
+    wall, eye = room.walls[index], camera.position
+    x, y = (axis.ravel() for axis in np.meshgrid(*(np.linspace(0.02, 0.98, 24) * side for side in room.extent)))
+    within = contains_xy(room.polygon, x, y)
+    x, y = x[within], y[within]
+    normal, along = np.array(wall.inward), np.array(wall.along)
+    ground = np.stack([x, y], 1) - wall.start
+    before, behind = float((eye[:2] - wall.start) @ normal), ground @ normal
+    share = before / np.maximum(before - behind, 1e-9)
+    crossing = (ground + (eye[:2] - np.stack([x, y], 1)) * (1 - share)[:, None]) @ along
+    hidden = (behind < -0.05) & (crossing > 0) & (crossing < wall.length) & (eye[2] * (1 - share) < room.height)
+    return bool(hidden.mean() > 0.01) if len(hidden) else False
 
 
 def _outline(room: Room, standing: tuple[bool, ...]) -> Vector:

@@ -124,6 +124,5 @@ def tone_mapped(colour: Floats, exposure: float = 1.0) -> Floats:
     x = np.where(peak > start, x * (pressed / np.maximum(peak, np.float32(1e-6))), x)
     white = np.where(peak > start, 1 - 1 / (np.float32(0.15) * (peak - pressed) + 1), np.float32(0))
     x = x * (1 - white) + pressed * white
-    return np.where(
-        x <= 0.0031308, x * np.float32(12.92), np.float32(1.055) * x ** np.float32(1 / 2.4) - np.float32(0.055)
-    )
+    curve = np.float32(1.055) * x ** np.float32(1 / 2.4) - np.float32(0.055)
+    return np.asarray(np.where(x <= 0.0031308, x * np.float32(12.92), curve), np.float32)
