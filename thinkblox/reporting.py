@@ -47,6 +47,7 @@ def relations_of(scene: Scene, plan: Plan) -> Iterator[RelationResult]:
 
 
 def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:
+    """Who shares a relation: all of a request where it is one of the whole, else each object by itself."""
     groups: dict[tuple[str, Tie], list[str]] = {}
     for target in plan.targets:
         for tie in target.ties:
@@ -54,4 +55,7 @@ def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:
                 together = tie.kind in TOGETHER or not tie.anchors or (tie.kind == "in_corner" and tie.count > 1)
                 alike = structs.replace(tie, index=0, count=1)
                 groups.setdefault((target.request if together else target.id, alike), []).append(target.id)
+    for (request, tie), members in groups.items():
+        if not tie.anchors:
+            members[:] = [target.id for target in plan.targets if target.request == request]
     return groups

@@ -15,13 +15,15 @@ _DOOR_AREA = 1.6
 """Free floor that a door and the way in take [m2]."""
 _WALL_SHARE = 0.6
 """Share of the walls that furniture can stand against; the rest is door, window and corners."""
-_TYPICAL_SHARE = 0.5
+_WAYS = 1.3
+"""Floor for the ways between the pieces, as a factor on what the pieces and their use take."""
+_TYPICAL_SHARE = 0.6
 """A room is not made smaller than this share of its type's usual floor."""
 _EMPTY_AREA = 10.0
 
 
 def needed_area(brief: Brief) -> float:
-    """Floor that the brief's furniture takes with the space to use it, at least half of what is usual [m2]."""
+    """Floor that the brief's furniture takes with the space to use it, and not much less than is usual [m2]."""
     typical = room_types().get(brief.room_type, room_types()["room"]).area
     if brief.empty:
         return max(_EMPTY_AREA, _furniture_area(brief))
@@ -30,7 +32,7 @@ def needed_area(brief: Brief) -> float:
 
 
 def _furniture_area(brief: Brief) -> float:
-    return _DOOR_AREA + sum(r.count * _own_area(brief, r) for r in brief.requests)
+    return _DOOR_AREA + _WAYS * sum(r.count * _own_area(brief, r) for r in brief.requests)
 
 
 def _walls_area(brief: Brief) -> float:

@@ -14,6 +14,7 @@ from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.hung import AT_WINDOWS
 from thinkblox.policies.expert.idea import SEATS, Idea, Situation
 from thinkblox.policies.expert.walls import RUNS
+from thinkblox.policies.expert.zones import beside, need, promised
 from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
 from thinkblox.relations import measure
 from thinkblox.scene import Placement
@@ -125,10 +126,11 @@ def _cramped(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Array
     """No room to use it, in the room others need, or a gap that is neither closed nor usable."""
     costs = np.zeros(len(rects))
     if situation.asset.clearance > 0.0 and situation.target.category not in SEATS:
-        costs += _zone_cost(situation, _zone(rects, "front", situation.asset.clearance), weight=5.0)
+        costs += _zone_cost(situation, beside(rects, "front", situation.asset.clearance), weight=5.0)
     in_use = _except_ignored(overlap_depth(rects, situation.clearances), ideas, situation.used)
     costs += (1.0 if situation.asset.mass < MOVABLE else 5.0) * in_use.sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
+    costs += 4.0 * overlap_depth(rects, promised(situation)).sum(-1)
     low = [i for i, p in enumerate(situation.solid) if p.position[2] < 0.3]
     if low:
         gaps = separation(rects, situation.solids.take(low))
@@ -141,22 +143,11 @@ def _cramped(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Array
     return costs
 
 
-def _zone(rects: Rects, side: str, depth: float, *, width: float | None = None) -> Rects:
-    """The floor beside each box: `depth` out from its side, as wide as it or `width` [m]."""
-    axis, sign = {"front": (0, 1), "back": (0, -1), "left": (1, 1), "right": (1, -1)}[side]
-    out = rects.axes[:, axis] * sign
-    centre = rects.centre + out * (rects.half[:, axis, None] + depth / 2)
-    half = rects.half.copy()
-    half[:, axis] = depth / 2
-    if width is not None:
-        half[:, 1 - axis] = width / 2
-    return Rects(centre, half, rects.yaw, np.full(len(rects), 0.05), np.full(len(rects), 1.6))
-
-
 def _zone_cost(situation: Situation, zone: Rects, *, weight: float) -> Array:
     """How much of a zone is occupied or outside the room, times `weight` per metre of its depth."""
     reach = 2 * np.minimum(zone.half[:, 0], zone.half[:, 1])
     blocked = overlap_depth(zone, situation.solids).max(-1, initial=0.0)
+    blocked = np.maximum(blocked, overlap_depth(zone, situation.door_zones).max(-1, initial=0.0))
     return np.asarray(weight * (blocked + outside(zone, situation.room.polygon) * reach))
 
 
@@ -179,32 +170,19 @@ def _room_for_run(situation: Situation, rects: Rects) -> Array:
     if situation.target.category not in RUNS or situation.siblings or rest < 1:
         return np.zeros(len(rects))
     length = rest * situation.size[1]
-    return np.minimum(*(_zone_cost(situation, _zone(rects, side, length), weight=2.0) for side in ("left", "right")))
+    return np.minimum(*(_zone_cost(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
-    size = CATALOGUE[follower.category].size if follower.category in CATALOGUE else (0.5, 0.5, 0.5)
-    depth, width = size[0], size[1]
-    if tie.kind in ("next_to", "left_of", "right_of"):
-        sides = {"left_of": ("left",), "right_of": ("right",)}.get(tie.kind, ("left", "right"))
-        each = [_zone_cost(situation, _zone(rects, side, width + 0.1), weight=4.0) for side in sides]
-        alone = tie.count < 2 and len(each) > 1
-        return np.minimum(*each) if alone else np.asarray(np.sum(each, axis=0))
-    if tie.kind == "around":
-        room = depth + 0.35
-        taken = [
-            _zone_cost(situation, _zone(rects, side, room), weight=2.5) for side in ("front", "back", "left", "right")
-        ]
-        return np.asarray(np.sort(taken, axis=0)[: 4 if tie.count > 2 else 2].sum(axis=0))
-    if tie.kind == "at":
-        return _zone_cost(situation, _zone(rects, "front", depth + 0.35, width=width), weight=4.0)
-    if tie.kind in ("in_front_of", "at_foot_of"):
-        return _zone_cost(situation, _zone(rects, "front", depth + 0.5, width=width), weight=4.0)
-    if tie.kind == "facing":
-        return _zone_cost(situation, _zone(rects, "front", 2.2 + depth, width=min(width, 1.2)), weight=2.0)
-    if tie.kind == "above" and CATALOGUE[follower.category].mount == "wall":
-        return _wall_behind_taken(situation, rects)
-    return np.zeros(len(rects))
+    wanted = need(follower, tie)
+    if wanted is None:
+        hung_above = tie.kind == "above" and CATALOGUE[follower.category].mount == "wall"
+        return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
+    missing = [
+        _zone_cost(situation, beside(rects, side, wanted.depth, width=wanted.width), weight=wanted.weight)
+        for side in wanted.sides
+    ]
+    return np.asarray(np.sort(missing, axis=0)[: wanted.number].sum(axis=0))
 
 
 def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:

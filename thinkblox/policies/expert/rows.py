@@ -11,6 +11,7 @@ from thinkblox.phrases import Constraint
 from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.policies.expert.zones import promised
 from thinkblox.rects import Rects, outside, overlap_depth
 from thinkblox.value import Vec2
 
@@ -18,7 +19,7 @@ BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5), "dining_table": (
 """Free distance between neighbours in a row, the best first [m]."""
 AISLE = {"school_desk": (0.9, 0.75), "bookcase": (1.2, 1.05, 0.95), "shelving_unit": (1.2, 1.0), "chair": (0.9, 0.6)}
 """Free distance from row to row, the best first [m]."""
-FACE_TO_FACE = (1.6, 1.4, 1.9, 1.2)
+FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
 """Free distance between two rows that look at each other [m]."""
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
@@ -75,6 +76,7 @@ def _fit(situation: Situation, blocks: list[_Block]) -> list[float]:
     bad += overlap_depth(rects, situation.door_zones).sum(-1) * 20.0
     bad += overlap_depth(rects, situation.clearances).sum(-1) * 4.0
     bad += overlap_depth(rects, situation.reserved).sum(-1) * 4.0
+    bad += overlap_depth(rects, promised(situation)).sum(-1) * 4.0
     starts = np.cumsum([0, *(len(block.slots) for block in blocks)])
     sums = [float(bad[a:b].sum()) for a, b in pairwise(starts)]
     return [b.cost + s + 10.0 * _strays(situation, b) for b, s in zip(blocks, sums, strict=True)]
@@ -126,8 +128,8 @@ def _shifted(
         v = ((columns - 1) / 2 - column) * (width + beside)
         local.append((u, v, yaw + (180.0 if mutual and row % 2 == 0 else 0.0)))
     cx, cy = situation.room.polygon.centroid.coords[0]
-    for du in _shifts(situation, 1.6):
-        for dv in _shifts(situation, 0.9):
+    for du in _shifts(situation, 2.4):
+        for dv in _shifts(situation, 1.6):
             centre = (cx + ux * du + vx * dv, cy + uy * du + vy * dv)
             slots = tuple(
                 ((centre[0] + ux * u + vx * v, centre[1] + uy * u + vy * v), turn % 360.0) for u, v, turn in local
@@ -137,7 +139,7 @@ def _shifted(
 
 
 def _shifts(situation: Situation, reach: float) -> tuple[float, ...]:
-    reach = min(reach, max(situation.room.extent) / 4)
+    reach = min(reach, max(situation.room.extent) / 3)
     return tuple(reach * k / 4 for k in (0, 1, -1, 2, -2, 3, -3, 4, -4))
 
 
