@@ -45,7 +45,7 @@ class Shell:
 
 def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
     """Add floor, walls, openings and ground."""
-    _add_floor(soup, room, palette)
+    add_floor(soup, room, palette)
     for index, wall in enumerate(room.walls):
         colour = palette.accent if index == shell.accent and shell.standing[index] else palette.wall
         openings = [o for o in room.openings if o.wall == index]
@@ -232,7 +232,8 @@ def _add_skirting(frame: _WallFrame, wall: Wall, openings: list[Opening]) -> Non
         at = max(at, end)
 
 
-def _add_floor(soup: Soup, room: Room, palette: Palette) -> None:
+def add_floor(soup: Soup, room: Room, palette: Palette) -> None:
+    """Add the floor, its planks along the longer side."""
     width, depth = room.extent
     turn = np.eye(3) if width >= depth else np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     corners: list[tuple[float, float]] = []

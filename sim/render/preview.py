@@ -11,12 +11,13 @@ from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.render.camera import Camera, Vector, framed
 from thinkblox.sim.render.frame import inside_walls
-from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_room
+from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_floor, add_room
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import GROUND, linear, palette
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.soup import Pose, Soup, add_objects
+from thinkblox.sim.render.surfels import see
 from thinkblox.sim.render.tessellate import Floats
 
 if TYPE_CHECKING:
@@ -57,9 +58,12 @@ def render_preview(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] 
 
 def best_view(scene: Scene, poses: Mapping[str, Pose] | None = None) -> View:
     """The corner from which most of the room is seen."""
-    return max(
-        (_view(scene.room, azimuth) for azimuth in (225.0, 315.0, 135.0, 45.0)), key=lambda v: _score(scene, v, poses)
-    )
+    soup = Soup()
+    add_floor(soup, scene.room, palette(scene.seed))
+    add_objects(soup, scene, poses)
+    tracer = Tracer(soup.triangles())
+    views = [_view(scene.room, azimuth) for azimuth in (225.0, 315.0, 135.0, 45.0)]
+    return max(views, key=lambda view: _score(scene, tracer, view))
 
 
 def _view(room: Room, azimuth: float) -> View:
@@ -99,22 +103,18 @@ def _outline(room: Room, standing: tuple[bool, ...]) -> Vector:
     return np.array(points)
 
 
-def _score(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> float:
-    """How much is seen from a corner, on a thumbnail: every object counts, and so do windows and fronts."""
-    from thinkblox.sim.render.surfels import see
-
+def _score(scene: Scene, tracer: Tracer, view: View) -> float:
+    """How much is seen from a corner, on a thumbnail: every object counts, and so do fronts, windows and floor."""
     size = 72
-    tracer = Tracer(_soup(scene, view, poses).triangles())
     y, x = (axis.ravel().astype(np.float32) + np.float32(0.5) for axis in np.mgrid[0:size, 0:size])
     front = see(tracer, view.camera, x, y, size).front
-    patches = tracer.triangles.patches
-    owners = np.array([patches[i].owner for i in front if i >= 0], np.int64)
-    seen = np.sqrt(np.bincount(owners[owners >= 0], minlength=len(scene.placements)))
+    owners = np.array([patch.owner for patch in tracer.triangles.patches])[front[front >= 0]]
+    pixels = np.bincount(owners + 1, minlength=len(scene.placements) + 1)
     towards = np.array([np.cos(np.radians(view.azimuth)), np.sin(np.radians(view.azimuth))])
-    facing = np.array([1 + 0.25 * np.dot(p.front, towards) for p in scene.placements])
+    hidden = _hidden(scene, view.standing)
+    worth = [(p.id not in hidden) * (1 + 0.25 * np.dot(p.front, towards)) for p in scene.placements]
     windows = sum(o.width * o.height for o in scene.room.openings if o.kind == "window" and view.standing[o.wall])
-    floor = sum(1 for i in front if i >= 0 and patches[i].size[2] == SLAB and patches[i].owner < 0)
-    return float((seen * facing).sum() + 2.5 * windows + 0.3 * np.sqrt(floor))
+    return float((np.sqrt(pixels[1:]) * np.array(worth)).sum() + 2.5 * windows + 0.3 * np.sqrt(pixels[0]))
 
 
 def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:

@@ -39,7 +39,10 @@ class Shader:
         outside = (material < 0) | (material == MATERIALS.index("ground"))
         out, inside = np.flatnonzero(outside), np.flatnonzero(~outside)
         colour[out] = self._backdrop(points.patch[out], light[out], background[out])
-        colour[inside] = self._lit(points[inside], light[inside], material[inside], spread)
+        if len(out):
+            colour[inside] = self._lit(points[inside], light[inside], material[inside], spread)
+        else:
+            colour = self._lit(points, light, material, spread)
         if points.clear is not None and points.shine is not None:
             colour = colour * points.clear + points.shine[:, None]
         return colour
@@ -54,13 +57,13 @@ class Shader:
         glow = self._table["glow"][material] * (np.float32(0.45) + np.float32(0.55) * cosine)
         colour += base * glow[:, None]
         shiny = np.flatnonzero(self._table["mirror"][material] > 0)
-        colour[shiny] += self._shine(points[shiny], light[shiny], material[shiny], base[shiny], cosine[shiny])
+        bent = points.view[shiny] + 2 * cosine[shiny, None] * points.normal[shiny]
+        colour[shiny] += self._shine(bent, light[shiny], material[shiny], base[shiny], cosine[shiny])
         return np.asarray(colour, np.float32)
 
-    def _shine(self, points: Surfels, light: Irradiance, material: Ints, base: Floats, cosine: Floats) -> Floats:
+    def _shine(self, bent: Floats, light: Irradiance, material: Ints, base: Floats, cosine: Floats) -> Floats:
         mirror, gloss = self._table["mirror"][material][:, None], self._table["gloss"][material][:, None]
         mirror = mirror + np.float32(0.35) * (1 - mirror) * (1 - cosine[:, None]) ** 5
-        bent = points.view + 2 * cosine[:, None] * points.normal
         sharp = np.maximum(bent @ self._lights.sun, np.float32(0))[:, None] ** gloss
         sky = self._lights.sky(bent[:, 2]) * np.minimum(light.sky.mean(1, keepdims=True) * np.float32(1.5), 1)
         shine = mirror * (sky + sharp * np.sqrt(gloss) * np.float32(0.25) * light.sun)
@@ -76,31 +79,31 @@ class Shader:
         ):
             mine = np.flatnonzero(material == MATERIALS.index(name))
             if len(mine):
-                base[mine] = paint(points[mine], base[mine], width[mine])
+                base[mine] = paint(points.patch[mine], points.position[mine], base[mine], width[mine])
         return base
 
-    def _local(self, points: Surfels) -> Floats:
-        offset = points.position - self._origin[points.patch]
-        return np.asarray(np.einsum("nij,ni->nj", self._turn[points.patch], offset), np.float32)
+    def _local(self, patch: Ints, position: Floats) -> Floats:
+        """Points in the frames of their patches [m]."""
+        return np.asarray(np.einsum("nij,ni->nj", self._turn[patch], position - self._origin[patch]), np.float32)
 
-    def _floor(self, points: Surfels, base: Floats, width: Floats) -> Floats:
-        local = self._local(points)
+    def _floor(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
+        local = self._local(patch, position)
         tone, warmth = planks(local[:, 0], local[:, 1], width)
         return base * tone[:, None] * (1 + warmth[:, None] * np.array([1.0, 0.0, -1.0], np.float32))
 
-    def _wood(self, points: Surfels, base: Floats, width: Floats) -> Floats:
-        local, axis, rows = self._local(points), self._axis[points.patch], np.arange(len(base))
+    def _wood(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
+        local, axis, rows = self._local(patch, position), self._axis[patch], np.arange(len(base))
         along = local[rows, axis]
         across = local[rows, (axis + 1) % 3] + np.float32(0.8) * local[rows, (axis + 2) % 3]
-        return base * wood(along, across, width, (points.patch % 97).astype(np.float32))[:, None]
+        return base * wood(along, across, width, (patch % 97).astype(np.float32))[:, None]
 
-    def _fabric(self, points: Surfels, base: Floats, width: Floats) -> Floats:
-        local = self._local(points)
+    def _fabric(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
+        local = self._local(patch, position)
         return base * weave(local[:, 0] + local[:, 2], local[:, 1] + local[:, 2], width)[:, None]
 
-    def _pane(self, points: Surfels, base: Floats, width: Floats) -> Floats:
+    def _pane(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
         """A blurred garden under a pale sky."""
-        high = self._local(points)[:, 2] / self._size[points.patch, 2] + np.float32(0.5)
+        high = self._local(patch, position)[:, 2] / self._size[patch, 2] + np.float32(0.5)
         stops = np.array([0.0, 0.22, 0.42, 1.0])
         views = np.array([[0.42, 0.52, 0.33], [0.62, 0.70, 0.52], [0.96, 0.95, 0.90], [0.66, 0.82, 0.98]])
         return np.stack([np.interp(high, stops, views[:, c]) for c in range(3)], 1).astype(np.float32)
