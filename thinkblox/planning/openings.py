@@ -13,6 +13,8 @@ DOOR = (0.9, 2.1)
 _WINDOW_HEIGHT, _SILL = 1.2, 0.9
 _CORNER = 0.2
 """Least distance of an opening to a corner [m]."""
+_FILLED_CORNER = 0.9
+"""Least distance of an opening to a corner in which something will stand [m]."""
 _SIDES = ("north_wall", "east_wall", "south_wall", "west_wall")
 _WINDOWLESS = frozenset(
     {
@@ -32,7 +34,7 @@ _MANY_WINDOWS = 30.0
 
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     """The room with the doors and windows that the brief asks for, and those that go without saying."""
-    planner = _Openings(room, rng)
+    planner = _Openings(room, rng, spared=_spared(brief, room), corner=_corner_distance(brief))
     for wanted in _wanted(brief, room):
         planner.add(wanted)
     return Room(floor=room.floor, height=room.height, openings=tuple(planner.openings))
@@ -67,12 +69,32 @@ def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
     return wanted
 
 
+def _spared(brief: Brief, room: Room) -> frozenset[int]:
+    """Walls that the prompt gives to something ("a screen on the short wall"), and so to nothing opposite either."""
+    places = {anchor for relation in brief.relations if relation.asked for anchor in relation.anchors}
+    return frozenset(i for place in ("short_wall", "long_wall") if place in places for i in _by_length(room, place))
+
+
+def _by_length(room: Room, place: str) -> list[int]:
+    lengths = [wall.length for wall in room.walls]
+    wanted = max(lengths) if place == "long_wall" else min(lengths)
+    return [i for i, length in enumerate(lengths) if abs(length - wanted) < 0.05]
+
+
+def _corner_distance(brief: Brief) -> float:
+    """Doors keep away from corners that are to be filled."""
+    filled = any(relation.kind == "in_corner" and relation.each for relation in brief.relations)
+    return _FILLED_CORNER if filled else _CORNER
+
+
 class _Openings:
     """Takes openings one at a time and finds each a free stretch of wall."""
 
-    def __init__(self, room: Room, rng: np.random.Generator) -> None:
+    def __init__(self, room: Room, rng: np.random.Generator, *, spared: frozenset[int], corner: float) -> None:
         self.room = room
         self.rng = rng
+        self.spared = spared
+        self.corner = corner
         self.openings: list[Opening] = []
 
     def add(self, wanted: _Wanted) -> None:
@@ -89,10 +111,11 @@ class _Openings:
         if name in _SIDES:
             return [i for i, wall in enumerate(walls) if wall.name.startswith(name)]
         if name in ("long_wall", "short_wall"):
-            wanted = max(lengths) if name == "long_wall" else min(lengths)
-            return [i for i, length in enumerate(lengths) if abs(length - wanted) < 0.05] or list(range(len(walls)))
+            return _by_length(self.room, name)
         taken = {opening.wall for opening in self.openings}
-        return sorted(range(len(walls)), key=lambda i: (i in taken, _dislike(kind, walls[i]), lengths[i]))
+        return sorted(
+            range(len(walls)), key=lambda i: (i in self.spared, i in taken, _dislike(kind, walls[i]), lengths[i])
+        )
 
     def _fit(self, wanted: _Wanted, index: int) -> Opening | None:
         wall, kind = self.room.walls[index], wanted.kind
@@ -145,8 +168,9 @@ class _Openings:
 
     def _gaps(self, index: int, length: float) -> list[tuple[float, float]]:
         taken = sorted((o.offset, o.offset + o.width) for o in self.openings if o.wall == index)
-        starts = [_CORNER, *(end + _CORNER for _, end in taken)]
-        ends = [*(start - _CORNER for start, _ in taken), length - _CORNER]
+        corner = min(self.corner, max(_CORNER, (length - DOOR[0]) / 2.0))
+        starts = [corner, *(end + _CORNER for _, end in taken)]
+        ends = [*(start - _CORNER for start, _ in taken), length - corner]
         return [(start, end) for start, end in zip(starts, ends, strict=True) if end > start]
 
 
