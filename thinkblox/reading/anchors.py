@@ -27,7 +27,7 @@ class Anchors(Memory):
                 means = self._part_of(phrase)
                 return means, self.antecedent(subject, means if means == "at_foot_of" else "")
             case "object":
-                return kind, self.named(phrase, kind)
+                return kind, self.named(phrase, waiting)
         return kind, ()
 
     def _whole(self, phrase: Phrase) -> Thing | None:
@@ -41,10 +41,14 @@ class Anchors(Memory):
     def _part_of(self, phrase: Phrase) -> str:
         return {"foot": "at_foot_of", "side": "next_to", "head": "next_to", "top": "on"}[phrase.value]
 
-    def named(self, phrase: Phrase, kind: str) -> tuple[Thing | str, ...]:
+    def named(self, phrase: Phrase, waiting: Waiting) -> tuple[Thing | str, ...]:
         """The thing an anchor phrase names, and a second one after "between ... and"."""
-        known = self.references.named(phrase) if phrase.definite or phrase.each or phrase.whose else None
+        kind = waiting.kind
+        pointing = phrase.definite or phrase.each or phrase.whose or kind == "per"
+        known = self.references.named(phrase) if pointing else None
         thing = known or self.new_thing(phrase)
+        if waiting.shared and known is None and waiting.subject is not None and thing.count == 1:
+            thing.count = waiting.subject.count
         second = self.next_item(2)
         paired = kind == "between" and not thing.many and self.next_is("and")
         if not paired or not isinstance(second, Phrase) or second.kind != "object":
@@ -79,18 +83,20 @@ class Anchors(Memory):
         relation = relation_kind(kind)
         if relation == "between" and self.chain is not None:
             subject = self.chain
-        for one in subjects_of(subject, kind, anchors, self.run, pronoun=pronoun and relation != "between"):
+        for one in subjects_of(self.draft, subject, kind, anchors, self.run, pronoun=pronoun and relation != "between"):
             bind(self.draft, Bond(relation, one, anchors, each=each))
             if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of", "near"):
                 self.references.pairs.append((one, anchors[0]))
 
-    def attach_place(self, kind: str, place: str, subject: Thing | None, *, each: bool) -> None:
-        """Bind a thing, or the door or window just mentioned, to a place of the room."""
+    def attach_place(self, kind: str, place: str, subject: Thing | None, *, each: bool, places: int = 1) -> None:
+        """Bind a thing, or the door or window just mentioned, to a place of the room, or to so many of them."""
         if self.opening is not None and place.endswith("_wall") and subject is None:
             self.opening.wall = place
             return
         meant = place_bond(kind, place)
         if subject is None or meant is None:
             return
-        for one in subjects_of(subject, meant[0], (place,), self.run, pronoun=False):
+        if places > 1 and subject.count == 1:
+            subject.count = places
+        for one in subjects_of(self.draft, subject, meant[0], (place,), self.run, pronoun=False):
             bind(self.draft, Bond(meant[0], one, (meant[1],), each=each))

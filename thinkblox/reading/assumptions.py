@@ -134,6 +134,8 @@ def _carry(draft: Draft) -> None:
     """Something to put small things on, where the prompt names nothing that could carry them."""
     habits = load_habits()
     for thing in [t for t in draft.things if habits.is_in(t.noun, "small") and not draft.bonds_of(t)]:
+        if any(habit.kind != "on" for habit in habits.of(thing.noun)):
+            continue
         carriers = [anchor for habit in habits.of(thing.noun) if habit.kind == "on" for anchor in habit.anchors]
         if not any(t.noun in carriers for t in draft.things):
             noun = next((c for c in carriers if not c.startswith("any_") and c not in draft.excluded), None)

@@ -57,11 +57,17 @@ def bind(draft: Draft, bond: Bond) -> None:
 
 def _is_sharper(bond: Bond, old: Bond) -> bool:
     """Whether `bond` says better what `old` only supposed ("a bed with a lamp next to it")."""
-    return old.implied and old.subject is bond.subject
+    return old.implied and old.subject is bond.subject and bond.kind not in ("facing", "in_rows")
 
 
 def subjects_of(
-    current: Thing, kind: str, anchors: tuple[Thing | str, ...], run: list[Thing], *, pronoun: bool
+    draft: Draft,
+    current: Thing,
+    kind: str,
+    anchors: tuple[Thing | str, ...],
+    run: list[Thing],
+    *,
+    pronoun: bool,
 ) -> list[Thing]:
     """Which things a relation that follows `current` is about.
 
@@ -76,6 +82,8 @@ def subjects_of(
         if kind in _BY_OWNER and habits.is_in(current.noun, "small", "seats") and kind != "facing":
             return [owner]
     group = _JOINED.get(kind, "")
+    taken = [thing for thing in run if draft.bonds_of(thing)] if group else []
     if group and habits.is_in(current.noun, group):
-        return [t for t in run if habits.is_in(t.noun, group) and t not in anchors and t.owner is owner] or [current]
+        free = (t for t in run if t.owner is owner and t not in anchors and (t is current or t not in taken))
+        return [t for t in free if habits.is_in(t.noun, group)] or [current]
     return [current]

@@ -75,20 +75,17 @@ class Walker(Nouns):
             self.current = None if kind == "colon" else self.current
         elif kind == "and" and self.frame is not None:
             self.frame.closing = True
-        elif kind == "comma" and self.frame is not None and self.frame.closing and not self._and_follows():
+        elif kind == "comma" and self.frame is not None and self.frame.closing:
             self.frame = None
         if kind != "or" and not (kind == "and" and self.negating and self.next_is("or")):
             self.negating = False
         self.chain = None
         self.separator = kind if self.separator != "stop" or kind != "comma" else "stop"
 
-    def _and_follows(self) -> bool:
-        return self.next_is("and")
-
     def _relation(self, kind: str) -> None:
         self._elided()
         fronted = self.fresh or (bool(self.separator) and self._leads())
-        self.waiting = Waiting(kind, None if fronted else self.current, fronted)
+        self.waiting = Waiting(kind, None if fronted else self.current, fronted, self._previous_is_each(alone=True))
         self.separator = ""
 
     def _leads(self) -> bool:
@@ -113,9 +110,10 @@ class Walker(Nouns):
         self.run = []
         self.frame = Frame(head, kind, each=each) if head is not None else None
 
-    def _previous_is_each(self) -> bool:
+    def _previous_is_each(self, *, alone: bool = False) -> bool:
+        """Whether "each" or, unless it is to stand alone, "each desk" comes just before."""
         previous = self.items[self.at - 1] if self.at else None
-        return isinstance(previous, Phrase) and previous.each
+        return isinstance(previous, Phrase) and previous.each and not (alone and previous.kind != "pronoun")
 
     def _full(self) -> None:
         """Tell "a bookcase full of books", which describes it, from "shelves filled with jars", which asks for jars."""
@@ -141,8 +139,12 @@ class Walker(Nouns):
             self.waiting = Waiting("per", self.current)
         elif value == "in_centre" and self.object_of():
             self.waiting = Waiting("on", self.current)
+        elif value == "in_centre" and self.fresh:
+            self.front = Front("in", ("centre",), each=False)
         elif value == "in_centre":
             self.attach("in", ("centre",), subject=self.current)
+        elif value in ("left_of", "right_of") and self.current is not None and self.current.owner is not None:
+            return
         elif value != "with":
             following = self.next_item()
             fronted = isinstance(following, Phrase) and following.kind == "object" and bool(self.separator)

@@ -41,7 +41,8 @@ _SORTS: Mapping[str, Sort] = {
 }
 LANGUAGES: Mapping[str, str] = {"en": "English", "de": "German", "fr": "French", "es": "Spanish"}
 """The languages that can be read, by code."""
-_LONGEST = 6
+LONGEST = 6
+"""Most words that a phrase of the lexicon has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,11 +94,11 @@ class Lexicon:
             tokens += [Token(word, token.shown, "word") for word in whole] if whole else [token]
         return tokens
 
-    def longest(self, tokens: list[Token], start: int) -> Lexeme:
+    def longest(self, tokens: list[Token], start: int, most: int = LONGEST) -> Lexeme:
         """The longest phrase that begins at `start`, or a single token without a meaning."""
         found, length = self._single(tokens[start]), 1
         key: tuple[str, ...] = (tokens[start].text,)
-        for end in range(start + 1, min(start + _LONGEST, len(tokens)) + 1):
+        for end in range(start + 1, min(start + most, len(tokens)) + 1):
             if end > start + 1:
                 key = (*key, tokens[end - 1].text)
             if entries := self.phrases.get(key):
@@ -179,7 +180,7 @@ def _add_all(lexicon: Lexicon, phrases: str, sort: Sort, value: str, plurals: st
     for item in _split(phrases):
         item, _, attribute = item.partition(":")
         singular, irregular, plural = item.partition("|")
-        lexicon.add(singular, Entry(sort, value, singular == plural, attribute))
+        lexicon.add(singular, Entry(sort, value, False, attribute))
         if plural and plural != singular:
             lexicon.add(plural, Entry(sort, value, True, attribute))
         elif not irregular and sort in ("object", "room", "place"):

@@ -41,7 +41,7 @@ class Lists(Anchors):
         thing.owner = frame.head
         frame.members.append(thing)
         each = frame.each or _shares(thing, frame.head, tie)
-        bind(self.draft, Bond(tie, thing, (frame.head,), each=each, implied=frame.kind == "with"))
+        bind(self.draft, Bond(tie, thing, (frame.head,), each=each, implied=True))
 
     def _tie(self, thing: Thing, frame: Frame) -> RelationKind | None:
         """How a listed thing belongs to the head; None when it does not, which ends the list."""
@@ -53,7 +53,8 @@ class Lists(Anchors):
                 return "on" if fits or not frame.members or usual == "on" else None
             case "with":
                 carries = self.habits.is_in(frame.head.noun, "surfaces")
-                return usual or ("on" if small and carries else "next_to" if frame.each else None)
+                laid = small and carries and thing.noun != "tv" and (not frame.members or self.separator == "and")
+                return usual or ("on" if laid else "next_to" if frame.each else None)
         return relation_kind(frame.kind) if not frame.members or self.separator == "and" else None
 
 

@@ -21,11 +21,12 @@ class Frame:
 
 @dataclass
 class Waiting:
-    """A relation whose anchor has not been read yet."""
+    """A relation whose anchor has not been read yet; `shared` in "four chairs each facing a mirror"."""
 
     kind: str
     subject: Thing | None
     fronted: bool = False
+    shared: bool = False
 
 
 @dataclass
@@ -105,6 +106,7 @@ class Memory:
         if rows > 0 and count is not None:
             count *= rows
         thing = Thing(phrase.value, count, phrase.vague, phrase.plural, rows, phrase.attributes, phrase.text)
+        thing.seats = phrase.seats
         self.draft.things.append(thing)
         if rows:
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(rows, 0)))

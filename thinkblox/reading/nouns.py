@@ -146,6 +146,9 @@ class Nouns(Lists):
         if waiting.fronted and self._fronts(phrase):
             self.front = Front(kind, anchors, each)
             return
+        if isinstance(anchors[0], str):
+            self.attach_place(kind, anchors[0], waiting.subject, each=each, places=phrase.count or 1)
+            return
         self.attach(kind, anchors, subject=waiting.subject, pronoun=phrase.kind == "pronoun", each=each)
         if phrase.kind == "object" and isinstance(anchors[0], Thing):
             self.current = anchors[0]

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal
 
-from thinkblox.reading.lexicon import Entry, Lexeme, Lexicon
+from thinkblox.reading.lexicon import LONGEST, Entry, Lexeme, Lexicon
 from thinkblox.reading.sizes import Size, read_size
 from thinkblox.reading.tokens import Token
 
@@ -39,6 +39,7 @@ class Phrase:
         whose: "its foot".
         size: a length said of it.
         room: another reading of the same words as a room ("bar").
+        seats: how many people it is said to be for ("an 8-person table").
     """
 
     kind: PhraseKind
@@ -55,6 +56,7 @@ class Phrase:
     text: str = ""
     size: Size | None = None
     room: str = ""
+    seats: int = 0
 
 
 @dataclass(frozen=True)
@@ -122,14 +124,14 @@ class Chunker:
             yield Link(entry.sort, entry.value)
         elif entry := next((e for e in lexeme.entries if e.sort == "word" and e.value in _LINKS), None):
             yield Link(entry.value)
-        elif not lexeme.entries and lexeme.first.kind == "word":
+        elif not lexeme.entries and lexeme.first.kind == "word" and not is_owner(lexeme):
             yield Unknown(lexeme.shown)
 
-    def peek(self, ahead: int = 0) -> Lexeme:
-        """The lexeme at the current token, `ahead` tokens on; an empty one at the end."""
+    def peek(self, ahead: int = 0, most: int = LONGEST) -> Lexeme:
+        """The lexeme at the current token, `ahead` tokens on, of at most `most` tokens; an empty one at the end."""
         if self.at + ahead >= len(self.tokens):
             return _END
-        return self.lexicon.longest(self.tokens, self.at + ahead)
+        return self.lexicon.longest(self.tokens, self.at + ahead, most)
 
     def take(self, lexeme: Lexeme) -> None:
         """Go past a lexeme."""
@@ -224,7 +226,18 @@ class _NounPhrase:
         self.phrase.count = int(value) + (previous or 0) if tens else int(value)
         self.phrase.vague = False
         self.determined = True
-        return self._take(lexeme)
+        self._take(lexeme)
+        self._places()
+        return True
+
+    def _places(self) -> None:
+        """Read "8-person" before a noun as what the thing is for, not as how many there are."""
+        lexeme = self.chunker.peek()
+        named = lexeme.entry("word", value="people") or lexeme.first.text in ("seat", "seater", "place")
+        if named and lexeme.length == 1 and _continues(self.chunker.peek(1)) and self.phrase.count:
+            self.phrase.attributes.append(f"for-{self.phrase.count}")
+            self.phrase.seats, self.phrase.count = self.phrase.count, None
+            self._take(lexeme)
 
     def _measure(self, entry: Entry) -> None:
         count, self.phrase.count = self.phrase.count, None
@@ -270,7 +283,8 @@ class _NounPhrase:
             return False
         if len(self.unknown) >= _LONGEST_UNKNOWN:
             return False
-        self.unknown.append(Unknown(lexeme.shown))
+        if not is_owner(lexeme):
+            self.unknown.append(Unknown(lexeme.shown))
         return self._take(lexeme)
 
     def _filler(self, lexeme: Lexeme) -> bool:
@@ -280,6 +294,7 @@ class _NounPhrase:
         return _continues(following) and lexeme.entry("relation", "having") is None and self._take(lexeme)
 
     def _head(self, lexeme: Lexeme) -> bool:
+        lexeme = self._without_verb(lexeme)
         verb = not self.determined and lexeme.entry("word", value="filler") is not None
         noun = None if verb else lexeme.entry("object") or lexeme.entry("room", "place")
         entry = noun or self._part(lexeme) or self._word(lexeme)
@@ -293,6 +308,14 @@ class _NounPhrase:
         if entry.sort == "object" and (room := lexeme.entry("room")):
             self.phrase.room = room.value
         return self._take(lexeme)
+
+    def _without_verb(self, lexeme: Lexeme) -> Lexeme:
+        """Part "a TV | stands opposite ..." from "two TV stands"."""
+        last = lexeme.shown.rpartition(" ")[2].lower()
+        if lexeme.length < 2 or last not in _VERBS or self.phrase.count not in (None, 1):
+            return lexeme
+        following = self.chunker.peek(lexeme.length)
+        return self.chunker.peek(0, lexeme.length - 1) if following.entry("relation", "adverb") else lexeme
 
     def _part(self, lexeme: Lexeme) -> Entry | None:
         return lexeme.entry("part") if self.determined else None
@@ -313,6 +336,8 @@ class _NounPhrase:
             phrase.kind, phrase.value = "pronoun", "each"
         elif phrase.attributes or phrase.styles:
             phrase.kind = "adjective"
+        elif phrase.count is not None and phrase.definite:
+            phrase.kind, phrase.value = "pronoun", "them"
         elif phrase.count is not None:
             phrase.kind = "number"
         return True
@@ -338,6 +363,12 @@ class _NounPhrase:
             self._take(following)
 
 
+def is_owner(lexeme: Lexeme) -> bool:
+    """Whether an unknown word only says whose something is ("grandmother's")."""
+    return lexeme.shown.lower().endswith(("'s", "’s", "s'", "s’"))
+
+
+_VERBS = ("stands",)
 _DETERMINERS = ("indefinite", "definite", "possessive", "each")
 
 

@@ -36,7 +36,6 @@ def read_brief(prompt: str) -> Brief:
 
 
 def _finish(draft: Draft) -> None:
-    draft.things = [t for t in draft.things if not any(are_alike(x, t.noun) for x in draft.excluded) or t.count]
     limit_things(draft)
     _drop_general(draft)
     choose_senses(draft)
@@ -49,7 +48,8 @@ def _fit_tables(draft: Draft) -> None:
     """Say of every table for how many it is, so that one of that size is made."""
     for table in draft.things:
         seats = sum(b.subject.count or 1 for b in draft.bonds if b.kind == "around" and table in b.anchors)
-        if seats and table.count:
+        named = any(attribute.startswith("for-") for attribute in table.attributes)
+        if seats and table.count and not named:
             table.attributes.append(f"for-{max(1, seats // table.count)}")
 
 

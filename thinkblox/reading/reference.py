@@ -29,6 +29,7 @@ _RELATIVES = (
 
 _MEMORY = 40
 """How many things back a pronoun can reach."""
+_SIDES = ("left_of", "right_of")
 _ON_THE_FLOOR = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "opposite")
 
 
@@ -72,10 +73,17 @@ class References:
     def beside(self, subject: Thing | None, kind: str) -> Thing | None:
         """As `single`, but what is carried stands for what carries it: a fridge at the end of the cabinets."""
         found = self.single(subject, kind)
+        if found is not None and kind in _SIDES:
+            found = self._flanked(found) or found
         if found is None or found.owner is None or kind not in _ON_THE_FLOOR:
             return found
         carried = any(bond.kind == "on" and found.owner in bond.anchors for bond in self.draft.bonds_of(found))
         return found.owner if carried and found.owner is not subject else found
+
+    def _flanked(self, thing: Thing) -> Thing | None:
+        """What a thing stands at the side of: "a bed, to its left a nightstand, to its right a wardrobe"."""
+        bonds = (b for b in self.draft.bonds_of(thing) if b.kind in _SIDES)
+        return next((a for b in bonds for a in b.anchors if isinstance(a, Thing)), None)
 
     def several(self, subject: Thing | None, kind: str) -> tuple[Thing, ...]:
         """What "them" means: a plural thing, or two that were just related or joined."""
