@@ -110,11 +110,18 @@ def _score(scene: Scene, tracer: Tracer, view: View) -> float:
     front = see(tracer, view.camera, x, y, size).front
     owners = np.array([patch.owner for patch in tracer.triangles.patches])[front[front >= 0]]
     pixels = np.bincount(owners + 1, minlength=len(scene.placements) + 1)
-    towards = np.array([np.cos(np.radians(view.azimuth)), np.sin(np.radians(view.azimuth))])
     hidden = _hidden(scene, view.standing)
-    worth = [(p.id not in hidden) * (1 + 0.25 * np.dot(p.front, towards)) for p in scene.placements]
+    worth = [(p.id not in hidden) * _worth(scene, p, view.azimuth) for p in scene.placements]
     windows = sum(o.width * o.height for o in scene.room.openings if o.kind == "window" and view.standing[o.wall])
-    return float((np.sqrt(pixels[1:]) * np.array(worth)).sum() + 2.5 * windows + 0.3 * np.sqrt(pixels[0]))
+    return float((np.sqrt(pixels[1:]) * np.array(worth)).sum() + 4.0 * windows + 0.3 * np.sqrt(pixels[0]))
+
+
+def _worth(scene: Scene, placement: Placement, azimuth: float) -> float:
+    """From 1 where an object's front is seen to 0.1 where its back is."""
+    if scene.asset_of(placement).front != "one":
+        return 0.6
+    away = np.radians(placement.yaw - azimuth)
+    return float(0.55 + 0.45 * np.cos(away))
 
 
 def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:
