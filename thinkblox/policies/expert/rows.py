@@ -15,12 +15,14 @@ from thinkblox.policies.expert.zones import promised
 from thinkblox.rects import Rects, outside, overlap_depth
 from thinkblox.value import Vec2
 
-BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5), "dining_table": (1.2, 0.9), "bookcase": (0.005,)}
+BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5), "bookcase": (0.005,)}
 """Free distance between neighbours in a row, the best first [m]."""
 AISLE = {"school_desk": (0.9, 0.75), "bookcase": (1.2, 1.05, 0.95), "shelving_unit": (1.2, 1.0), "chair": (0.9, 0.6)}
 """Free distance from row to row, the best first [m]."""
 FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
 """Free distance between two rows that look at each other [m]."""
+WITH_SEATS = (1.6, 1.4, 1.2)
+"""Free distance between tables that people sit around, each way [m]."""
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
 
@@ -90,11 +92,20 @@ def _strays(situation: Situation, block: _Block) -> int:
 def _blocks(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[_Block]:
     rows = tie.rows or max(1, round(math.sqrt(tie.count / 2)))
     columns = -(-tie.count // rows)
-    category = situation.target.category
     for yaw in _directions(situation, facing):
-        for beside in BESIDE.get(category, (0.08, 0.03)):
-            for aisle in FACE_TO_FACE if mutual else AISLE.get(category, (1.0, 0.8)):
-                yield from _shifted(situation, rows, columns, yaw, beside, aisle, tie.count, facing, mutual=mutual)
+        for beside, aisle in _spacings(situation, mutual=mutual):
+            yield from _shifted(situation, rows, columns, yaw, beside, aisle, tie.count, facing, mutual=mutual)
+
+
+def _spacings(situation: Situation, *, mutual: bool) -> Iterator[tuple[float, float]]:
+    """Free distances to the neighbour in the row and to the next row."""
+    category = situation.target.category
+    if any(tie.kind == "around" for follower in situation.followers for tie in follower.ties):
+        yield from ((gap, gap) for gap in WITH_SEATS)
+        return
+    for beside in BESIDE.get(category, (0.08, 0.03)):
+        for aisle in FACE_TO_FACE if mutual else AISLE.get(category, (1.0, 0.8)):
+            yield beside, aisle
 
 
 def _directions(situation: Situation, facing: tuple[str, ...]) -> tuple[float, ...]:
