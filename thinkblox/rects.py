@@ -88,7 +88,7 @@ def overlap_depth(a: Rects, b: Rects) -> Array:
 
 def outside(rects: Rects, room: shapely.Polygon) -> Array:
     """Share of each footprint that lies outside the room, (n,)."""
-    polygons = shapely.polygons(rects.corners)
+    polygons = np.asarray(shapely.polygons(rects.corners), dtype=object)
     shapely.prepare(room)
     share = np.zeros(len(rects))
     reaching = np.flatnonzero(~shapely.covers(room, polygons))

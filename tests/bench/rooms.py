@@ -4,6 +4,7 @@ python -m tests.bench.rooms [--seeds N] [--prompts FILE] [--save DIR]
 """
 
 import argparse
+import os
 import platform
 import sys
 import tempfile
@@ -77,7 +78,7 @@ def run(job: tuple[str, int, Path]) -> Row | str:
 
 
 def hold(path: Path, *, seconds: float = 5.0) -> tuple[float, float, float]:
-    """Plain MuJoCo on the written file: deepest contact [mm], then largest motion [mm] and turn [degrees] of any body."""
+    """Plain MuJoCo on the written file: deepest contact [mm], largest motion [mm] and turn [degrees] of any body."""
     import mujoco
     import numpy as np
 
@@ -133,11 +134,14 @@ def report(rows: list[Row]) -> None:
             print(f"      {fault}")
     asked, placed = sum(r.asked for r in rows), sum(r.placed for r in rows)
     named, found = sum(r.relations for r in rows), sum(r.hold for r in rows)
-    print(f"placed {placed} of {asked} asked for ({placed / max(1, asked):.1%}); "
-          f"every target placed or listed: {all(r.listed for r in rows)}")  # fmt: skip
+    listed = all(r.listed for r in rows)
+    print(
+        f"placed {placed} of {asked} asked for ({placed / max(1, asked):.1%}); each target placed or listed: {listed}"
+    )
     print(f"relations {found} of {named} ({found / max(1, named):.1%})")
-    print(f"deepest contact {max(r.depth for r in rows):.3f} mm; largest motion in 5 s {max(r.drift for r in rows):.3f} mm, "
-          f"{max(r.tilt for r in rows):.3f} degrees; valid {sum(r.valid for r in rows)} of {len(rows)}")  # fmt: skip
+    worst = [max(getattr(r, name) for r in rows) for name in ("depth", "drift", "tilt")]
+    print("deepest contact {:.3f} mm; largest motion in 5 s {:.3f} mm, {:.3f} degrees".format(*worst))
+    print(f"valid {sum(r.valid for r in rows)} of {len(rows)} rooms")
     seconds = sorted(r.seconds for r in rows)
     print(f"seconds a room: median {seconds[len(seconds) // 2]:.2f}, longest {seconds[-1]:.2f}")
     print(

@@ -15,6 +15,8 @@ from thinkblox.value import Vec2
 
 PLACE_WIDTH = 0.6
 """Edge of a table that one person needs [m]; Neufert, Architects' Data."""
+SQUEEZED = 0.5
+"""The least of it, at a counter [m]."""
 TUCKS = {"office_chair": (0.08, 0.0, -0.1), "armchair": (-0.15, -0.3), "bar_stool": (0.08, 0.0, -0.05)}
 """How far a seat goes under the table, the best first [m]; negative leaves a gap."""
 USUAL_TUCKS = (0.15, 0.05, -0.05)
@@ -42,12 +44,20 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     sides = ("front",) if situation.scene.asset_of(anchor).front == "one" else tuple(SIDES)
     for rank, side in enumerate(sides):
         if tie.count > 1:
-            places = [_side_places(anchor, side, tie.count)[tie.index % tie.count]]
+            places = _company_at(anchor, side, tie)
         else:
             width = _width(anchor, side)
             places = [_place(anchor, side, shift * width) for shift in (0.0, 0.15, -0.15)]
         for order, place in enumerate(places):
             yield from _seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
+
+
+def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:
+    """The place of one of several along a side; who finds no room there sits at the ends."""
+    fit = max(1, int(_width(anchor, side) / SQUEEZED))
+    if tie.index < fit:
+        return [_side_places(anchor, side, min(tie.count, fit))[tie.index]]
+    return [place for end in ("left", "right") for place in _side_places(anchor, end, 1)]
 
 
 def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:

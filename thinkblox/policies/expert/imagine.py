@@ -194,6 +194,7 @@ def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
 _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
     "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.in_line(s),
     "in_corner": walls.corners,
+    "facing": open_floor.grid,
     "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
 }
 _BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {

@@ -13,7 +13,7 @@ from thinkblox.assets import CATALOGUE
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.hung import AT_WINDOWS
 from thinkblox.policies.expert.idea import SEATS, Idea, Situation
-from thinkblox.policies.expert.walls import RUNS
+from thinkblox.policies.expert.walls import run_of
 from thinkblox.policies.expert.zones import beside, need, promised
 from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
 from thinkblox.relations import measure
@@ -166,10 +166,11 @@ def _followers(situation: Situation, rects: Rects) -> Array:
 
 def _room_for_run(situation: Situation, rects: Rects) -> Array:
     """The first of a run leaves room for the rest to one side or the other."""
-    rest = situation.target.count - 1
-    if situation.target.category not in RUNS or situation.siblings or rest < 1:
+    run = run_of(situation.target.category)
+    later = [t for t in situation.observation.plan.targets if t.category in run and t.id not in situation.scene]
+    if len(later) < 2 or any(p.category in run for p in situation.solid):
         return np.zeros(len(rects))
-    length = rest * situation.size[1]
+    length = (len(later) - 1) * situation.size[1]
     return np.minimum(*(_zone_cost(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
 
 

@@ -4,11 +4,12 @@ import math
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
+from thinkblox.places import WORKED_AT
 from thinkblox.policies.expert.idea import SEATS, Idea, Situation, turned
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 
-VIEWING = {"sofa": (2.4, 2.0, 2.8, 1.7, 3.2), "armchair": (2.2, 1.8, 2.6, 1.4)}
+VIEWING = {"sofa": (2.4, 2.0, 2.8, 1.7, 3.2), "armchair": (2.2, 1.8, 2.6, 1.4), "desk": (0.02, 0.6, 1.2)}
 """Free distance from a seat to what it looks at, the best first [m]."""
 USUAL_VIEWING = (0.6, 0.9, 1.3, 1.8, 2.4, 0.3)
 
@@ -44,7 +45,7 @@ def _across_room(situation: Situation, yaw: float) -> float:
 
 def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     """Places about the anchor from which the front points at it; straight before its own front costs least."""
-    has_front = situation.scene.asset_of(anchor).front == "one"
+    has_front = situation.scene.asset_of(anchor).front == "one" and situation.target.category not in WORKED_AT
     distances = VIEWING.get(situation.target.category, USUAL_VIEWING)
     for turn in range(0, 360, 15):
         away = min(turn, 360 - turn) if has_front else 0
@@ -67,12 +68,9 @@ def _looking(situation: Situation, anchor: Placement, turn: float, distance: flo
     edge = _reach(anchor, direction)
     out = edge + distance + situation.size[0] / 2
     x, y = anchor.to_room((direction[0] * out, direction[1] * out))
-    yaw = (anchor.yaw + turn + 180.0) % 360.0
-    words = (
-        Constraint(kind="facing", anchors=(anchor.id,)),
-        Constraint(kind="at", values=(round(x, 3), round(y, 3))),
-        turned(yaw),
-    )
+    yaw = (anchor.yaw + turn + (0.0 if situation.target.category in WORKED_AT else 180.0)) % 360.0
+    looks = () if situation.target.category in WORKED_AT else (Constraint(kind="facing", anchors=(anchor.id,)),)
+    words = (*looks, Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
     seat = situation.target.category in SEATS
     why = f"whoever sits in it looks at {anchor.id}" if seat else f"it is turned to {anchor.id}"
     return Idea((x, y, 0.0), yaw, words, why, cost)

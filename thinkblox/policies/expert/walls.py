@@ -33,19 +33,14 @@ FOCAL = frozenset(
     ]
 )
 """What looks best centred on its wall; the rest goes to its ends, or beside its like."""
-RUNS = frozenset(
-    (
-        "base_cabinet",
-        "wall_cabinet",
-        "bookcase",
-        "shelving_unit",
-        "locker",
-        "washing_machine",
-        "dryer",
-        "vending_machine",
-        "server_rack",
-        "wardrobe",
-    )
+RUNS: tuple[frozenset[str], ...] = (
+    frozenset(("base_cabinet", "fridge", "stove", "oven", "dishwasher", "washing_machine", "dryer")),
+    frozenset(("wall_cabinet",)),
+    frozenset(("bookcase", "shelving_unit")),
+    frozenset(("locker",)),
+    frozenset(("vending_machine",)),
+    frozenset(("server_rack",)),
+    frozenset(("wardrobe",)),
 )
 """What forms a row along a wall when there are several."""
 STEPS = 14
@@ -96,11 +91,16 @@ def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> It
 
 def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     """Along the walls a Place means; what is one of several in a run goes right beside the others."""
-    if situation.target.category in RUNS:
-        for p in situation.siblings:
+    for p in situation.solid:
+        if p.category in run_of(situation.target.category):
             for idea in sides_of(situation, p, ("left", "right"), gaps=(0.002,), why=f"it continues the row of {p.id}"):
                 yield replace(idea, cost=idea.cost - 1.0)
     yield from along_walls(situation, named_walls(situation.room, place))
+
+
+def run_of(category: str) -> frozenset[str]:
+    """What a thing forms a row with; empty when it stands alone."""
+    return next((run for run in RUNS if category in run), frozenset())
 
 
 def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:
