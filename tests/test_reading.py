@@ -183,6 +183,37 @@ OWN = {
         "2 sofa, 1 armchair, 1 coffee_table, 1 floor_lamp",
         "sofa around coffee_table, armchair around coffee_table, floor_lamp behind sofa",
     ),
+    "A bed, to its left a nightstand with a lamp, to its right a wardrobe.": (
+        "1 bed, 1 nightstand, 1 table_lamp, 1 wardrobe",
+        "nightstand left_of bed, table_lamp on nightstand, wardrobe right_of bed",
+    ),
+    "A sofa with a side table on each side and a lamp on each side table.": (
+        "1 sofa, 2 side_table, 2 table_lamp",
+        "side_table next_to sofa, table_lamp on side_table",
+    ),
+    "Two armchairs by the fireplace with a small round table between them, and on the table two cups.": (
+        "2 armchair, 1 fireplace, 1 coffee_table, 2 cup",
+        "armchair near fireplace, coffee_table between armchair, cup on coffee_table",
+    ),
+    "A living room. There is a sofa against the north wall. In front of the sofa is a coffee table. A TV stands on a "
+    "stand opposite the sofa. Two plants are in the corners.": (
+        "1 sofa, 1 coffee_table, 1 tv, 1 tv_stand, 2 plant",
+        "sofa against_wall north_wall, coffee_table in_front_of sofa, tv on tv_stand, tv_stand opposite sofa",
+    ),
+    "A spacious living room with two sofas facing each other, a coffee table between them with a bowl of fruit on it, a "
+    "TV on a low cabinet against the north wall, and a floor lamp next to each sofa.": (
+        "2 sofa, 1 coffee_table, 1 fruit_bowl, 1 tv, 1 sideboard, 2 floor_lamp",
+        (
+            "sofa facing sofa, coffee_table between sofa, fruit_bowl on coffee_table, tv on sideboard, "
+            "floor_lamp next_to sofa"
+        ),
+    ),
+    "A hair salon with four chairs each facing a mirror.": ("4 chair, 4 mirror", "chair facing mirror"),
+    "Ein Büro mit drei Schreibtischen, jeder mit einem Monitor und einem Bürostuhl, und einem Drucker auf einem "
+    "Aktenschrank neben der Tür.": (
+        "3 desk, 3 monitor, 3 office_chair, 1 printer, 1 filing_cabinet",
+        "monitor on desk, office_chair at desk, printer on filing_cabinet, filing_cabinet near door",
+    ),
     "A bedroom with a bed between two nightstands.": ("1 bed, 2 nightstand", "nightstand next_to bed"),
     "Four chairs at a round table, with a vase in the middle of the table.": (
         "4 chair, 1 dining_table, 1 vase",

@@ -80,12 +80,14 @@ class Anchors(Memory):
             return
         if kind == "in" and not self.habits.is_in(anchors[0].noun, "surfaces"):
             kind = "on"
+        if kind == "flank" and subject.count == 1:
+            subject.count = 2
         relation = relation_kind(kind)
         if relation == "between" and self.chain is not None:
             subject = self.chain
         for one in subjects_of(self.draft, subject, kind, anchors, self.run, pronoun=pronoun and relation != "between"):
             bind(self.draft, Bond(relation, one, anchors, each=each))
-            if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of", "near"):
+            if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of"):
                 self.references.pairs.append((one, anchors[0]))
 
     def attach_place(self, kind: str, place: str, subject: Thing | None, *, each: bool, places: int = 1) -> None:

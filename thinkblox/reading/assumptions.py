@@ -96,17 +96,14 @@ def _fill(draft: Draft) -> None:
 
 
 def _scale(draft: Draft) -> None:
-    """As many seats, desks or beds as the people the room is for."""
-    if not draft.people:
+    """As many seats, desks or beds as the people the room is for; two share a double bed."""
+    share = draft.room == "bedroom" and draft.people == 2
+    if not draft.people or share:
         return
-    names = (
-        "chair",
-        "office_chair",
-        _A_PLACE_EACH.get(draft.room, ""),
-        *(("bed", "hospital_bed") if draft.room in _SLEEPING else ()),
-    )
+    beds = ("bed", "hospital_bed") if draft.room in _SLEEPING else ()
+    seats = ("chair", "office_chair", _A_PLACE_EACH.get(draft.room, ""))
     for thing in draft.things:
-        if not thing.asked and thing.noun in names and (thing.many or draft.room in _SLEEPING):
+        if not thing.asked and (thing.noun in beds or (thing.noun in seats and thing.many)):
             thing.count = draft.people
 
 
@@ -114,14 +111,14 @@ def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
         if not any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
-            _chairs(draft, thing, thing.seats)
+            _chairs(draft, thing, thing.seats * (thing.count or 1))
     if draft.people and draft.room in _SEATING and not _has(draft, "seats"):
         table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
         _chairs(draft, table or _add(draft, _SEATING[draft.room], 1), draft.people)
 
 
 def _chairs(draft: Draft, table: Thing, count: int) -> None:
-    seat = _add(draft, "chair", count * (table.count or 1))
+    seat = _add(draft, "chair", count)
     kind = "at" if load_habits().is_in(table.noun, "desks") else "around"
     draft.bonds.append(Bond(relation_kind(kind), seat, (table,), each=table.many, asked=False))
 
@@ -132,15 +129,32 @@ def _has(draft: Draft, group: str) -> bool:
 
 def _carry(draft: Draft) -> None:
     """Something to put small things on, where the prompt names nothing that could carry them."""
-    habits = load_habits()
-    for thing in [t for t in draft.things if habits.is_in(t.noun, "small") and not draft.bonds_of(t)]:
-        if any(habit.kind != "on" for habit in habits.of(thing.noun)):
+    for thing in [t for t in draft.things if load_habits().is_in(t.noun, "small")]:
+        if _lies_somewhere(draft, thing):
             continue
-        carriers = [anchor for habit in habits.of(thing.noun) if habit.kind == "on" for anchor in habit.anchors]
+        carriers = [a for habit in load_habits().of(thing.noun) if habit.kind == "on" for a in habit.anchors]
         if not any(t.noun in carriers for t in draft.things):
-            noun = next((c for c in carriers if not c.startswith("any_") and c not in draft.excluded), None)
-            if noun is not None:
+            noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
+            if noun:
                 _add(draft, noun, 1)
+
+
+def _lies_somewhere(draft: Draft, thing: Thing) -> bool:
+    """Whether a small thing is on or beside another, or may stand on the floor."""
+    habits = load_habits()
+    if any(habit.kind != "on" for habit in habits.of(thing.noun)):
+        return True
+    anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Thing)]
+    return any(b.kind == "on" for b in draft.bonds_of(thing)) or any(habits.is_in(a.noun, "small") for a in anchors)
+
+
+def _carrier(draft: Draft, carriers: list[str]) -> str:
+    """Return the usual carrier; a side table rather than a dining table where nobody dines."""
+    if not carriers:
+        return ""
+    large = load_habits().is_in(carriers[0], "meal_tables") or carriers[0] == "display_table"
+    public = draft.room in (*_SEATING, "cafe", "bookstore", "library")
+    return "side_table" if large and not public and "side_table" in carriers else carriers[0]
 
 
 def _add(draft: Draft, noun: str, count: int) -> Thing:

@@ -5,7 +5,7 @@ from thinkblox.reading.draft import Bond, Draft, Thing
 from thinkblox.reading.habits import load_habits
 
 _WALLS = ("wall", "long_wall", "short_wall", "north_wall", "east_wall", "south_wall", "west_wall")
-_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall"}
+_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to"}
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
 _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list can share, and what kind of things then do."""

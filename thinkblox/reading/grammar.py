@@ -93,7 +93,7 @@ class Walker(Nouns):
         anchor, following = self.next_item(), self.next_item(2)
         if not isinstance(anchor, Phrase) or not isinstance(following, Phrase):
             return False
-        return following.kind == "object" and not following.definite
+        return following.kind in ("object", "missing") and not following.definite
 
     def _having(self, kind: str) -> None:
         self._elided()
@@ -143,16 +143,18 @@ class Walker(Nouns):
             self.front = Front("in", ("centre",), each=False)
         elif value == "in_centre":
             self.attach("in", ("centre",), subject=self.current)
-        elif value in ("left_of", "right_of") and self.current is not None and self.current.owner is not None:
-            return
         elif value != "with":
-            following = self.next_item()
-            fronted = isinstance(following, Phrase) and following.kind == "object" and bool(self.separator)
-            anchors = self.antecedent(None if fronted else self.current, value)
-            if fronted:
-                self.front = Front(value, anchors, each=False)
-            else:
-                self.attach(value, anchors, subject=self.current, pronoun=True)
+            self._beside(value)
+
+    def _beside(self, kind: str) -> None:
+        """Read an adverb that points back: "a nightstand to its left", "to its left a nightstand"."""
+        following = self.next_item()
+        if isinstance(following, Phrase) and following.kind == "object" and self.separator:
+            self.front = Front(kind, self.antecedent(None, kind), each=False)
+            return
+        belongs = self.current is not None and self.current.owner is not None
+        if not (belongs and kind in ("left_of", "right_of")):
+            self.attach(kind, self.antecedent(self.current, kind), subject=self.current, pronoun=True)
 
     def _mutual(self, kind: str) -> None:
         """Read "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""

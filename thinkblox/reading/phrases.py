@@ -104,6 +104,12 @@ class Chunker:
         self.at = start
         yield from self._link(self.peek())
 
+    def _shortened(self, lexeme: Lexeme, ahead: int) -> Lexeme:
+        """Leave "side table" whole in "on each side table"."""
+        last = self.peek(ahead + lexeme.length - 1)
+        whole = last.length > 1 and last.entry("object")
+        return self.peek(ahead, lexeme.length - 1) if whole else lexeme
+
     def size(self) -> Size | None:
         """The size at the current token, if there is one; goes past it."""
         found = read_size(self.lexicon, self.tokens, self.at)
@@ -131,7 +137,8 @@ class Chunker:
         """The lexeme at the current token, `ahead` tokens on, of at most `most` tokens; an empty one at the end."""
         if self.at + ahead >= len(self.tokens):
             return _END
-        return self.lexicon.longest(self.tokens, self.at + ahead, most)
+        lexeme = self.lexicon.longest(self.tokens, self.at + ahead, most)
+        return self._shortened(lexeme, ahead) if lexeme.length > 1 and lexeme.entry("adverb", "relation") else lexeme
 
     def take(self, lexeme: Lexeme) -> None:
         """Go past a lexeme."""

@@ -48,7 +48,8 @@ class References:
         very = (t for t in recent if t.noun == phrase.value and _last_word(t.text) == word)
         same = (t for t in recent if t.noun == phrase.value)
         like = (t for t in recent if are_alike(t.noun, phrase.value))
-        called = (t for t in recent if _last_word(t.text) == word)
+        general = phrase.value.startswith("any_")
+        called = (t for t in recent if general and _last_word(t.text) == word)
         return next(very, None) or next(same, None) or next(like, None) or next(called, None)
 
     def mention(self, thing: Thing) -> None:
@@ -73,16 +74,19 @@ class References:
     def beside(self, subject: Thing | None, kind: str) -> Thing | None:
         """As `single`, but what is carried stands for what carries it: a fridge at the end of the cabinets."""
         found = self.single(subject, kind)
-        if found is not None and kind in _SIDES:
-            found = self._flanked(found) or found
-        if found is None or found.owner is None or kind not in _ON_THE_FLOOR:
+        if found is None or kind not in _ON_THE_FLOOR:
             return found
         carried = any(bond.kind == "on" and found.owner in bond.anchors for bond in self.draft.bonds_of(found))
-        return found.owner if carried and found.owner is not subject else found
+        if found.owner is not None and carried and found.owner is not subject:
+            found = found.owner
+        if kind in _SIDES:
+            return self._flanked(found, _SIDES) or found
+        slight = kind == "next_to" and load_habits().is_in(found.noun, "lamps", "plants")
+        return self._flanked(found, ("next_to",)) or found if slight else found
 
-    def _flanked(self, thing: Thing) -> Thing | None:
+    def _flanked(self, thing: Thing, kinds: tuple[str, ...]) -> Thing | None:
         """What a thing stands at the side of: "a bed, to its left a nightstand, to its right a wardrobe"."""
-        bonds = (b for b in self.draft.bonds_of(thing) if b.kind in _SIDES)
+        bonds = (b for b in self.draft.bonds_of(thing) if b.kind in kinds)
         return next((a for b in bonds for a in b.anchors if isinstance(a, Thing)), None)
 
     def several(self, subject: Thing | None, kind: str) -> tuple[Thing, ...]:
