@@ -200,8 +200,8 @@ OWN = {
         "1 sofa, 1 coffee_table, 1 tv, 1 tv_stand, 2 plant",
         "sofa against_wall north_wall, coffee_table in_front_of sofa, tv on tv_stand, tv_stand opposite sofa",
     ),
-    "A spacious living room with two sofas facing each other, a coffee table between them with a bowl of fruit on it, a "
-    "TV on a low cabinet against the north wall, and a floor lamp next to each sofa.": (
+    "A spacious living room with two sofas facing each other, a coffee table between them with a bowl of fruit on it, "
+    "a TV on a low cabinet against the north wall, and a floor lamp next to each sofa.": (
         "2 sofa, 1 coffee_table, 1 fruit_bowl, 1 tv, 1 sideboard, 2 floor_lamp",
         (
             "sofa facing sofa, coffee_table between sofa, fruit_bowl on coffee_table, tv on sideboard, "

@@ -3,7 +3,7 @@
 import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.resources import files
+from pathlib import Path
 
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Thing
@@ -43,7 +43,7 @@ class RoomType:
 @lru_cache(maxsize=1)
 def room_types() -> dict[str, RoomType]:
     """Every type of room we know, by name; "room" is the one to take when nothing is said."""
-    data = tomllib.loads((files("thinkblox.reading") / "rooms.toml").read_text(encoding="utf-8"))
+    data = tomllib.loads(Path(__file__).with_name("rooms.toml").read_text(encoding="utf-8"))
     return {name: _room_type(entry) for name, entry in data.items()}
 
 

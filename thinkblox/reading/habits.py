@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.resources import files
+from pathlib import Path
 from typing import cast
 
 from thinkblox.brief import RelationKind
@@ -53,7 +53,7 @@ class Habits:
 @lru_cache(maxsize=1)
 def load_habits() -> Habits:
     """The table of habits.toml."""
-    data = tomllib.loads((files("thinkblox.reading") / "habits.toml").read_text(encoding="utf-8"))
+    data = tomllib.loads(Path(__file__).with_name("habits.toml").read_text(encoding="utf-8"))
     groups = {name: tuple(members.split()) for name, members in data["groups"].items()}
     habits = {category: tuple(_habit(line, groups) for line in lines) for category, lines in data["habits"].items()}
     return Habits(groups, habits)

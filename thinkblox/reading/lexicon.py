@@ -4,7 +4,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from importlib.resources import files
+from pathlib import Path
 from typing import Literal
 
 from thinkblox.reading.tokens import Token, fold, tokenise
@@ -149,7 +149,7 @@ class Lexicon:
 @lru_cache(maxsize=len(LANGUAGES))
 def load(code: str) -> Lexicon:
     """The lexicon of a language of LANGUAGES."""
-    path = files("thinkblox.reading") / "lexicon" / f"{code}.toml"
+    path = Path(__file__).parent / "lexicon" / f"{code}.toml"
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     contractions = {fold(short): tuple(fold(whole).split()) for short, whole in data.get("contractions", {}).items()}
     lexicon = Lexicon(

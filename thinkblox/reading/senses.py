@@ -2,7 +2,7 @@
 
 import tomllib
 from functools import lru_cache
-from importlib.resources import files
+from pathlib import Path
 
 from thinkblox.reading.draft import Bond, Draft, Thing
 
@@ -11,7 +11,7 @@ _ROUNDS = 2
 
 @lru_cache(maxsize=1)
 def _rules() -> dict[str, tuple[tuple[str, tuple[str, ...]], ...]]:
-    data = tomllib.loads((files("thinkblox.reading") / "senses.toml").read_text(encoding="utf-8"))
+    data = tomllib.loads(Path(__file__).with_name("senses.toml").read_text(encoding="utf-8"))
     return {noun: tuple(_rule(line) for line in lines) for noun, lines in data.items()}
 
 
