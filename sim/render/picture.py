@@ -10,11 +10,11 @@ from thinkblox.sim.render.camera import Camera
 from thinkblox.sim.render.lighting import CELLS, Irradiance, Lights, bounce_table, irradiance, plainer
 from thinkblox.sim.render.rays import Tracer, in_parallel
 from thinkblox.sim.render.shading import Shader, tone_mapped
-from thinkblox.sim.render.smoothing import Grid, sampled, smoothed
-from thinkblox.sim.render.surfels import Surfels, is_material, see
+from thinkblox.sim.render.smoothing import Grid, Rows, rows_of, sampled, smoothed
+from thinkblox.sim.render.surfels import Surfels, is_material, see, see_part
 from thinkblox.sim.render.tessellate import Floats
 
-_CHUNK = 1 << 13
+_CHUNK = 1 << 14
 
 
 @dataclass(frozen=True)
@@ -70,33 +70,39 @@ def paint(tracer: Tracer, camera: Camera, size: int, lights: Lights, settings: S
     job = _Job(tracer, camera, size, lights, settings, bounce_table(tracer, lights), shader)
     y, x = (axis.ravel().astype(np.float32) for axis in np.mgrid[0:size, 0:size])
     points = see(tracer, camera, x + np.float32(0.5), y + np.float32(0.5), size)
-    light = _light(job, points, x, y)
-    colour = _shaded(job, points, light, x, y)
+    light, colour = _painted(job, points, x, y)
     if settings.edge_rays:
         _soften_edges(job, points, light, colour)
     picture = np.rint(colour.reshape(size, size, 3) * 255)
     return picture.astype(np.uint8)
 
 
-def _light(job: _Job, points: Surfels, x: Floats, y: Floats) -> Irradiance:
-    """Light at all pixels: cast on the coarse grid, smoothed, brought to the pixels, cast where that finds none."""
-    coarse = job.settings.coarse
+def _painted(job: _Job, points: Surfels, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+    """Light (n, 6) and colour (n, 3) of all pixels, the light being cast on a coarse grid and smoothed there."""
     grid = _coarse_light(job, points)
-    grid = smoothed(smoothed(grid, radius=2), radius=1, step=2)
+    rows = rows_of(smoothed(smoothed(grid, radius=2), radius=1, step=2))
+    light, colour = np.empty((len(x), 6), np.float32), np.empty((len(x), 3), np.float32)
+    scale = np.float32(1 / job.settings.coarse)
 
-    _ = grid.table
+    def fill(at: int) -> None:
+        here = slice(at, at + _CHUNK)
+        part = points[here]
+        light[here] = _found_light(job, rows, part, x[here] * scale, y[here] * scale, least=0.02, times=4)
+        colour[here] = _shaded(job, part, light[here], x[here], y[here])
 
-    def fine(at: int) -> tuple[Floats, NDArray[np.bool_]]:
-        part = slice(at, at + _CHUNK)
-        return sampled(
-            grid, x[part] / np.float32(coarse), y[part] / np.float32(coarse), points.position[part], points.normal[part]
-        )
+    in_parallel(fill, range(0, len(x), _CHUNK))
+    return light, colour
 
-    parts = in_parallel(fine, range(0, len(x), _CHUNK))
-    light, found = _joined(parts)
-    lost = np.flatnonzero(~found & (points.patch >= 0))
-    light[lost] = _cast_light(job, points[lost], np.zeros(len(lost), np.int64), times=4)
-    return Irradiance(light[:, :3], light[:, 3:])
+
+def _found_light(job: _Job, rows: Rows, points: Surfels, x: Floats, y: Floats, *, least: float, times: int) -> Floats:
+    """Light (n, 6) looked up at grid coordinates, and cast where none is found."""
+    light = np.zeros((len(x), 6), np.float32)
+    seen = np.flatnonzero(points.patch >= 0)
+    light[seen], found = sampled(rows, x[seen], y[seen], points.position[seen], points.normal[seen], least=least)
+    lost = seen[~found]
+    if len(lost):
+        light[lost] = _cast_part(job, points[lost], lost % CELLS, job.lights, times)
+    return light
 
 
 def _coarse_light(job: _Job, points: Surfels) -> Grid:
@@ -109,10 +115,10 @@ def _coarse_light(job: _Job, points: Surfels) -> Grid:
     light = np.zeros((len(cell), 6), np.float32)
     ground = job.ground[chosen.patch] & seen
     seen = seen & ~ground
-    light[seen] = _cast_light(job, chosen[seen], cell[seen])
-    light[ground] = _cast_light(job, chosen[ground], cell[ground], lights=plainer(job.lights))
+    light[seen] = _cast_light(job, chosen[seen], cell[seen], job.lights)
+    light[ground] = _cast_light(job, chosen[ground], cell[ground], plainer(job.lights))
     seen = seen | ground
-    width = (np.float32(job.pixel) + np.float32(job.spread) * np.where(seen, chosen.distance, 0)) * coarse
+    width = _seen_and_spacing(job, chosen)[1] * np.float32(coarse)
 
     def plane(values: NDArray[Any]) -> Floats:
         return np.ascontiguousarray(values.T.reshape(-1, *index.shape), dtype=np.float32)
@@ -122,42 +128,50 @@ def _coarse_light(job: _Job, points: Surfels) -> Grid:
     )
 
 
-def _cast_light(
-    job: _Job, points: Surfels, cell: NDArray[np.int64], *, times: int = 1, lights: Lights | None = None
-) -> Floats:
-    def part(at: int) -> Floats:
+def _cast_light(job: _Job, points: Surfels, cell: NDArray[np.int64], lights: Lights) -> Floats:
+    light = np.empty((len(cell), 6), np.float32)
+
+    def fill(at: int) -> None:
         here = slice(at, at + _CHUNK // 2)
-        light = irradiance(job.tracer, lights or job.lights, job.bounce, points[here], cell[here], times=times)
-        return np.concatenate([light.sky, light.sun], 1)
+        light[here] = _cast_part(job, points[here], cell[here], lights, 1)
 
-    parts = in_parallel(part, range(0, len(cell), _CHUNK // 2))
-    return np.concatenate(parts) if parts else np.zeros((0, 6), np.float32)
-
-
-def _shaded(job: _Job, points: Surfels, light: Irradiance, x: Floats, y: Floats) -> Floats:
-    background = job.settings.background
-
-    def part(at: int) -> Floats:
-        here = slice(at, at + _CHUNK)
-        behind = background[y[here].astype(int), x[here].astype(int)]
-        linear = job.shader.colours(points[here], light[here], behind, job.spread)
-        return tone_mapped(linear, job.settings.exposure)
-
-    return np.concatenate(in_parallel(part, range(0, len(x), _CHUNK)))
+    in_parallel(fill, range(0, len(cell), _CHUNK // 2))
+    return light
 
 
-def _soften_edges(job: _Job, points: Surfels, light: Irradiance, colour: Floats) -> None:
+def _cast_part(job: _Job, points: Surfels, cell: NDArray[np.int64], lights: Lights, times: int) -> Floats:
+    light = irradiance(job.tracer, lights, job.bounce, points, cell, times=times)
+    return np.concatenate([light.sky, light.sun], 1)
+
+
+def _shaded(job: _Job, points: Surfels, light: Floats, x: Floats, y: Floats) -> Floats:
+    behind = job.settings.background[y.astype(np.int32), x.astype(np.int32)]
+    linear = job.shader.colours(points, Irradiance(light[:, :3], light[:, 3:]), behind, job.spread)
+    return tone_mapped(linear, job.settings.exposure)
+
+
+def _soften_edges(job: _Job, points: Surfels, light: Floats, colour: Floats) -> None:
     """Cast the pixels on edges again and average."""
     edge = np.flatnonzero(_edges(job, points))
-    x, y = (edge % job.size).astype(np.float32), (edge // job.size).astype(np.float32)
-    grid = _full_grid(job, points, light)
-    _ = grid.table
-    total = colour[edge]
-    for across, down in _spread_over_pixel(job.settings.edge_rays):
-        fine = see(job.tracer, job.camera, x + across, y + down, job.size)
-        found = _sub_light(job, grid, fine, x + across - np.float32(0.5), y + down - np.float32(0.5))
-        total += _shaded(job, fine, found, x, y)
-    colour[edge] = total / np.float32(job.settings.edge_rays + 1)
+    rows = Rows(light, points.position, points.normal, *_seen_and_spacing(job, points), job.size)
+
+    def soften(at: int) -> None:
+        mine = edge[at : at + _CHUNK]
+        x, y = (mine % job.size).astype(np.float32), (mine // job.size).astype(np.float32)
+        total = colour[mine]
+        for across, down in _spread_over_pixel(job.settings.edge_rays):
+            fine = see_part(job.tracer, job.camera, x + across, y + down, job.size)
+            at_x, at_y = x + across - np.float32(0.5), y + down - np.float32(0.5)
+            total += _shaded(job, fine, _found_light(job, rows, fine, at_x, at_y, least=1e-3, times=1), x, y)
+        colour[mine] = total / np.float32(job.settings.edge_rays + 1)
+
+    in_parallel(soften, range(0, len(edge), _CHUNK))
+
+
+def _seen_and_spacing(job: _Job, points: Surfels) -> tuple[Floats, Floats]:
+    """Whether a pixel shows anything, 1 or 0, and how wide it is there [m]."""
+    seen = (points.patch >= 0).astype(np.float32)
+    return seen, np.float32(job.pixel) + np.float32(job.spread) * (points.distance * seen)
 
 
 def _spread_over_pixel(count: int) -> Floats:
@@ -168,39 +182,6 @@ def _spread_over_pixel(count: int) -> Floats:
     i = np.arange(count)
     places = np.stack([(i + 0.5) / count, (i * max(round(count * 0.42), 1) % count + 0.5) / count], 1)
     return (np.float32(1.5) * (places - 0.5) + 0.5).astype(np.float32)
-
-
-def _full_grid(job: _Job, points: Surfels, light: Irradiance) -> Grid:
-    size = job.size
-    seen = (points.patch >= 0).astype(np.float32)
-    width = np.float32(job.pixel) + np.float32(job.spread) * np.where(seen > 0, points.distance, np.float32(0))
-
-    def plane(values: Floats) -> Floats:
-        return values.T.reshape(-1, size, size)
-
-    return Grid(
-        plane(np.concatenate([light.sky, light.sun], 1)),
-        plane(points.position),
-        plane(points.normal),
-        seen.reshape(size, size),
-        width.reshape(size, size),
-    )
-
-
-def _sub_light(job: _Job, grid: Grid, points: Surfels, x: Floats, y: Floats) -> Irradiance:
-    def part(at: int) -> tuple[Floats, NDArray[np.bool_]]:
-        here = slice(at, at + _CHUNK)
-        return sampled(grid, x[here], y[here], points.position[here], points.normal[here], least=1e-3)
-
-    light, found = _joined(in_parallel(part, range(0, len(x), _CHUNK)))
-    lost = np.flatnonzero(~found & (points.patch >= 0))
-    light[lost] = _cast_light(job, points[lost], lost % CELLS)
-    return Irradiance(light[:, :3], light[:, 3:])
-
-
-def _joined(parts: list[tuple[Floats, NDArray[np.bool_]]]) -> tuple[Floats, NDArray[np.bool_]]:
-    light = np.concatenate([np.zeros((0, 6), np.float32), *(part[0] for part in parts)])
-    return light, np.concatenate([np.zeros(0, bool), *(part[1] for part in parts)])
 
 
 def _edges(job: _Job, points: Surfels) -> NDArray[np.bool_]:

@@ -1,7 +1,6 @@
 """Smoothing noisy light without carrying it over edges, and bringing it from a coarse grid to single points."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,11 +28,29 @@ class Grid:
     seen: Floats
     spacing: Floats
 
-    @cached_property
-    def table(self) -> Floats:
-        """One row for each grid point: position, normal, seen, spacing, light."""
-        stack = np.concatenate([self.position, self.normal, self.seen[None], self.spacing[None], self.light])
-        return np.ascontiguousarray(stack.reshape(len(stack), -1).T)
+
+@dataclass(frozen=True)
+class Rows:
+    """The same with one row for each grid point, in reading order: light (n, channels), position and normal (n, 3),
+    seen and spacing (n,); `width` points make a line of the grid.
+    """
+
+    light: Floats
+    position: Floats
+    normal: Floats
+    seen: Floats
+    spacing: Floats
+    width: int
+
+
+def rows_of(grid: Grid) -> Rows:
+    """A grid by rows, for looking up single points."""
+
+    def rows(planes: Floats) -> Floats:
+        return np.ascontiguousarray(planes.reshape(len(planes), -1).T)
+
+    seen, spacing = grid.seen.ravel(), grid.spacing.ravel()
+    return Rows(rows(grid.light), rows(grid.position), rows(grid.normal), seen, spacing, grid.seen.shape[1])
 
 
 def smoothed(grid: Grid, *, radius: int, step: int = 1) -> Grid:
@@ -64,7 +81,12 @@ def _band(pads: Floats, top: int, bottom: int, radius: int, step: int) -> Floats
         for across in range(-radius, radius + 1):
             rows, columns = reach + down * step, reach + across * step
             other = pads[:, top + rows : bottom + rows, columns : columns + width]
-            weight = _alike(position, normal, tight, other) * _tap(down, radius) * _tap(across, radius)
+            weight = (
+                other[6]
+                * _alike(position, normal, tight, other[:3], other[3:6])
+                * _tap(down, radius)
+                * _tap(across, radius)
+            )
             weights += weight
             total += other[8:] * weight
     return total / weights
@@ -75,29 +97,28 @@ def _tap(offset: int, radius: int) -> np.float32:
     return np.float32(0.5 if abs(offset) == radius else 1.0)
 
 
-def _alike(position: Floats, normal: Floats, tight: Floats, other: Floats) -> Floats:
+def _alike(position: Floats, normal: Floats, tight: Floats, there: Floats, facing: Floats) -> Floats:
     """Whether other points lie on the same surface: in the plane, and facing the same way; 1 down to 0."""
     off = np.abs(
-        (other[0] - position[0]) * normal[0]
-        + (other[1] - position[1]) * normal[1]
-        + (other[2] - position[2]) * normal[2]
+        (there[0] - position[0]) * normal[0]
+        + (there[1] - position[1]) * normal[1]
+        + (there[2] - position[2]) * normal[2]
     )
-    facing = other[3] * normal[0] + other[4] * normal[1] + other[5] * normal[2]
+    cosine = facing[0] * normal[0] + facing[1] * normal[1] + facing[2] * normal[2]
     flat = np.maximum(1 - off * tight, 0)
-    turned = np.clip(facing * np.float32(5) - np.float32(4), 0, 1)
-    weight: Floats = flat * turned * other[6]
+    weight: Floats = flat * np.clip(cosine * np.float32(5) - np.float32(4), 0, 1)
     return weight
 
 
 def sampled(
-    grid: Grid, x: Floats, y: Floats, position: Floats, normal: Floats, *, least: float = 0.02
+    rows: Rows, x: Floats, y: Floats, position: Floats, normal: Floats, *, least: float = 0.02
 ) -> tuple[Floats, NDArray[np.bool_]]:
     """Light (n, channels) for points at grid coordinates, from the four nearest grid points of the same surface.
 
     A point none of whose neighbours is on its surface takes their plain mean.
 
     Args:
-        grid: the light to look up.
+        rows: the light to look up.
         x: column in the grid (n,).
         y: row in the grid (n,).
         position: the points (n, 3) [m].
@@ -107,20 +128,20 @@ def sampled(
     Returns:
         the light, and whether it comes from the point's own surface.
     """
-    height, width = grid.seen.shape
     x0, y0 = np.floor(x), np.floor(y)
     fx, fy = x - x0, y - y0
-    total = np.zeros((len(x), len(grid.light)), np.float32)
+    last = len(rows.seen) // rows.width - 1
+    total = np.zeros((len(x), rows.light.shape[1]), np.float32)
     weights = np.zeros(len(x), np.float32)
     for down in (0, 1):
+        line = np.clip(y0.astype(np.int32) + down, 0, last) * rows.width
         for across in (0, 1):
-            rows = np.clip(y0.astype(np.int32) + down, 0, height - 1)
-            columns = np.clip(x0.astype(np.int32) + across, 0, width - 1)
-            other = grid.table[rows * width + columns].T
+            index = line + np.clip(x0.astype(np.int32) + across, 0, rows.width - 1)
+            tight = np.reciprocal(np.float32(1.5) * rows.spacing[index] + np.float32(1e-4))
             share = (fx if across else 1 - fx) * (fy if down else 1 - fy) + np.float32(0.02)
-            weight = share * _alike(position.T, normal.T, 1 / (np.float32(1.5) * other[7] + np.float32(1e-4)), other)
-            weight += share * other[6] * np.float32(1e-4)
+            alike = _alike(position.T, normal.T, tight, rows.position[index].T, rows.normal[index].T)
+            weight = share * rows.seen[index] * (alike + np.float32(1e-4))
             weights += weight
-            total += (other[8:] * weight).T
+            total += rows.light[index] * weight[:, None]
     light = total / np.maximum(weights, np.float32(1e-9))[:, None]
     return np.asarray(light, np.float32), weights > least

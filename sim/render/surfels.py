@@ -1,6 +1,7 @@
 """What a picture's rays see: places, normals and patches, with glass in front of them."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,43 +41,32 @@ class Surfels:
 
     def __getitem__(self, pick: NDArray[np.int64] | NDArray[np.bool_] | slice) -> "Surfels":
         """Some of the points."""
-        return Surfels(
-            *(
-                None if value is None else value[pick]
-                for value in (
-                    self.patch,
-                    self.position,
-                    self.normal,
-                    self.facing,
-                    self.view,
-                    self.distance,
-                    self.front,
-                    self.clear,
-                    self.shine,
-                )
-            )  # type: ignore[arg-type]
-        )
+        return Surfels(**{name: values[pick] for name, values in _columns(self)})
 
 
 def see(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) -> Surfels:
     """What rays through pixel coordinates (n,) of a picture `size` wide meet, worked on by all cores."""
-    parts = in_parallel(
-        lambda at: _see(tracer, camera, x[at : at + BAND], y[at : at + BAND], size), range(0, len(x), BAND)
-    )
-    return join(parts)
+    whole = see_part(tracer, camera, x[:BAND], y[:BAND], size)
+    if len(x) <= BAND:
+        return whole
+    columns = {name: np.empty((len(x), *first.shape[1:]), first.dtype) for name, first in _columns(whole)}
+
+    def fill(at: int) -> None:
+        band = slice(at, at + BAND)
+        for name, values in _columns(see_part(tracer, camera, x[band], y[band], size)):
+            columns[name][band] = values
+
+    in_parallel(fill, range(0, len(x), BAND))
+    return Surfels(**columns)
 
 
-def join(parts: list[Surfels]) -> Surfels:
-    """Lists of points one after the other."""
-
-    def column(name: str) -> Floats | None:
-        values = [getattr(part, name) for part in parts]
-        return None if values[0] is None else np.concatenate(values)
-
-    return Surfels(*(column(name) for name in Surfels.__dataclass_fields__))  # type: ignore[arg-type]
+def _columns(points: Surfels) -> list[tuple[str, NDArray[Any]]]:
+    named = [(name, getattr(points, name)) for name in Surfels.__dataclass_fields__]
+    return [(name, values) for name, values in named if values is not None]
 
 
-def _see(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) -> Surfels:
+def see_part(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) -> Surfels:
+    """The same on one core."""
     origins, directions = camera.rays(x, y, size)
     hits = tracer.solid(origins, directions)
     missed = hits.face < 0
