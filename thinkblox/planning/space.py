@@ -58,7 +58,7 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     seated = any(r.kind == "around" and request.key in r.anchors for r in brief.relations)
     if name in ("pool_table", "table_tennis"):
         return 2.2, 2.2
-    if name == "school_desk":
+    if name == "school_desk" or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):
         return 0.6, 1.0
     if seated and habits.is_in(name, "meal_tables"):
         return 1.5, 1.5
