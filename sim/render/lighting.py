@@ -19,6 +19,11 @@ SKY_STEPS = 128
 _WARM = np.array([1.0, 0.72, 0.44], np.float32)
 LAMP_REACH = 2.2
 """Distance at which a lamp's glow ends [m]."""
+SMALLEST_LAMP = 0.03
+"""Mean extent from which on a glowing shape lights its surroundings [m]."""
+FULL_LAMP = 0.2
+"""Mean extent from which on it does so at full strength [m]."""
+MOST_LAMPS = 16
 
 
 @dataclass(frozen=True)
@@ -30,7 +35,7 @@ class Lights:
         sun_colour: its irradiance, linear RGB.
         spread: tangent of the sun's angular radius: how soft its shadows are.
         zenith, horizon, below: the sky's radiance overhead, at eye level and under the floor, linear RGB.
-        lamps: (n, 4) centres [m] and radii [m] of what glows.
+        lamps: (n, 5) centres [m], radii [m] and strengths of what glows.
         gather, sun_rays: rays a point sends to the sky and to the sun.
     """
 
@@ -85,13 +90,12 @@ def lights(
 
 
 def _lamps(tracer: Tracer) -> Floats:
+    """What is large enough to light a room, not the small lights of machines; the largest ones where there are many."""
     glowing = MATERIALS.index("light")
-    found = [
-        (*patch.origin, max(min(patch.size) / 2, 0.01))
-        for patch in tracer.triangles.patches
-        if patch.material == glowing
-    ]
-    return np.array(found, np.float32).reshape(-1, 4)
+    large = [(np.prod(p.size) ** (1 / 3), p) for p in tracer.triangles.patches if p.material == glowing]
+    large = sorted((pair for pair in large if pair[0] > SMALLEST_LAMP), key=lambda pair: -pair[0])[:MOST_LAMPS]
+    found = [(*patch.origin, min(patch.size) / 2, min(extent / FULL_LAMP, 1.0)) for extent, patch in large]
+    return np.array(found, np.float32).reshape(-1, 5)
 
 
 def bounce_table(tracer: Tracer, lights: Lights) -> Floats:
@@ -177,7 +181,7 @@ def _lamp_light(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats,
         fall = (1 - square[near] / np.float32(LAMP_REACH**2)) ** 2 / (square[near] + np.float32(0.06))
         reach = np.maximum(1 - (lamp[3] + np.float32(0.02)) / np.sqrt(square[near]), np.float32(0))
         open_way = ~tracer.blocked(origin[near], np.ascontiguousarray(way[near]), reach)
-        total[near] += (np.float32(0.15) * fall * cosine[near] * open_way)[:, None] * _WARM
+        total[near] += (np.float32(0.15) * lamp[4] * fall * cosine[near] * open_way)[:, None] * _WARM
     return total
 
 
