@@ -55,9 +55,9 @@ def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
         add_ground(soup, (width / 2, depth / 2), 12 * math.hypot(width, depth), -SLAB - 0.002)
 
 
-def accent_wall(room: Room) -> int:
-    """The wall for the accent colour: the longest one after its openings are taken off."""
-    free = [wall.length for wall in room.walls]
+def accent_wall(room: Room, standing: tuple[bool, ...]) -> int:
+    """The wall for the accent colour: of those at full height, the longest one after its openings are taken off."""
+    free = [wall.length if stands else 0.0 for wall, stands in zip(room.walls, standing, strict=True)]
     for opening in room.openings:
         free[opening.wall] -= 1.2 * opening.width
     return int(np.argmax(np.round(free, 6)))

@@ -126,7 +126,7 @@ def _worth(scene: Scene, placement: Placement, azimuth: float) -> float:
 
 def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:
     soup = Soup()
-    add_room(soup, scene.room, palette(scene.seed), Shell(view.standing, accent_wall(scene.room)))
+    add_room(soup, scene.room, palette(scene.seed), Shell(view.standing, accent_wall(scene.room, view.standing)))
     add_objects(soup, scene, poses, hidden=_hidden(scene, view.standing))
     return soup
 
