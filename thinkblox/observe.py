@@ -96,8 +96,8 @@ class Observation:
 
 
 def describe_tie(tie: Tie | Relation) -> str:
-    """A relation in words: "next to bed_1"."""
-    return " ".join([tie.kind.replace("_", " "), " and ".join(tie.anchors)]).strip()
+    """A relation as a term, "next_to(bed_1)": no phrase of the step language, for it says what is wanted, not where."""
+    return f"{tie.kind}({', '.join(tie.anchors)})" if tie.anchors else tie.kind
 
 
 def _json(value: object) -> str:

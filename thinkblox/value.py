@@ -41,6 +41,8 @@ def from_json(data: bytes | str, kind: type[V], *, where: str = "JSON") -> V:
     """
     try:
         return msgspec.json.decode(data, type=kind)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from error
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
         raise InputError(f"{where}: {error}") from error
 

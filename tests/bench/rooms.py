@@ -134,10 +134,8 @@ def report(rows: list[Row]) -> None:
             print(f"      {fault}")
     asked, placed = sum(r.asked for r in rows), sum(r.placed for r in rows)
     named, found = sum(r.relations for r in rows), sum(r.hold for r in rows)
-    listed = all(r.listed for r in rows)
-    print(
-        f"placed {placed} of {asked} asked for ({placed / max(1, asked):.1%}); each target placed or listed: {listed}"
-    )
+    print(f"placed {placed} of {asked} asked for ({placed / max(1, asked):.1%})")
+    print(f"every target placed or listed with a reason: {all(r.listed for r in rows)}")
     print(f"relations {found} of {named} ({found / max(1, named):.1%})")
     worst = [max(getattr(r, name) for r in rows) for name in ("depth", "drift", "tilt")]
     print("deepest contact {:.3f} mm; largest motion in 5 s {:.3f} mm, {:.3f} degrees".format(*worst))
@@ -145,7 +143,7 @@ def report(rows: list[Row]) -> None:
     seconds = sorted(r.seconds for r in rows)
     print(f"seconds a room: median {seconds[len(seconds) // 2]:.2f}, longest {seconds[-1]:.2f}")
     print(
-        f"python {platform.python_version()}, mujoco {version('mujoco')}, numpy {version('numpy')}, {platform.machine()}"
+        f"python {platform.python_version()}, mujoco {version('mujoco')}, {platform.machine()}, {os.cpu_count()} cores"
     )
 
 
