@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from thinkblox.consistency import residual
-from thinkblox.generate import generate_room
+from thinkblox.generate import Progress, generate_room
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort
@@ -118,13 +118,17 @@ def test_a_policy_that_speaks_nonsense_leaves_the_object_out_with_the_reason():
 
 def test_another_object_than_was_asked_for_is_rejected():
     result = generate_room(ONE_CHAIR, policy=Scripted(chair_at(1, 1, id="sofa_1")), effort=ONCE)
-    assert result.trace[0].tries[0].rejection.reason == "id"
+    rejection = result.trace[0].tries[0].rejection
+    assert rejection is not None
+    assert rejection.reason == "id"
 
 
 def test_a_size_the_asset_cannot_have_is_rejected():
     text = chair_at(1.5, 1.5).replace("SIZE", "[4, 4, 9]")
     result = generate_room(ONE_CHAIR, policy=Scripted(text), effort=ONCE)
-    assert result.trace[0].tries[0].rejection.reason == "size"
+    rejection = result.trace[0].tries[0].rejection
+    assert rejection is not None
+    assert rejection.reason == "size"
 
 
 def test_the_measured_failure_goes_back_to_the_policy():
@@ -146,7 +150,9 @@ def test_the_nearest_valid_pose_is_found_around_a_failed_try():
 
 def test_a_thing_in_the_air_is_measured_as_falling():
     result = generate_room(ONE_CHAIR, room=rectangle(4, 3), policy=Scripted(chair_at(2, 1.5, 0.5)), effort=ONCE)
-    assert "drop" in result.trace[0].tries[0].verdict.reasons
+    verdict = result.trace[0].tries[0].verdict
+    assert verdict is not None
+    assert "drop" in verdict.reasons
 
 
 def test_the_best_valid_candidate_is_committed_among_bad_ones():
@@ -171,7 +177,7 @@ def test_the_expert_answers_with_as_many_texts_as_asked(bedroom):
 
 
 def test_progress_is_told_for_every_object():
-    told = []
+    told: list[Progress] = []
     generate_room(ONE_CHAIR, on_object=told.append)
     assert [(p.target.id, p.placed, p.number, p.total) for p in told] == [("chair_1", True, 1, 1)]
 
