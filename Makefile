@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PROMPT ?= A calm bedroom, 4 m by 5 m, with a double bed against the long wall, two nightstands with a lamp on each, a wardrobe, and a small desk with a chair by the window.
 
-.PHONY: demo test lint types bench pictures constraints clean
+.PHONY: demo test slow lint types bench schemas constraints clean
 
 demo: $(VENV)/installed
 	$(BIN)/thinkblox generate "$(PROMPT)" --out out/demo --overwrite
@@ -26,6 +26,12 @@ types: $(VENV)/installed
 
 bench: $(VENV)/installed
 	$(BIN)/python -m tests.bench.rooms
+	$(BIN)/python -m tests.bench.startup
+
+# The published schemas in docs/schema; a test holds them against the code.
+schemas: $(VENV)/installed
+	mkdir -p docs/schema
+	for name in $$($(BIN)/thinkblox schema); do $(BIN)/thinkblox schema $$name > docs/schema/$$name.schema.json; done
 
 $(VENV)/installed: pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; call make with PYTHON=...")'

@@ -38,7 +38,7 @@ def generate(prompt: str, out: Path, *options: str, hash_seed: str = "0") -> Non
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.fixture(scope="module", params=PROMPTS.values(), ids=PROMPTS.keys())
+@pytest.fixture(scope="module", params=list(PROMPTS.values()), ids=list(PROMPTS))
 def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Written:
     folder = tmp_path_factory.mktemp("rooms") / "room"
     generate(request.param, folder)

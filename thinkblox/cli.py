@@ -44,6 +44,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_generate(commands)
     _add_verify(commands)
     _add_render(commands)
+    _add_schema(commands)
     return parser
 
 
@@ -82,6 +83,12 @@ def _add_render(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     parser.add_argument("--size", metavar="PX", type=_picture_size, default=1024, help="pixels along a side (1024)")
     parser.add_argument("--json", action="store_true", help="print the paths as JSON")
     parser.set_defaults(run=_render)
+
+
+def _add_schema(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser("schema", help="print the JSON Schema of a file")
+    parser.add_argument("name", metavar="NAME", nargs="?", help="scene, room, report, ...; all names when left out")
+    parser.set_defaults(run=_schema)
 
 
 def _whole(text: str, least: int, most: int) -> int:
@@ -159,6 +166,22 @@ def _render(arguments: argparse.Namespace) -> int:
         print(msgspec.json.encode([str(path) for path in paths]).decode())
     else:
         print("\n".join(f"written to {path}" for path in paths))
+    return 0
+
+
+def _schema(arguments: argparse.Namespace) -> int:
+    import json
+
+    from thinkblox.errors import InputError
+    from thinkblox.schemas import SCHEMAS
+    from thinkblox.value import json_schema
+
+    if arguments.name is None:
+        print("\n".join(SCHEMAS))
+        return 0
+    if arguments.name not in SCHEMAS:
+        raise InputError(f"no schema {arguments.name!r}; there are {', '.join(SCHEMAS)}")
+    print(json.dumps(json_schema(SCHEMAS[arguments.name]), indent=2))
     return 0
 
 
