@@ -15,7 +15,7 @@ PUBLISHED = Path(__file__).parent.parent / "docs" / "schema"
 @pytest.mark.parametrize("name", SCHEMAS)
 def test_what_is_published_is_what_the_code_reads(name):
     document = json.loads((PUBLISHED / f"{name}.schema.json").read_text())
-    assert document == json_schema(SCHEMAS[name]), "run make schemas"
+    assert document == json.loads(json.dumps(json_schema(SCHEMAS[name]))), "run make schemas"
     jsonschema.Draft202012Validator.check_schema(document)
 
 
