@@ -81,7 +81,7 @@ def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
     places = [a for a in tie.anchors if not a[-1].isdigit()]
     if places and not anchors:
         return _at_place(situation, tie, places[0])
-    if tie.kind in _WITHOUT_ANCHOR:
+    if not tie.anchors and tie.kind in _WITHOUT_ANCHOR:
         return _WITHOUT_ANCHOR[tie.kind](situation)
     if not anchors:
         return ()
