@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PROMPT ?= A calm bedroom, 4 m by 5 m, with a double bed against the long wall, two nightstands with a lamp on each, a wardrobe, and a small desk with a chair by the window.
 
-.PHONY: demo test slow lint types bench schemas constraints clean
+.PHONY: demo test slow lint types bench pictures schemas constraints clean
 
 demo: $(VENV)/installed
 	$(BIN)/thinkblox generate "$(PROMPT)" --out out/demo --overwrite
@@ -27,6 +27,10 @@ types: $(VENV)/installed
 bench: $(VENV)/installed
 	$(BIN)/python -m tests.bench.rooms
 	$(BIN)/python -m tests.bench.startup
+
+# Every picture of docs/pictures.
+pictures: $(VENV)/installed
+	$(BIN)/python -m tests.bench.gallery
 
 # The published schemas in docs/schema; a test holds them against the code.
 schemas: $(VENV)/installed

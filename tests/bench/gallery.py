@@ -1,0 +1,58 @@
+"""The pictures of docs/pictures, made anew.
+
+python -m tests.bench.gallery [--out DIR]
+"""
+
+import argparse
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+from PIL import Image
+
+from tests.bench.rooms import PROMPTS
+from thinkblox.assets import CATALOGUE, make_asset
+from thinkblox.generate import generate_room
+from thinkblox.sim.render import contact_sheet, render_preview, render_top
+
+SHOWN = (
+    "A living room, 5 m by 4.2 m, where a three-seat sofa faces a TV on a TV stand, with a coffee table on a rug "
+    "between them, two armchairs, a floor lamp, a tall plant, a bookcase full of books and a picture above the sofa."
+)
+ROOMS = (0, 3, 4, 7, 12, 13, 15, 16, 21)
+"""Lines of prompts.txt in the overview."""
+
+
+def room(prompt: str) -> Image.Image:
+    """A small preview of the room for a prompt."""
+    return render_preview(generate_room(prompt).scene, size=400)
+
+
+def overview() -> Image.Image:
+    """Nine rooms, three by three."""
+    prompts = PROMPTS.read_text().splitlines()
+    with ProcessPoolExecutor(2) as pool:
+        pictures = list(pool.map(room, [prompts[i] for i in ROOMS]))
+    sheet = Image.new("RGB", (1200, 1200))
+    for number, picture in enumerate(pictures):
+        sheet.paste(picture.convert("RGB"), (number % 3 * 400, number // 3 * 400))
+    return sheet
+
+
+def main() -> int:
+    """Draw every picture into the folder."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=Path("docs/pictures"))
+    out = parser.parse_args().out
+    out.mkdir(parents=True, exist_ok=True)
+    scene = generate_room(SHOWN).scene
+    render_preview(scene).save(out / "preview.png", optimize=True)
+    render_top(scene).save(out / "top.png", optimize=True)
+    overview().save(out / "rooms.png", optimize=True)
+    assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE)]
+    contact_sheet(assets, columns=14, size=110).save(out / "catalogue.png", optimize=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

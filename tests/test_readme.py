@@ -1,0 +1,71 @@
+"""What the README and the guide show is run as it stands."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+BLOCKS = [
+    pytest.param(block, id=f"{name}-{number}")
+    for name in ("README.md", "docs/guide.md")
+    for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
+]
+
+
+@pytest.mark.parametrize("block", BLOCKS)
+def test_python_blocks_run(block, tmp_path):
+    done = subprocess.run([sys.executable, "-c", block], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout
+
+
+def make(*arguments: str) -> subprocess.CompletedProcess[str]:
+    """Make in this environment, which is taken as set up."""
+    installed = f"{sys.prefix}/installed"
+    command = ["make", "-C", str(ROOT), "-o", installed, f"VENV={sys.prefix}", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_make_demo_writes_a_room_and_prints_the_report():
+    done = make("demo")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "all as asked" in done.stdout
+    names = {path.name for path in (ROOT / "out" / "demo").iterdir()}
+    assert names == {
+        "scene.json", "scene.xml", "scene.usda", "report.json", "trace.jsonl", "preview.png", "top.png",
+    }  # fmt: skip
+
+
+def test_make_test_lints_types_and_tests():
+    done = make("--dry-run", "test")
+    assert done.returncode == 0, done.stderr
+    assert all(tool in done.stdout for tool in ("ruff", "lint-imports", "mypy", "pytest"))
+
+
+def test_the_commands_of_the_readme_run(tmp_path):
+    shown = re.findall(r"^    thinkblox (\w+)(.*)$", (ROOT / "README.md").read_text(), re.MULTILINE)
+    assert [command for command, _ in shown] == ["generate", "verify", "render", "schema"]
+    values = {"PROMPT": "An empty room with nothing in it but a chair.", "DIR": str(tmp_path / "room")}
+    values |= {"SCENE": values["DIR"], "N": "2", "PX": "96", "NAME": "scene"}
+    for command, rest in shown:
+        words = re.sub(r"\[--(room|json|out|overwrite)[^]]*\]|#.*|[\[\]]", "", rest).split()
+        arguments = [values.get(word, word) for word in words]
+        done = subprocess.run(
+            [sys.executable, "-m", "thinkblox", command, *arguments], capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, (command, done.stderr)
+
+
+def test_links_point_at_files():
+    for name in ("README.md", "docs/guide.md", "docs/benchmarks.md"):
+        for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
+            assert (ROOT / name).parent.joinpath(link).exists(), (name, link)
+
+
+def test_the_tree_of_the_readme_names_what_exists():
+    tree = (ROOT / "README.md").read_text().split("## The tree")[1].split("##")[0]
+    for line in re.findall(r"^    (\S.*?)  ", tree, re.MULTILINE):
+        assert all((ROOT / word).exists() for word in line.split()), line
