@@ -6,9 +6,10 @@ import numpy as np
 
 from thinkblox.observe import Observation, describe_tie
 from thinkblox.phrases import phrase
-from thinkblox.policies.expert.idea import Idea, Situation, pose_words
+from thinkblox.policies.expert.idea import Idea, pose_words
 from thinkblox.policies.expert.imagine import ELSEWHERE, from_room, from_ties
 from thinkblox.policies.expert.judge import HOPELESS, placement_of, ranked
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.steps import write_step
 
 DISTINCT = 0.12

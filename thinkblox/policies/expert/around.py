@@ -8,7 +8,8 @@ import numpy as np
 
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
-from thinkblox.policies.expert.idea import Idea, Situation
+from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.rects import Rects, outside, overlap_depth
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import named_walls
 from thinkblox.room import Opening, Room, Wall
 from thinkblox.scene import Placement

@@ -6,7 +6,8 @@ from dataclasses import replace
 from thinkblox.asset import Mount
 from thinkblox.plan import Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
-from thinkblox.policies.expert.idea import SEATS, Idea, Situation
+from thinkblox.policies.expert.idea import SEATS, Idea
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 
 STAND_FREE = frozenset(

@@ -12,9 +12,12 @@ import numpy as np
 from thinkblox.assets import CATALOGUE
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.hung import AT_WINDOWS
-from thinkblox.policies.expert.idea import SEATS, Idea, Situation
+from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.needs import need, uses
+from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.walls import run_of
-from thinkblox.policies.expert.zones import beside, need, promised
+from thinkblox.policies.expert.ways import imbalance, in_the_way, moment
+from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
 from thinkblox.relations import measure
 from thinkblox.scene import Placement
@@ -23,12 +26,12 @@ from thinkblox.value import Vec3
 HOPELESS = 50.0
 TOUCH = 0.001
 """Overlap that is only contact [m]."""
-NARROW = (0.04, 0.3)
-"""A gap between two pieces of furniture that is neither closed nor usable [m]."""
 MOVABLE = 15.0
 """What is lighter than this is moved aside when the floor is needed [kg]."""
 WIDE = 0.45
 """What is narrower than this does not darken a window [m]."""
+MOOD = 0.25
+"""How much a seed may prefer one part of the room to another."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
 
 
@@ -40,13 +43,27 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
     costs = np.array([idea.cost for idea in ideas])
     costs += _impossible(situation, ideas, rects)
     if situation.asset.mount == "floor" and situation.asset.collides:
-        costs += _cramped(situation, ideas, rects) + _followers(situation, rects)
-    costs += 0.12 * rng.standard_normal(len(ideas))
+        costs += ground_costs(situation, rects) + follower_costs(situation, rects)
+        if is_large(situation.size):
+            costs += imbalance(situation, moment(situation.room, rects))
+    costs += _mood(situation, rects, rng)
     order = np.argsort(costs, kind="stable")
     finalists = [int(i) for i in order[:40]]
     for i in finalists:
         costs[i] += _unmet(situation, ideas[i])
     return [(float(costs[i]), ideas[i]) for i in sorted(finalists, key=lambda i: costs[i])]
+
+
+def _mood(situation: Situation, rects: Rects, rng: np.random.Generator) -> Array:
+    """A preference for some parts of the room and for some directions, other with every seed.
+
+    It varies slowly over the room: ideas that differ in detail keep their order, so that what is even stays even.
+    """
+    reach = max(situation.room.extent)
+    waves = rng.standard_normal((3, 2)) * 2.0 / reach
+    field = np.sin(rects.centre @ waves.T + rng.uniform(0.0, 2 * np.pi, 3)).mean(-1)
+    turned = np.cos(rects.yaw - rng.uniform(0.0, 2 * np.pi))
+    return np.asarray(MOOD * (field + 0.5 * turned) + 0.002 * rng.standard_normal(len(rects)))
 
 
 def placement_of(situation: Situation, idea: Idea) -> Placement:
@@ -122,24 +139,26 @@ def _darkens(situation: Situation, rects: Rects) -> Array:
     return np.where(covered.any(-1), heavy, 0.0)
 
 
-def _cramped(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Array:
-    """No room to use it, in the room others need, or a gap that is neither closed nor usable."""
-    costs = np.zeros(len(rects))
-    if situation.asset.clearance > 0.0 and situation.target.category not in SEATS:
-        costs += _zone_cost(situation, beside(rects, "front", situation.asset.clearance), weight=5.0)
-    in_use = _except_ignored(overlap_depth(rects, situation.clearances), ideas, situation.used)
-    costs += (1.0 if situation.asset.mass < MOVABLE else 5.0) * in_use.sum(-1)
+def ground_costs(situation: Situation, rects: Rects) -> Array:
+    """What the floor says against each box: no room to use it, in the room others need, or in the way."""
+    costs = used_costs(situation, rects)
+    weight = 1.0 if situation.asset.mass < MOVABLE else 5.0
+    costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
-    costs += 4.0 * overlap_depth(rects, promised(situation)).sum(-1)
-    low = [i for i, p in enumerate(situation.solid) if p.position[2] < 0.3]
-    if low:
-        gaps = separation(rects, situation.solids.take(low))
-        awkward = (gaps > NARROW[0]) & (gaps < NARROW[1])
-        costs += 0.12 * awkward.sum(-1)
-    doors = situation.door_zones
-    if len(doors):
-        near = separation(rects, doors)
-        costs += (0.8 if max(situation.size[:2]) > 0.5 else 0.0) * np.maximum(0.0, 0.35 - near).max(-1)
+    costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
+    costs += in_the_way(situation, rects)
+    if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
+        near = separation(rects, situation.door_zones)
+        costs += 0.8 * np.maximum(0.0, 0.35 - near).max(-1)
+    return costs
+
+
+def used_costs(situation: Situation, rects: Rects) -> Array:
+    """How much of the floor is missing that the object needs to be used."""
+    asset, costs = situation.asset, np.zeros(len(rects))
+    for use in uses(situation.target.category, situation.size, asset.front, asset.clearance):
+        missing = [_zone_cost(situation, beside(rects, side, use.depth), weight=5.0) for side in use.sides]
+        costs += fewest(missing, use.number)
     return costs
 
 
@@ -151,7 +170,7 @@ def _zone_cost(situation: Situation, zone: Rects, *, weight: float) -> Array:
     return np.asarray(weight * (blocked + outside(zone, situation.room.polygon) * reach))
 
 
-def _followers(situation: Situation, rects: Rects) -> Array:
+def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
     costs = _room_for_run(situation, rects)
     done: set[tuple[str, str]] = set()
@@ -175,7 +194,7 @@ def _room_for_run(situation: Situation, rects: Rects) -> Array:
 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
-    wanted = need(follower, tie)
+    wanted = need(follower, tie, of=situation.target.category)
     if wanted is None:
         hung_above = tie.kind == "above" and CATALOGUE[follower.category].mount == "wall"
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
@@ -183,7 +202,7 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
         _zone_cost(situation, beside(rects, side, wanted.depth, width=wanted.width), weight=wanted.weight)
         for side in wanted.sides
     ]
-    return np.asarray(np.sort(missing, axis=0)[: wanted.number].sum(axis=0))
+    return fewest(missing, wanted.number)
 
 
 def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
 from thinkblox.places import WORKED_AT
-from thinkblox.policies.expert.idea import SEATS, Idea, Situation, turned
+from thinkblox.policies.expert.idea import SEATS, Idea, turned
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 

@@ -10,8 +10,8 @@ import numpy as np
 from thinkblox.phrases import Constraint
 from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
-from thinkblox.policies.expert.idea import Idea, Situation, turned
-from thinkblox.policies.expert.zones import promised
+from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.rects import Rects, outside, overlap_depth
 from thinkblox.value import Vec2
 
@@ -78,7 +78,7 @@ def _fit(situation: Situation, blocks: list[_Block]) -> list[float]:
     bad += overlap_depth(rects, situation.door_zones).sum(-1) * 20.0
     bad += overlap_depth(rects, situation.clearances).sum(-1) * 4.0
     bad += overlap_depth(rects, situation.reserved).sum(-1) * 4.0
-    bad += overlap_depth(rects, promised(situation)).sum(-1) * 4.0
+    bad += overlap_depth(rects, situation.promised).sum(-1) * 4.0
     starts = np.cumsum([0, *(len(block.slots) for block in blocks)])
     sums = [float(bad[a:b].sum()) for a, b in pairwise(starts)]
     return [b.cost + s + 10.0 * _strays(situation, b) for b, s in zip(blocks, sums, strict=True)]

@@ -7,7 +7,8 @@ from dataclasses import replace
 from thinkblox.asset import Surface
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
-from thinkblox.policies.expert.idea import Idea, Situation, turned
+from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2, Vec3
 

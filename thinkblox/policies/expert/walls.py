@@ -6,7 +6,8 @@ from dataclasses import replace
 
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
-from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, Situation, turned
+from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, turned
+from thinkblox.policies.expert.situation import Situation
 from thinkblox.room import Room, Wall
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2, Vec3

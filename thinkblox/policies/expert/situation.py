@@ -1,0 +1,184 @@
+"""The situation in which ideas are had: what stands, what is to come, and the floor that is spoken for."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from thinkblox.asset import Asset
+from thinkblox.assets import CATALOGUE
+from thinkblox.observe import Observation
+from thinkblox.plan import Target
+from thinkblox.policies.expert.needs import Need, need, uses
+from thinkblox.policies.expert.zones import beside, joined
+from thinkblox.rects import Rects, outside, overlap_depth
+from thinkblox.room import Opening, Room
+from thinkblox.scene import Placement, Scene
+from thinkblox.value import Vec2, Vec3
+
+WINDOW_DEPTH = 0.3
+"""How far into the room a window is kept free of tall furniture [m]."""
+
+
+@dataclass(frozen=True)
+class Situation:
+    """An observation with what the ideas need worked out once."""
+
+    observation: Observation
+
+    @property
+    def scene(self) -> Scene:
+        """The layout so far."""
+        return self.observation.scene
+
+    @property
+    def room(self) -> Room:
+        """The room."""
+        return self.observation.scene.room
+
+    @property
+    def asset(self) -> Asset:
+        """What is to be placed."""
+        return self.observation.asset
+
+    @property
+    def target(self) -> Target:
+        """The plan's entry for it."""
+        return self.observation.target
+
+    @property
+    def size(self) -> Vec3:
+        """Its size [m]."""
+        return self.asset.size
+
+    @cached_property
+    def solid(self) -> tuple[Placement, ...]:
+        """What it could bump into: everything but rugs."""
+        return tuple(p for p in self.scene.placements if self.scene.asset_of(p).collides)
+
+    @cached_property
+    def solids(self) -> Rects:
+        """The bounding boxes of `solid`."""
+        return Rects.of_placements(self.solid)
+
+    @cached_property
+    def siblings(self) -> tuple[Placement, ...]:
+        """Placed members of its own request."""
+        ids = {t.id for t in self.observation.plan.targets if t.request == self.target.request}
+        return tuple(p for p in self.scene.placements if p.id in ids)
+
+    @cached_property
+    def door_zones(self) -> Rects:
+        """The floor that each door swings over, and must stay free."""
+        return Rects.of(
+            [
+                zone_before(self.room, opening, depth=opening.width, bottom=0.0, top=opening.height)
+                for opening in self.room.openings
+                if opening.kind == "door"
+            ]
+        )
+
+    @cached_property
+    def window_zones(self) -> Rects:
+        """The space right before each window."""
+        return Rects.of(
+            [
+                zone_before(self.room, o, depth=WINDOW_DEPTH, bottom=o.sill, top=o.sill + o.height)
+                for o in self.room.openings
+                if o.kind == "window"
+            ]
+        )
+
+    @cached_property
+    def large(self) -> tuple[Placement, ...]:
+        """What one walks round: standing on the floor, and neither flat nor small."""
+        return tuple(p for p in self.solid if p.position[2] < 0.3 and is_large(p.size))
+
+    @cached_property
+    def relatives(self) -> frozenset[str]:
+        """What the plan puts close to the target: its anchors, and whatever shares one of them."""
+        anchors = _objects(self.target)
+        shared = (t.id for t in self.observation.plan.targets if anchors & _objects(t))
+        return frozenset(anchors).union(shared)
+
+    @cached_property
+    def clearances(self) -> Rects:
+        """The floor that people need who use what stands here, for doors, drawers and themselves."""
+        return joined([self._in_use(p) for p in self.solid if p.position[2] < 0.5 and p.id not in self.relatives])
+
+    def _in_use(self, placement: Placement) -> Rects:
+        asset, rect = self.scene.asset_of(placement), Rects.of_placements((placement,))
+        zones: list[Rects] = []
+        for use in uses(placement.category, placement.size, asset.front, asset.clearance):
+            sides = [beside(rect, side, use.depth) for side in use.sides]
+            taken = [float(overlap_depth(zone, self.solids).max(initial=0.0)) for zone in sides]
+            taken = [t + float(outside(z, self.room.polygon)[0]) for t, z in zip(taken, sides, strict=True)]
+            zones += [sides[i] for i in sorted(range(len(sides)), key=lambda i: taken[i])[: use.number]]
+        return joined(zones)
+
+    @cached_property
+    def promised(self) -> Rects:
+        """The floor by placed objects that is meant for what is still to come, other than the target."""
+        zones: list[Rects] = []
+        done: set[tuple[str, str]] = set()
+        for later in self.observation.plan.targets:
+            if later.id in self.scene or later.request == self.target.request:
+                continue
+            for tie in later.ties:
+                for anchor in self.placed(tie.anchors):
+                    if anchor.id not in _objects(self.target) and (later.request, anchor.id) not in done:
+                        done.add((later.request, anchor.id))
+                        zones += _sides_meant(anchor, need(later, tie, of=anchor.category))
+        return joined(zones)
+
+    @cached_property
+    def reserved(self) -> Rects:
+        """The middle of the room, when something later is asked to stand there."""
+        x, y = self.room.polygon.centroid.coords[0]
+        rows = []
+        for t in self.observation.plan.targets:
+            central = any(tie.kind == "in_centre" and tie.asked for tie in t.ties)
+            if central and t.id not in self.scene and t.request != self.target.request:
+                size = CATALOGUE[t.category].size
+                rows.append(((x, y), (max(size[:2]) + 0.9, max(size[:2]) + 0.9), 0.0, 0.0, 1.5))
+        return Rects.of(rows)
+
+    @cached_property
+    def followers(self) -> tuple[Target, ...]:
+        """Later targets that refer to this one, or to what will stand on it."""
+        ids = {self.target.id}
+        found = []
+        for target in self.observation.plan.targets:
+            if ids & {anchor for tie in target.ties for anchor in tie.anchors}:
+                found.append(target)
+                if target.ties and target.ties[0].kind == "on":
+                    ids.add(target.id)
+        return tuple(found)
+
+    def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
+        """Those of the ids that stand in the scene."""
+        return tuple(self.scene[id] for id in ids if id in self.scene)
+
+
+def is_large(size: Vec3) -> bool:
+    """Whether one has to walk round a thing of that size."""
+    return min(size[:2]) > 0.25 and max(size[:2]) > 0.45 and size[2] > 0.25
+
+
+def _objects(target: Target) -> set[str]:
+    """The objects that a target's ties name, without the places of the room."""
+    return set(target.depends_on)
+
+
+def _sides_meant(anchor: Placement, wanted: Need | None) -> list[Rects]:
+    if wanted is None or wanted.number < len(wanted.sides):
+        return []
+    rect = Rects.of_placements((anchor,))
+    return [beside(rect, side, wanted.depth, width=wanted.width) for side in wanted.sides]
+
+
+def zone_before(
+    room: Room, opening: Opening, *, depth: float, bottom: float, top: float
+) -> tuple[Vec2, Vec2, float, float, float]:
+    """The box before an opening, as a row of `Rects.of`."""
+    wall = room.walls[opening.wall]
+    centre = wall.point(opening.offset + opening.width / 2, depth / 2)
+    return (centre, (depth, opening.width), wall.yaw, bottom, top)

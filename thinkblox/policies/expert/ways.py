@@ -1,0 +1,106 @@
+"""Ways through the room and balance: gaps that are neither closed nor a way, and weight on one side of the room.
+
+After Merrell et al. 2011, "Interactive Furniture Layout Using Interior Design Guidelines", where these are the terms
+of circulation and of visual balance; 1 is a clear drawback.
+"""
+
+import numpy as np
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY
+from thinkblox.policies.expert.situation import Situation, is_large
+from thinkblox.rects import Array, Rects, separation
+from thinkblox.room import Room
+from thinkblox.scene import Placement
+
+CLOSED = 0.07
+"""A gap up to this is no gap: backs to walls, rows of cupboards [m]."""
+DEAD = 0.3
+"""A gap from CLOSED up to this is of no use at all [m]."""
+NARROW, SNUG = 0.8, 0.15
+"""Cost of a gap that nobody walks through, and of one that is merely not comfortable."""
+TOUCHING = 0.4
+"""Cost of standing close up to something that needs air, or of needing air oneself."""
+BESIDE_WALL = 0.35
+"""Share of a gap's cost where the other side is a wall and the thing stands against another one."""
+UNBALANCED = 0.9
+"""Cost per metre from the middle of the room to the middle of what stands in it, by floor area."""
+CASES = frozenset(
+    "wardrobe dresser bookcase shelving_unit cabinet filing_cabinet locker tool_cabinet server_rack sideboard credenza "
+    "china_cabinet tv_stand desk fridge vending_machine base_cabinet stove oven dishwasher washing_machine dryer "
+    "arcade_cabinet counter display_fridge shoe_rack toy_box reception_desk dressing_table safe nightstand "
+    "bedside_cabinet fireplace console_table workbench tiered_table water_dispenser".split()
+)
+"""What can stand side by side without a gap."""
+
+
+def gap_cost(gaps: Array) -> Array:
+    """What free distances cost that are too wide to be closed and too narrow to walk through [m]."""
+    narrow = NARROW * np.clip((SIDE_WAY - gaps) / (SIDE_WAY - DEAD), 0.0, 1.0)
+    snug = SNUG * np.clip((MAIN_WAY - gaps) / (MAIN_WAY - SIDE_WAY), 0.0, 1.0)
+    return np.where(gaps > CLOSED, narrow + snug, 0.0)
+
+
+def in_the_way(situation: Situation, rects: Rects, *, beside: frozenset[str] = frozenset()) -> Array:
+    """What the gaps to other large pieces and to the walls cost; `beside` names what they do not count for."""
+    if not is_large(situation.size) or situation.target.category in _MOVED:
+        return np.zeros(len(rects))
+    near = beside | situation.relatives
+    others = tuple(p for p in situation.large if p.id not in near)
+    gaps = separation(rects, Rects.of_placements(others))
+    costs = gap_cost(gaps) + _touching(situation, gaps, others)
+    return np.asarray(costs.sum(-1)) + _walls(situation.room, rects)
+
+
+_MOVED = frozenset("chair office_chair child_chair stool bar_stool bean_bag ottoman laundry_basket".split())
+"""What is drawn aside by whoever passes."""
+
+
+def _touching(situation: Situation, gaps: Array, others: tuple[Placement, ...]) -> Array:
+    case = situation.target.category in CASES
+    airy = np.array([not case or p.category not in CASES for p in others], dtype=bool)
+    return np.where((gaps <= CLOSED) & airy[None], TOUCHING, 0.0)
+
+
+def _walls(room: Room, rects: Rects) -> Array:
+    """Gaps to walls; for what stands against some wall, a gap at its end is no way and matters less."""
+    gaps = separation(rects, wall_rects(room))
+    share = np.where((gaps <= CLOSED).any(-1), BESIDE_WALL, 1.0)
+    return np.asarray(share * gap_cost(gaps).sum(-1))
+
+
+def wall_rects(room: Room) -> Rects:
+    """Each wall as a thin box just outside the room."""
+    thick = 0.02
+    return Rects.of(
+        [
+            (wall.point(wall.length / 2, -thick / 2), (thick, wall.length), wall.yaw, 0.0, room.height)
+            for wall in room.walls
+        ]
+    )
+
+
+def imbalance(situation: Situation, moments: Array) -> Array:
+    """How far from the middle of the room the furniture would weigh, given the moments (n, 2) of what is added.
+
+    A moment is the floor area of a thing times its offset from the middle of the room [m3].
+    """
+    planned = sum(_area(t.category) for t in situation.observation.plan.targets)
+    if planned <= 0.0:
+        return np.zeros(len(moments))
+    standing = sum(
+        (moment(situation.room, Rects.of_placements((p,)))[0] for p in situation.large), start=np.zeros(2, dtype=float)
+    )
+    return np.asarray(UNBALANCED * np.linalg.norm(moments + standing, axis=-1) / planned)
+
+
+def moment(room: Room, rects: Rects) -> Array:
+    """Floor area times offset from the middle of the room, (n, 2) [m3]."""
+    area = 4.0 * rects.half[:, 0] * rects.half[:, 1]
+    middle = np.array(room.polygon.centroid.coords[0])
+    return np.asarray(area[:, None] * (rects.centre - middle))
+
+
+def _area(category: str) -> float:
+    kind = CATALOGUE[category]
+    return kind.size[0] * kind.size[1] if kind.mount == "floor" and is_large(kind.size) else 0.0
