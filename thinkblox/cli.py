@@ -204,6 +204,8 @@ class _Progress:
         if self._quiet:
             return
         outcome = "placed" if progress.placed else "not placed"
+        if progress.number == 1 and progress.attempt > 0:
+            self._begin_anew(progress)
         if not sys.stderr.isatty():
             print(f"{progress.number}/{progress.total} {progress.target.id} {outcome}", file=sys.stderr)
             return
@@ -213,6 +215,12 @@ class _Progress:
             self._bar = tqdm(total=progress.total, unit="object", file=sys.stderr)
         self._bar.set_description_str(f"{progress.target.id} {outcome}")
         self._bar.update()
+
+    def _begin_anew(self, progress: "Progress") -> None:
+        if self._bar is None:
+            print(f"not all as asked; begun anew ({progress.attempt})", file=sys.stderr)
+        else:
+            self._bar.reset()
 
 
 def _summary(report: "Report", placed: int) -> str:

@@ -1,9 +1,10 @@
 """The loop: a prompt becomes a plan, and each target of the plan a measured placement."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import structs
 
 from thinkblox.placing import Effort, Placing
 from thinkblox.plan import Plan, Target
@@ -22,7 +23,7 @@ from thinkblox.verdict import Absence, Report
 
 @dataclass(frozen=True)
 class Generation:
-    """A finished room with its plan, its report and every step that led to it."""
+    """A finished room with its plan, its report and every step that led to it, those of given-up attempts included."""
 
     scene: Scene
     plan: Plan
@@ -88,15 +89,16 @@ def furnish(
     on_object: Callable[[Progress], None],
 ) -> Generation:
     """Place the targets of a plan into a scene, one at a time; begin anew where that does not end well."""
-    best: Generation | None = None
+    made: list[Generation] = []
     for attempt in range(1 + effort.restarts):
-        made = _attempt(plan, scene, attempt, policy=policy, effort=effort, tolerances=tolerances, on_object=on_object)
-        if best is None or _faults(made.report) < _faults(best.report):
-            best = made
-        if not any(_faults(best.report)):
+        made.append(
+            _attempt(plan, scene, attempt, policy=policy, effort=effort, tolerances=tolerances, on_object=on_object)
+        )
+        if not any(_faults(made[-1].report)):
             break
-    assert best is not None
-    return best
+    best = min(made, key=lambda generation: _faults(generation.report))
+    rounds = [structs.replace(r, kept=generation is best) for generation in made for r in generation.trace]
+    return replace(best, trace=tuple(rounds))
 
 
 def _faults(report: Report) -> tuple[int, ...]:
@@ -130,7 +132,7 @@ def _attempt(
             absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=placing.reason))
         else:
             world = world.with_placement(done.placement, done.asset)
-        trace += placing.rounds
+        trace += [structs.replace(r, attempt=attempt) for r in placing.rounds]
         on_object(Progress(target, done is not None, number, len(plan.targets), attempt))
     report = report_on(world.scene, plan, absent=absent, tolerances=tolerances)
     return Generation(world.scene, plan, report, tuple(trace))

@@ -141,7 +141,7 @@ class Placing:
     def _repair(self) -> Measured | None:
         """Search the nearest valid pose around the best failed try."""
         best = min(self.failed, key=_badness, default=None)
-        if best is None:
+        if best is None or self.effort.repairs == 0:
             return None
         start = time.perf_counter()
         tries: list[Try] = []

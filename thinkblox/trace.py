@@ -29,6 +29,8 @@ class Round(Value, frozen=True, kw_only=True):
             everything but a walkable way or a window free.
         chosen: index of the try that was committed; None when none was.
         propose_seconds, check_seconds: time spent in the policy and in the physics.
+        attempt: how often the room had been begun anew before.
+        kept: whether it belongs to the attempt that became the room.
     """
 
     id: str
@@ -38,3 +40,5 @@ class Round(Value, frozen=True, kw_only=True):
     chosen: int | None = None
     propose_seconds: float = 0.0
     check_seconds: float = 0.0
+    attempt: int = 0
+    kept: bool = True

@@ -144,5 +144,5 @@ class Report(Value, frozen=True, kw_only=True):
 
     @property
     def complete(self) -> bool:
-        """Everything asked for was placed and passed."""
-        return self.valid and not any(a.asked for a in self.absent)
+        """Everything asked for was placed and passed, and stands as it was asked to."""
+        return self.valid and not any(a.asked for a in self.absent) and all(r.holds for r in self.relations)
