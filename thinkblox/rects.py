@@ -88,10 +88,22 @@ def overlap_depth(a: Rects, b: Rects) -> Array:
 
 def outside(rects: Rects, room: shapely.Polygon) -> Array:
     """Share of each footprint that lies outside the room, (n,)."""
-    polygons = np.asarray(shapely.polygons(rects.corners), dtype=object)
     shapely.prepare(room)
     share = np.zeros(len(rects))
-    reaching = np.flatnonzero(~shapely.covers(room, polygons))
-    inside = shapely.area(shapely.intersection(polygons[reaching], room))
-    share[reaching] = np.maximum(0.0, 1.0 - inside / np.maximum(shapely.area(polygons[reaching]), 1e-9))
+    near = np.flatnonzero(_may_reach_out(rects, room))
+    polygons = np.asarray(shapely.polygons(rects.take(near).corners), dtype=object)
+    over = ~shapely.covers(room, polygons)
+    reaching = polygons[over]
+    inside = shapely.area(shapely.intersection(reaching, room))
+    share[near[over]] = np.maximum(0.0, 1.0 - inside / np.maximum(shapely.area(reaching), 1e-9))
     return share
+
+
+def _may_reach_out(rects: Rects, room: shapely.Polygon) -> NDArray[np.bool_]:
+    """Which boxes are not plainly inside: for a room that is a rectangle along the axes, this is the answer."""
+    corners = rects.corners.reshape(-1, 2)
+    if room.equals(shapely.box(*room.bounds)):
+        x0, y0, x1, y1 = room.bounds
+        inside = (corners >= (x0, y0)) & (corners <= (x1, y1))
+        return np.asarray(~inside.all(-1).reshape(-1, 4).all(-1))
+    return np.ones(len(rects), dtype=bool)

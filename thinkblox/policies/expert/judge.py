@@ -11,14 +11,15 @@ import numpy as np
 
 from thinkblox.assets import CATALOGUE
 from thinkblox.plan import Target, Tie
+from thinkblox.policies.expert.ground import ground_costs, zone_costs
 from thinkblox.policies.expert.hung import AT_WINDOWS
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.needs import need, uses
+from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.walls import run_of
-from thinkblox.policies.expert.ways import imbalance, in_the_way, moment
+from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.policies.expert.zones import beside, fewest
-from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
+from thinkblox.rects import Array, Rects, outside, overlap_depth
 from thinkblox.relations import measure
 from thinkblox.scene import Placement
 from thinkblox.value import Vec3
@@ -26,8 +27,6 @@ from thinkblox.value import Vec3
 HOPELESS = 50.0
 TOUCH = 0.001
 """Overlap that is only contact [m]."""
-MOVABLE = 15.0
-"""What is lighter than this is moved aside when the floor is needed [kg]."""
 WIDE = 0.45
 """What is narrower than this does not darken a window [m]."""
 MOOD = 0.25
@@ -139,37 +138,6 @@ def _darkens(situation: Situation, rects: Rects) -> Array:
     return np.where(covered.any(-1), heavy, 0.0)
 
 
-def ground_costs(situation: Situation, rects: Rects) -> Array:
-    """What the floor says against each box: no room to use it, in the room others need, or in the way."""
-    costs = used_costs(situation, rects)
-    weight = 1.0 if situation.asset.mass < MOVABLE else 5.0
-    costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
-    costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
-    costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
-    costs += in_the_way(situation, rects)
-    if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
-        near = separation(rects, situation.door_zones)
-        costs += 0.8 * np.maximum(0.0, 0.35 - near).max(-1)
-    return costs
-
-
-def used_costs(situation: Situation, rects: Rects) -> Array:
-    """How much of the floor is missing that the object needs to be used."""
-    asset, costs = situation.asset, np.zeros(len(rects))
-    for use in uses(situation.target.category, situation.size, asset.front, asset.clearance):
-        missing = [_zone_cost(situation, beside(rects, side, use.depth), weight=5.0) for side in use.sides]
-        costs += fewest(missing, use.number)
-    return costs
-
-
-def _zone_cost(situation: Situation, zone: Rects, *, weight: float) -> Array:
-    """How much of a zone is occupied or outside the room, times `weight` per metre of its depth."""
-    reach = 2 * np.minimum(zone.half[:, 0], zone.half[:, 1])
-    blocked = overlap_depth(zone, situation.solids).max(-1, initial=0.0)
-    blocked = np.maximum(blocked, overlap_depth(zone, situation.door_zones).max(-1, initial=0.0))
-    return np.asarray(weight * (blocked + outside(zone, situation.room.polygon) * reach))
-
-
 def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
     costs = _room_for_run(situation, rects)
@@ -190,7 +158,7 @@ def _room_for_run(situation: Situation, rects: Rects) -> Array:
     if len(later) < 2 or any(p.category in run for p in situation.solid):
         return np.zeros(len(rects))
     length = (len(later) - 1) * situation.size[1]
-    return np.minimum(*(_zone_cost(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
+    return np.minimum(*(zone_costs(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
@@ -199,7 +167,7 @@ def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) ->
         hung_above = tie.kind == "above" and CATALOGUE[follower.category].mount == "wall"
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
     missing = [
-        _zone_cost(situation, beside(rects, side, wanted.depth, width=wanted.width), weight=wanted.weight)
+        zone_costs(situation, beside(rects, side, wanted.depth, width=wanted.width), weight=wanted.weight)
         for side in wanted.sides
     ]
     return fewest(missing, wanted.number)

@@ -3,40 +3,64 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thinkblox.phrases import Constraint
-from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
+from thinkblox.policies.expert import row_layout
+from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.row_layout import Layout
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.rects import Rects, outside, overlap_depth
-from thinkblox.value import Vec2
+from thinkblox.policies.expert.ways import imbalance, moment
+from thinkblox.rects import Array, Rects, outside, overlap_depth
 
-BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5), "bookcase": (0.005,)}
-"""Free distance between neighbours in a row, the best first [m]."""
-AISLE = {"school_desk": (0.9, 0.75), "bookcase": (1.2, 1.05, 0.95), "shelving_unit": (1.2, 1.0), "chair": (0.9, 0.6)}
-"""Free distance from row to row, the best first [m]."""
-FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
-"""Free distance between two rows that look at each other [m]."""
-WITH_SEATS = (1.6, 1.4, 1.2)
-"""Free distance between tables that people sit around, each way [m]."""
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
+REACH = 0.45
+"""How far the middle of a block may be from that of the room, as a share of the room's extent."""
+STEPS = 7
+"""Places tried on each side of the room's middle."""
+FINALISTS = 120
+"""Blocks of which everything is measured."""
+SAME_PLACE = 0.03
+"""A member stands in a slot when it is nearer than this [m]."""
 
 
 @dataclass(frozen=True)
-class _Block:
-    """Rows of one kind: per slot its centre and yaw; cost of the layout as such."""
+class Blocks:
+    """Many ways to lay out all members of a request.
 
-    slots: tuple[tuple[Vec2, float], ...]
-    cost: float
+    Attributes:
+        centre: of each slot (blocks, slots, 2) [m].
+        yaw: of each slot (blocks, slots) [degrees].
+        cost: of each layout as such (blocks,).
+    """
+
+    centre: Array
+    yaw: Array
+    cost: Array
+
+    def __len__(self) -> int:
+        return len(self.cost)
+
+    def take(self, index: NDArray[np.intp]) -> "Blocks":
+        """Return some of them."""
+        return Blocks(self.centre[index], self.yaw[index], self.cost[index])
+
+    def rects(self, situation: Situation) -> Rects:
+        """Every slot of every block as a box, block by block."""
+        n, (depth, width, height) = self.yaw.size, situation.size
+        half = np.tile([depth / 2, width / 2], (n, 1))
+        return Rects(
+            self.centre.reshape(-1, 2), half, np.radians(self.yaw.reshape(-1)), np.zeros(n), np.full(n, height)
+        )
 
 
 def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[Idea]:
-    """Every block of rows that fits; from each, the next free slot.
+    """The best blocks that hold the members placed so far; from each, the next free slot.
 
     Args:
         situation: the decision.
@@ -44,119 +68,87 @@ def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
         facing: ids that the rows look at, when they look at something.
         mutual: two rows look at each other.
     """
-    blocks = list(_blocks(situation, tie, facing=facing, mutual=mutual))
-    costs = _fit(situation, blocks)
-    order = sorted(range(len(blocks)), key=lambda i: costs[i])[:12]
-    for i in order:
-        slot = _free_slot(situation, blocks[i])
-        if slot is None:
-            continue
-        (x, y), yaw = slot
-        words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
-        why = f"it is number {tie.index + 1} of {tie.count} in rows"
-        yield Idea((x, y, 0.0), yaw, words, why, costs[i])
+    layouts = list(row_layout.layouts(situation, tie, facing=facing, mutual=mutual))
+    blocks = _holding(situation, _everywhere(situation, layouts, facing))
+    if not len(blocks):
+        return
+    costs = _hard_costs(situation, blocks)
+    best = np.argsort(costs, kind="stable")[:FINALISTS]
+    blocks, costs = blocks.take(best), costs[best]
+    costs = costs + _soft_costs(situation, blocks)
+    for i in np.argsort(costs, kind="stable")[:12]:
+        slot = _free_slot(situation, blocks, int(i))
+        if slot is not None:
+            yield _idea(blocks, int(i), slot, tie, float(costs[i]))
 
 
-def _free_slot(situation: Situation, block: _Block) -> tuple[Vec2, float] | None:
+def _idea(blocks: Blocks, block: int, slot: int, tie: Tie, cost: float) -> Idea:
+    x, y = (float(value) for value in blocks.centre[block, slot])
+    yaw = float(blocks.yaw[block, slot])
+    words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+    return Idea((x, y, 0.0), yaw, words, f"it is number {tie.index + 1} of {tie.count} in rows", cost)
+
+
+def _everywhere(situation: Situation, layouts: list[Layout], facing: tuple[str, ...]) -> Blocks:
+    """Each layout at every place of a grid about the middle of the room."""
+    middle = np.array(situation.room.polygon.centroid.coords[0])
+    ex, ey = situation.room.extent
+    steps = np.linspace(-1.0, 1.0, 2 * STEPS + 1) * REACH
+    shifts = np.stack(np.meshgrid(steps * ex, steps * ey, indexing="ij"), -1).reshape(-1, 2)
+    off = np.abs(shifts).sum(-1) * 0.12
+    slots = np.array([layout.slots for layout in layouts])
+    centre = (slots[:, None] + (middle + shifts)[None, :, None]).reshape(-1, slots.shape[1], 2)
+    yaw = np.repeat(np.array([layout.yaws for layout in layouts]), len(shifts), axis=0)
+    cost = (np.array([layout.cost for layout in layouts])[:, None] + off[None]).reshape(-1)
+    return Blocks(centre, yaw, cost + _first_row_costs(situation, centre, facing))
+
+
+def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...]) -> Array:
+    """The first row keeps its distance from what it looks at, and its middle is straight before it."""
+    anchors = situation.placed(facing)
+    if not anchors:
+        return np.zeros(len(centre))
+    anchor, angle = anchors[0], math.radians(anchors[0].yaw)
+    offset = centre - np.array(anchor.position[:2])
+    ahead = offset @ np.array([math.cos(angle), math.sin(angle)])
+    aside = np.abs((offset @ np.array([-math.sin(angle), math.cos(angle)])).mean(-1))
+    free = ahead.min(-1) - anchor.size[0] / 2 - situation.size[0] / 2
+    return np.asarray(0.6 * np.abs(free - FIRST_ROW) + 0.3 * aside)
+
+
+def _holding(situation: Situation, blocks: Blocks) -> Blocks:
+    """Those in which every placed member has a slot."""
+    kept = np.ones(len(blocks), dtype=bool)
+    for p in situation.siblings:
+        near = np.abs(blocks.centre - np.array(p.position[:2])).max(-1) < SAME_PLACE
+        same = np.abs((blocks.yaw - p.yaw + 180.0) % 360.0 - 180.0) < 1.0
+        kept &= (near & same).any(-1)
+    return blocks.take(np.flatnonzero(kept))
+
+
+def _free_slot(situation: Situation, blocks: Blocks, block: int) -> int | None:
     taken = [p.position[:2] for p in situation.siblings]
-    for centre, yaw in block.slots:
-        if all(math.dist(centre, t) > 0.15 for t in taken):
-            return centre, yaw
+    for number, centre in enumerate(blocks.centre[block]):
+        if all(math.dist(centre, t) > 2 * SAME_PLACE for t in taken):
+            return number
     return None
 
 
-def _fit(situation: Situation, blocks: list[_Block]) -> list[float]:
-    """Cost of each block: how much of it is outside or occupied, and how far it is from the placed members."""
-    if not blocks:
-        return []
-    size, top = situation.size, situation.size[2]
-    rows = [(c, (size[0], size[1]), yaw, 0.0, top) for block in blocks for c, yaw in block.slots]
-    rects = Rects.of(rows)
+def _hard_costs(situation: Situation, blocks: Blocks) -> Array:
+    """The layouts' own costs, and how much of each block is outside, in something, or in a door's swing."""
+    rects = blocks.rects(situation)
     others = [i for i, p in enumerate(situation.solid) if p not in situation.siblings]
-    bad = outside(rects, situation.room.polygon) * 40.0
-    bad += overlap_depth(rects, situation.solids.take(others)).sum(-1) * 40.0
-    bad += overlap_depth(rects, situation.door_zones).sum(-1) * 20.0
-    bad += overlap_depth(rects, situation.clearances).sum(-1) * 4.0
-    bad += overlap_depth(rects, situation.reserved).sum(-1) * 4.0
-    bad += overlap_depth(rects, situation.promised).sum(-1) * 4.0
-    starts = np.cumsum([0, *(len(block.slots) for block in blocks)])
-    sums = [float(bad[a:b].sum()) for a, b in pairwise(starts)]
-    return [b.cost + s + 10.0 * _strays(situation, b) for b, s in zip(blocks, sums, strict=True)]
+    bad = 40.0 * (outside(rects, situation.room.polygon) > 0.0005)
+    bad += 40.0 * (overlap_depth(rects, situation.solids.take(others)).max(-1, initial=0.0) > 0.001)
+    bad += 20.0 * (overlap_depth(rects, situation.door_zones).max(-1, initial=0.0) > 0.001)
+    return np.asarray(blocks.cost + bad.reshape(len(blocks), -1).sum(-1))
 
 
-def _strays(situation: Situation, block: _Block) -> int:
-    """Placed members that have no slot in this block."""
-    return sum(all(math.dist(p.position[:2], centre) > 0.1 for centre, _ in block.slots) for p in situation.siblings)
-
-
-def _blocks(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[_Block]:
-    rows = tie.rows or max(1, round(math.sqrt(tie.count / 2)))
-    columns = -(-tie.count // rows)
-    for yaw in _directions(situation, facing):
-        for beside, aisle in _spacings(situation, mutual=mutual):
-            yield from _shifted(situation, rows, columns, yaw, beside, aisle, tie.count, facing, mutual=mutual)
-
-
-def _spacings(situation: Situation, *, mutual: bool) -> Iterator[tuple[float, float]]:
-    """Free distances to the neighbour in the row and to the next row."""
-    category = situation.target.category
-    if any(tie.kind == "around" for follower in situation.followers for tie in follower.ties):
-        yield from ((gap, gap) for gap in WITH_SEATS)
-        return
-    for beside in BESIDE.get(category, (0.08, 0.03)):
-        for aisle in FACE_TO_FACE if mutual else AISLE.get(category, (1.0, 0.8)):
-            yield beside, aisle
-
-
-def _directions(situation: Situation, facing: tuple[str, ...]) -> tuple[float, ...]:
-    anchors = situation.placed(facing)
-    if not anchors:
-        return (0.0, 90.0, 180.0, 270.0)
-    away = situation.target.category in WORKED_AT
-    return ((anchors[0].yaw + (0.0 if away else 180.0)) % 360.0,)
-
-
-def _shifted(
-    situation: Situation,
-    rows: int,
-    columns: int,
-    yaw: float,
-    beside: float,
-    aisle: float,
-    count: int,
-    facing: tuple[str, ...],
-    *,
-    mutual: bool,
-) -> Iterator[_Block]:
-    depth, width = situation.size[0], situation.size[1]
-    angle = math.radians(yaw)
-    (ux, uy), (vx, vy) = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
-    away = bool(facing) and situation.target.category in WORKED_AT
-    local = []
-    for number in range(count):
-        row, column = divmod(number, columns)
-        u = ((rows - 1) / 2 - row) * (depth + aisle) * (-1 if away else 1)
-        v = ((columns - 1) / 2 - column) * (width + beside)
-        local.append((u, v, yaw + (180.0 if mutual and row % 2 == 0 else 0.0)))
-    cx, cy = situation.room.polygon.centroid.coords[0]
-    for du in _shifts(situation, 2.4):
-        for dv in _shifts(situation, 1.6):
-            centre = (cx + ux * du + vx * dv, cy + uy * du + vy * dv)
-            slots = tuple(
-                ((centre[0] + ux * u + vx * v, centre[1] + uy * u + vy * v), turn % 360.0) for u, v, turn in local
-            )
-            cost = 0.3 * (abs(du) + abs(dv)) + _first_row_cost(situation, slots[0][0], depth, facing)
-            yield _Block(slots, cost)
-
-
-def _shifts(situation: Situation, reach: float) -> tuple[float, ...]:
-    reach = min(reach, max(situation.room.extent) / 3)
-    return tuple(reach * k / 4 for k in (0, 1, -1, 2, -2, 3, -3, 4, -4))
-
-
-def _first_row_cost(situation: Situation, first: Vec2, depth: float, facing: tuple[str, ...]) -> float:
-    anchors = situation.placed(facing)
-    if not anchors:
-        return 0.0
-    ahead = anchors[0].to_local(first)[0] - anchors[0].size[0] / 2 - depth / 2
-    return 0.6 * abs(ahead - FIRST_ROW)
+def _soft_costs(situation: Situation, blocks: Blocks) -> Array:
+    """What the floor says against each member, on the average and at worst, and the balance of the room."""
+    rects, count = blocks.rects(situation), blocks.yaw.shape[1]
+    ground = ground_costs(situation, rects).reshape(len(blocks), count)
+    costs = 0.5 * ground.mean(-1) * math.sqrt(count) + 0.5 * ground.max(-1)
+    moments = moment(situation.room, rects).reshape(len(blocks), count, 2).sum(1)
+    placed = moment(situation.room, Rects.of_placements(situation.siblings)).sum(0)
+    return np.asarray(costs + imbalance(situation, moments - placed))

@@ -1,0 +1,43 @@
+"""What the floor says against a place: no room to use the thing, in the room that others need, or in the way."""
+
+import numpy as np
+
+from thinkblox.policies.expert.needs import uses
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.ways import in_the_way
+from thinkblox.policies.expert.zones import beside, fewest
+from thinkblox.rects import Array, Rects, outside, overlap_depth, separation
+
+MOVABLE = 15.0
+"""What is lighter than this is moved aside when the floor is needed [kg]."""
+
+
+def ground_costs(situation: Situation, rects: Rects) -> Array:
+    """What the floor says against each box: no room to use it, in the room others need, or in the way."""
+    costs = used_costs(situation, rects)
+    weight = 1.0 if situation.asset.mass < MOVABLE else 5.0
+    costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
+    costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
+    costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
+    costs += in_the_way(situation, rects)
+    if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
+        near = separation(rects, situation.door_zones)
+        costs += 0.8 * np.maximum(0.0, 0.35 - near).max(-1)
+    return costs
+
+
+def used_costs(situation: Situation, rects: Rects) -> Array:
+    """How much of the floor is missing that the object needs to be used."""
+    asset, costs = situation.asset, np.zeros(len(rects))
+    for use in uses(situation.target.category, situation.size, asset.front, asset.clearance):
+        missing = [zone_costs(situation, beside(rects, side, use.depth), weight=5.0) for side in use.sides]
+        costs += fewest(missing, use.number)
+    return costs
+
+
+def zone_costs(situation: Situation, zone: Rects, *, weight: float) -> Array:
+    """How much of a zone is occupied or outside the room, times `weight` per metre of its depth."""
+    reach = 2 * np.minimum(zone.half[:, 0], zone.half[:, 1])
+    blocked = overlap_depth(zone, situation.solids).max(-1, initial=0.0)
+    blocked = np.maximum(blocked, overlap_depth(zone, situation.door_zones).max(-1, initial=0.0))
+    return np.asarray(weight * (blocked + outside(zone, situation.room.polygon) * reach))

@@ -1,0 +1,111 @@
+"""How rows can be laid out, wherever they are: directions, distances, and which way each member is turned."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from thinkblox.places import WORKED_AT
+from thinkblox.plan import Tie
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.value import Vec2
+
+BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5), "bookcase": (0.005,), "locker": (0.005,)}
+"""Free distance between neighbours in a row, the best first [m]."""
+USUAL_BESIDE = (0.08, 0.03)
+AISLE = {
+    "school_desk": (0.9, 0.75),
+    "desk": (1.2, 1.0),
+    "bookcase": (1.2, 1.05, 0.95),
+    "shelving_unit": (1.2, 1.0),
+    "server_rack": (1.2, 1.0),
+    "locker": (1.5, 1.2),
+    "chair": (0.9, 0.6),
+}
+"""Free distance from row to row, the best first [m]."""
+USUAL_AISLE = (1.0, 0.8)
+FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
+"""Free distance between two rows that look at each other [m]."""
+WITH_SEATS = (1.6, 1.4, 1.2)
+"""Free distance between tables that people sit around, each way [m]."""
+WIDEST_AISLE, WIDEST_WITH_SEATS = 3.6, 2.4
+"""How far rows are drawn apart to use a large floor [m]."""
+FROM_AISLES = frozenset(("bookcase", "shelving_unit", "server_rack", "locker", "clothes_rack"))
+"""What is used from the aisle between its rows, so that two rows may open towards each other."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """One block of rows about its own middle: per slot the centre [m] and the yaw [degrees]."""
+
+    slots: tuple[Vec2, ...]
+    yaws: tuple[float, ...]
+    cost: float
+
+
+@dataclass(frozen=True)
+class _Spacing:
+    beside: float
+    aisle: float
+    cost: float
+
+
+def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[Layout]:
+    """Every way to lay out the members of a request in rows."""
+    rows = tie.rows or max(1, round(math.sqrt(tie.count / 2)))
+    columns = -(-tie.count // rows)
+    for yaw in _directions(situation, facing, mutual=mutual):
+        for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
+            yield _layout(situation, tie.count, columns, yaw, spacing, inward=mutual, away=bool(facing))
+            if rows == 2 and not facing and situation.target.category in FROM_AISLES:
+                yield _layout(situation, tie.count, columns, yaw, spacing, inward=True, away=False)
+
+
+def _directions(situation: Situation, facing: tuple[str, ...], *, mutual: bool) -> tuple[float, ...]:
+    anchors = situation.placed(facing)
+    if anchors:
+        away = situation.target.category in WORKED_AT
+        return ((anchors[0].yaw + (0.0 if away else 180.0)) % 360.0,)
+    return (0.0, 90.0) if mutual or situation.asset.front != "one" else (0.0, 90.0, 180.0, 270.0)
+
+
+def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutual: bool) -> Iterator[_Spacing]:
+    """Free distances to the neighbour in the row and to the next row."""
+    category = situation.target.category
+    extent = situation.room.extent if yaw % 180.0 == 0.0 else situation.room.extent[::-1]
+    even_aisle = _even(extent[0], rows, situation.size[0])
+    if any(tie.kind == "around" for follower in situation.followers for tie in follower.ties):
+        even = _even(extent[1], columns, situation.size[1])
+        ways = [tuple(min(max(gap, WITH_SEATS[-1]), WIDEST_WITH_SEATS) for gap in (even, even_aisle))]
+        ways += [(gap, gap) for gap in WITH_SEATS]
+        yield from (_Spacing(beside, aisle, 0.15 * rank) for rank, (beside, aisle) in enumerate(ways))
+        return
+    aisles = FACE_TO_FACE if mutual else AISLE.get(category, USUAL_AISLE)
+    costs = {aisle: 0.1 * rank for rank, aisle in enumerate(aisles if rows > 1 else aisles[:1])}
+    if category in FROM_AISLES and rows > 1 and even_aisle > aisles[0]:
+        costs |= {round(aisles[0] + (min(even_aisle, WIDEST_AISLE) - aisles[0]) * k / 3, 2): 0.1 * k for k in (1, 2, 3)}
+    for order, beside in enumerate(BESIDE.get(category, USUAL_BESIDE)):
+        yield from (_Spacing(beside, aisle, cost + 0.1 * order) for aisle, cost in costs.items())
+
+
+def _even(length: float, count: int, size: float) -> float:
+    """The gap that spreads `count` things over a length, with half a gap at its ends [m]."""
+    return (length - count * size) / count
+
+
+def _layout(
+    situation: Situation, count: int, columns: int, yaw: float, spacing: _Spacing, *, inward: bool, away: bool
+) -> Layout:
+    """Rows one behind the other, the first ahead; `inward`: every other row is turned to the one before it."""
+    depth, width = situation.size[0], situation.size[1]
+    rows = -(-count // columns)
+    front_first = -1.0 if away and situation.target.category in WORKED_AT else 1.0
+    angle = math.radians(yaw)
+    (ux, uy), (vx, vy) = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    slots, yaws = [], []
+    for number in range(count):
+        row, column = divmod(number, columns)
+        u = ((rows - 1) / 2 - row) * (depth + spacing.aisle) * front_first
+        v = ((columns - 1) / 2 - column) * (width + spacing.beside)
+        slots.append((ux * u + vx * v, uy * u + vy * v))
+        yaws.append((yaw + (180.0 if inward and row % 2 == 0 else 0.0)) % 360.0)
+    return Layout(tuple(slots), tuple(yaws), spacing.cost)
