@@ -122,16 +122,17 @@ def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[f
     return [min(max(s, low), high) for s in sides] if high > low else []
 
 
-def above(situation: Situation, anchor: Placement, *, index: int = 0, count: int = 1) -> Iterator[Idea]:
-    """On the wall behind the anchor, centred over it, or hanging from the ceiling above it."""
+def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 0, count: int = 1) -> Iterator[Idea]:
+    """On the wall behind the anchors, centred over them all, or hanging from the ceiling above the first."""
+    anchor = anchors[0]
     if situation.asset.mount == "ceiling":
         yield from _pendant(situation, anchor, index=index, count=count)
         return
     gap = ABOVE.get(situation.target.category, 0.2)
-    top = max([anchor.top, *(p.top for p in situation.scene.resting_on(anchor.id) if p.size[1] > 0.6 * anchor.size[1])])
+    top = max(_top(situation, a) for a in anchors)
     eye = CENTRES.get(situation.target.category, 1.5) - situation.size[2] / 2
     for rank, wall in enumerate(_nearest_walls(situation, anchor)):
-        along, _ = wall.coordinates((anchor.position[0], anchor.position[1]))
+        along = sum(wall.coordinates((a.position[0], a.position[1]))[0] for a in anchors) / len(anchors)
         if count > 1:
             along += ((index + 0.5) / count - 0.5) * anchor.size[1]
         for step, lift in enumerate((gap, gap + 0.1, gap + 0.3, gap / 2, 0.05)):
@@ -143,6 +144,12 @@ def above(situation: Situation, anchor: Placement, *, index: int = 0, count: int
                 place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
                 cost = 1.5 * rank + 0.2 * step + 2.0 * abs(place - along)
                 yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost)
+
+
+def _top(situation: Situation, anchor: Placement) -> float:
+    """Height of a thing with what stands on it and is nearly as wide [m]."""
+    wide = [p.top for p in situation.scene.resting_on(anchor.id) if p.size[1] > 0.6 * anchor.size[1]]
+    return max(anchor.top, *wide) if wide else anchor.top
 
 
 def _nearest_walls(situation: Situation, anchor: Placement) -> list[Wall]:

@@ -4,9 +4,11 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from thinkblox.asset import Mount
-from thinkblox.plan import Tie
+from thinkblox.places import WORKED_AT
+from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
 from thinkblox.policies.expert.idea import SEATS, Idea
+from thinkblox.policies.expert.needs import BOARDS
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 
@@ -37,12 +39,11 @@ LIKES_CORNERS = frozenset(("plant", "floor_lamp", "waste_bin", "laundry_basket",
 
 
 def from_ties(situation: Situation) -> list[Idea]:
-    """Ideas from each tie of the target in its order."""
-    return [
-        _dearer(idea, 2.0 * rank)
-        for rank, tie in enumerate(situation.target.ties)
-        for idea in _from_tie(situation, tie)
-    ]
+    """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
+    ties = situation.target.ties
+    if ties and ties[0].kind == "facing" and not ties[0].anchors:
+        ties = ties[:1]
+    return [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
 
 
 def from_room(situation: Situation) -> list[Idea]:
@@ -93,7 +94,7 @@ def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
 
 def _rows(situation: Situation, tie: Tie) -> Iterator[Idea]:
     facing = [t for t in situation.target.ties if t.kind in ("facing", "opposite")]
-    siblings = {t.id for t in situation.observation.plan.targets if t.request == situation.target.request}
+    siblings = {t.id for t in _company(situation)}
     mutual = any(set(t.anchors) & siblings or not t.anchors for t in facing) and tie.rows == 2
     looked_at = tuple(a for t in facing for a in t.anchors if a not in siblings)
     return rows.in_rows(situation, tie, facing=looked_at, mutual=mutual)
@@ -167,15 +168,22 @@ def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
 
 
 def _above(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
-    return hung.above(situation, anchor, index=tie.index, count=tie.count)
+    return hung.above(situation, situation.placed(tie.anchors) or (anchor,), index=tie.index, count=tie.count)
 
 
 def _facing(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if situation.asset.mount == "wall":
         yield from hung.opposite(situation, anchor)
         return
+    if tie.count > 1 and anchor.id not in {t.id for t in _company(situation)}:
+        yield from open_floor.side_by_side(situation, anchor, tie)
     yield from open_floor.looking_at(situation, anchor)
     yield from walls.opposite(situation, anchor)
+
+
+def _company(situation: Situation) -> list[Target]:
+    """The members of the target's own request."""
+    return [t for t in situation.observation.plan.targets if t.request == situation.target.request]
 
 
 def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -186,6 +194,8 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 
 
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    if anchor.category in BOARDS and situation.target.category in WORKED_AT:
+        yield from open_floor.presenting(situation, anchor)
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
         yield _dearer(idea, 0.2)
     yield from walls.along_walls(situation)

@@ -9,16 +9,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE
-from thinkblox.plan import Target, Tie
-from thinkblox.policies.expert.ground import ground_costs, zone_costs
+from thinkblox.policies.expert.followers import follower_costs
+from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.hung import AT_WINDOWS
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.situation import Situation, is_large
-from thinkblox.policies.expert.walls import run_of
 from thinkblox.policies.expert.ways import imbalance, moment
-from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.rects import Array, Rects, outside, overlap_depth
 from thinkblox.relations import measure
 from thinkblox.scene import Placement
@@ -138,52 +134,14 @@ def _darkens(situation: Situation, rects: Rects) -> Array:
     return np.where(covered.any(-1), heavy, 0.0)
 
 
-def follower_costs(situation: Situation, rects: Rects) -> Array:
-    """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
-    costs = _room_for_run(situation, rects)
-    done: set[tuple[str, str]] = set()
-    for follower in situation.followers:
-        for tie in follower.ties:
-            key = (follower.request, tie.kind)
-            if key not in done and (situation.target.id in tie.anchors or tie.kind in ("facing", "opposite")):
-                done.add(key)
-                costs += _room_for(situation, rects, follower, tie)
-    return costs
-
-
-def _room_for_run(situation: Situation, rects: Rects) -> Array:
-    """The first of a run leaves room for the rest to one side or the other."""
-    run = run_of(situation.target.category)
-    later = [t for t in situation.observation.plan.targets if t.category in run and t.id not in situation.scene]
-    if len(later) < 2 or any(p.category in run for p in situation.solid):
-        return np.zeros(len(rects))
-    length = (len(later) - 1) * situation.size[1]
-    return np.minimum(*(zone_costs(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
-
-
-def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
-    wanted = need(follower, tie, of=situation.target.category)
-    if wanted is None:
-        hung_above = tie.kind == "above" and CATALOGUE[follower.category].mount == "wall"
-        return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
-    missing = [
-        zone_costs(situation, beside(rects, side, wanted.depth, width=wanted.width), weight=wanted.weight)
-        for side in wanted.sides
-    ]
-    return fewest(missing, wanted.number)
-
-
-def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
-    """A window behind leaves nothing to hang something on."""
-    tall = Rects(rects.centre, rects.half + 0.05, rects.yaw, rects.top, rects.top + 1.0)
-    return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
-
-
 def _unmet(situation: Situation, idea: Idea) -> float:
     """What the plan wants of it and this idea does not give."""
     scene = situation.scene.with_placement(placement_of(situation, idea), situation.asset)
     cost = 0.0
-    for tie in situation.target.ties:
+    ties = situation.target.ties
+    if any(tie.kind == "facing" and tie.asked for tie in ties):
+        ties = tuple(tie for tie in ties if tie.asked or tie.kind != "against_wall")
+    for tie in ties:
         if (
             tie.kind in ("around", "in_rows")
             or not tie.anchors

@@ -23,6 +23,9 @@ SIDE_WAY = 0.6
 """Width that one person walks through [m]."""
 MAIN_WAY = 0.9
 """Width that is comfortable [m]."""
+BOARDS = frozenset(("whiteboard", "blackboard", "projector_screen"))
+BEFORE_BOARD = 1.0
+"""Floor between a board and the desk of who teaches before it, to sit and to write [m]."""
 DOUBLE = 1.3
 """A bed as wide as this is got into from both sides [m]."""
 
@@ -101,5 +104,7 @@ def need(follower: Target, tie: Tie, *, of: str) -> Need | None:
         case "facing":
             apart = TALK if of in SEATS else VIEW
             return Need(("front",), apart + depth, min(width, 1.2), 1, 2.0)
+        case "near" if of in BOARDS and follower.category in WORKED_AT:
+            return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case _:
             return None

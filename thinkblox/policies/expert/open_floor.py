@@ -5,13 +5,21 @@ from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
 from thinkblox.places import WORKED_AT
+from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import SEATS, Idea, turned
+from thinkblox.policies.expert.needs import BEFORE_BOARD
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 
 VIEWING = {"sofa": (2.4, 2.0, 2.8, 1.7, 3.2), "armchair": (2.2, 1.8, 2.6, 1.4), "desk": (0.02, 0.6, 1.2)}
 """Free distance from a seat to what it looks at, the best first [m]."""
+TALKING = (1.45, 1.3, 1.6, 1.8, 2.1)
+"""The same between seats that look at each other, with a low table between them [m]."""
+BETWEEN_SEATS = 0.3
+"""Free distance between seats side by side [m]."""
+FLOATING = 0.4
+"""Cost of a seat with nothing behind it, where it could have a wall."""
 USUAL_VIEWING = (0.6, 0.9, 1.3, 1.8, 2.4, 0.3)
 
 
@@ -44,15 +52,44 @@ def _across_room(situation: Situation, yaw: float) -> float:
     return 0.0 if along_x == (ex > ey) else 0.4
 
 
+def presenting(situation: Situation, board: Placement) -> Iterator[Idea]:
+    """Before a board, its front and whoever sits there towards it: over the desk one looks at the class."""
+    yaw = (board.yaw + 180.0) % 360.0
+    for rank, gap in enumerate((BEFORE_BOARD, BEFORE_BOARD - 0.15)):
+        for aside in (0.0, 0.6, -0.6, 1.2, -1.2, 1.8, -1.8):
+            x, y = board.to_room((board.size[0] / 2 + gap + situation.size[0] / 2, aside))
+            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+            cost = 0.2 * rank + 0.2 * abs(abs(aside) - 1.2)
+            yield Idea((x, y, 0.0), yaw, words, f"whoever sits there has {board.id} behind", cost)
+
+
+def side_by_side(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """Straight before the anchor, in one line with the others that look at it."""
+    pitch = situation.size[1] + BETWEEN_SEATS
+    aside = (tie.index - (tie.count - 1) / 2) * pitch
+    for rank, distance in enumerate(_distances(situation, anchor)):
+        x, y = anchor.to_room((anchor.size[0] / 2 + distance + situation.size[0] / 2, aside))
+        yaw = (anchor.yaw + 180.0) % 360.0
+        words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+        why = f"it looks at {anchor.id}, beside the others that do"
+        yield Idea((x, y, 0.0), yaw, words, why, 0.15 * rank - 0.3)
+
+
+def _distances(situation: Situation, anchor: Placement) -> tuple[float, ...]:
+    if situation.target.category in SEATS and anchor.category in SEATS:
+        return TALKING
+    return VIEWING.get(situation.target.category, USUAL_VIEWING)
+
+
 def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     """Places about the anchor from which the front points at it; straight before its own front costs least."""
-    has_front = situation.scene.asset_of(anchor).front == "one" and situation.target.category not in WORKED_AT
-    distances = VIEWING.get(situation.target.category, USUAL_VIEWING)
+    seen = 180.0 if anchor.category in WORKED_AT else 0.0
+    has_front = situation.scene.asset_of(anchor).front == "one"
+    floats = FLOATING if situation.target.category in SEATS and anchor.category not in SEATS else 0.0
     for turn in range(0, 360, 15):
-        away = min(turn, 360 - turn) if has_front else 0
-        side = turn % 90
-        for rank, distance in enumerate(distances):
-            cost = 0.02 * away + 0.25 * rank + (0.3 if side else 0.0)
+        away = abs((turn - seen + 180.0) % 360.0 - 180.0) if has_front else 0.0
+        for rank, distance in enumerate(_distances(situation, anchor)):
+            cost = 0.02 * away + 0.25 * rank + (0.3 if turn % 90 else 0.0) + floats
             yield _looking(situation, anchor, float(turn), distance, cost)
 
 

@@ -9,7 +9,7 @@ from thinkblox.plan import Tie
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.value import Vec2
 
-BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5), "bookcase": (0.005,), "locker": (0.005,)}
+BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5, 0.2, 0.02), "bookcase": (0.005,), "locker": (0.005,)}
 """Free distance between neighbours in a row, the best first [m]."""
 USUAL_BESIDE = (0.08, 0.03)
 AISLE = {
@@ -82,7 +82,7 @@ def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutu
     aisles = FACE_TO_FACE if mutual else AISLE.get(category, USUAL_AISLE)
     costs = {aisle: 0.1 * rank for rank, aisle in enumerate(aisles if rows > 1 else aisles[:1])}
     if category in FROM_AISLES and rows > 1 and even_aisle > aisles[0]:
-        costs |= {round(aisles[0] + (min(even_aisle, WIDEST_AISLE) - aisles[0]) * k / 3, 2): 0.1 * k for k in (1, 2, 3)}
+        costs |= {round(aisles[0] + (even_aisle - aisles[0]) * k / 3, 2): 0.05 * k for k in (1, 2, 3, 4)}
     for order, beside in enumerate(BESIDE.get(category, USUAL_BESIDE)):
         yield from (_Spacing(beside, aisle, cost + 0.1 * order) for aisle, cost in costs.items())
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert import row_layout
+from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.row_layout import Layout
@@ -147,7 +148,7 @@ def _hard_costs(situation: Situation, blocks: Blocks) -> Array:
 def _soft_costs(situation: Situation, blocks: Blocks) -> Array:
     """What the floor says against each member, on the average and at worst, and the balance of the room."""
     rects, count = blocks.rects(situation), blocks.yaw.shape[1]
-    ground = ground_costs(situation, rects).reshape(len(blocks), count)
+    ground = (ground_costs(situation, rects) + follower_costs(situation, rects)).reshape(len(blocks), count)
     costs = 0.5 * ground.mean(-1) * math.sqrt(count) + 0.5 * ground.max(-1)
     moments = moment(situation.room, rects).reshape(len(blocks), count, 2).sum(1)
     placed = moment(situation.room, Rects.of_placements(situation.siblings)).sum(0)

@@ -131,14 +131,20 @@ class Situation:
 
     @cached_property
     def reserved(self) -> Rects:
-        """The middle of the room, when something later is asked to stand there."""
+        """The middle of the room, when something later belongs there: asked for, or a table with its seats."""
         x, y = self.room.polygon.centroid.coords[0]
+        later = [
+            t for t in self.observation.plan.targets if t.id not in self.scene and t.request != self.target.request
+        ]
+        seated = {a for t in later for tie in t.ties if tie.kind == "around" for a in tie.anchors}
         rows = []
-        for t in self.observation.plan.targets:
-            central = any(tie.kind == "in_centre" and tie.asked for tie in t.ties)
-            if central and t.id not in self.scene and t.request != self.target.request:
-                size = CATALOGUE[t.category].size
-                rows.append(((x, y), (max(size[:2]) + 0.9, max(size[:2]) + 0.9), 0.0, 0.0, 1.5))
+        for t in later:
+            if any(tie.kind == "in_centre" and (tie.asked or t.id in seated) for tie in t.ties):
+                side = max(CATALOGUE[t.category].size[:2]) + 0.9
+                rows.append(((x, y), (side, side), 0.0, 0.0, 1.5))
+        loose = [t for t in later if t.id in seated and not any(tie.kind == "in_centre" for tie in t.ties)]
+        if loose and not rows:
+            rows.append(_in_the_middle(self.room, len(loose), CATALOGUE[loose[0].category].size))
         return Rects.of(rows)
 
     @cached_property
@@ -156,6 +162,15 @@ class Situation:
     def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
         """Those of the ids that stand in the scene."""
         return tuple(self.scene[id] for id in ids if id in self.scene)
+
+
+def _in_the_middle(room: Room, count: int, size: Vec3) -> tuple[Vec2, Vec2, float, float, float]:
+    """The floor of some tables with their seats in the middle of a room, as a row of `Rects.of`."""
+    length, width = count * (max(size[:2]) + 1.2), min(size[:2]) + 1.6
+    ex, ey = room.extent
+    half = (min(length, ex - 1.0), min(width, ey - 1.0)) if ex >= ey else (min(width, ex - 1.0), min(length, ey - 1.0))
+    x, y = room.polygon.centroid.coords[0]
+    return ((x, y), half, 0.0, 0.0, 1.5)
 
 
 def is_large(size: Vec3) -> bool:

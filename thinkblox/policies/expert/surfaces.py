@@ -60,10 +60,18 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
     surfaces = situation.scene.asset_of(anchor).surfaces
     for step, share in enumerate(SHRINK):
         size = _scaled(situation.size, share)
+        if share > SHRINK[-1] and not _room_for_all(surfaces, size, tie):
+            continue
         ideas = list(_at_size(situation, anchor, tie, _in_turn(surfaces, size, tie), size))
         yield from (replace(i, cost=i.cost + step, size=None if share == 1.0 else size) for i in ideas)
         if ideas:
             return
+
+
+def _room_for_all(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> bool:
+    """Whether as many of that size as the tie counts have room, side by side on all surfaces together."""
+    room = sum(int(max(s.size) / (min(size[:2]) + 0.01)) * max(1, int(min(s.size) / max(size[:2]))) for s in surfaces)
+    return room >= tie.count
 
 
 def _scaled(size: Vec3, share: float) -> Vec3:

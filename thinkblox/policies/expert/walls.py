@@ -7,6 +7,7 @@ from dataclasses import replace
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
 from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, turned
+from thinkblox.policies.expert.needs import BEDS, DOUBLE
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.room import Room, Wall
 from thinkblox.scene import Placement
@@ -44,6 +45,8 @@ RUNS: tuple[frozenset[str], ...] = (
     frozenset(("wardrobe",)),
 )
 """What forms a row along a wall when there are several."""
+VIEW_RANGE = (1.8, 3.2)
+"""Good distances from a seat to the screen, the fire or the seat that it looks at [m]."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -81,7 +84,8 @@ def at_wall(
 def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> Iterator[Idea]:
     """Along each wall: its middle, its ends, beside what stands there, before its windows, and evenly between."""
     _, (depth, width) = oriented(situation.size, situation.asset.front)
-    focal = situation.target.category in FOCAL | SEATS
+    single = situation.target.category in BEDS and situation.size[1] < DOUBLE
+    focal = situation.target.category in FOCAL | SEATS and not single
     for wall in situation.room.walls if walls is None else walls:
         low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
         if high < low:
@@ -170,6 +174,14 @@ def _diagonal(situation: Situation, before: Wall, after: Wall, words: Constraint
     return Idea((x, y, 0.0), yaw, (words, *rest), why)
 
 
+def _too_far(situation: Situation, anchor: Placement, inward: float) -> float:
+    """What a seat's distance from what it looks at costs, across the whole room."""
+    if situation.target.category not in SEATS:
+        return 0.0
+    free = inward - anchor.size[0] / 2 - situation.size[0]
+    return 1.5 * max(0.0, VIEW_RANGE[0] - free) + 0.6 * max(0.0, free - VIEW_RANGE[1])
+
+
 def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     """Against the wall across the room from the anchor, looking at it, as nearly in line with it as can be."""
     for wall in situation.room.walls:
@@ -183,7 +195,7 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             place = min(max(along + shift, low), high)
             aside = abs(place - along)
             if aside < 0.5 + inward / 2:
-                cost = aside + (0.0 if facing < -0.5 else 2.0)
+                cost = aside + (0.0 if facing < -0.5 else 2.0) + _too_far(situation, anchor, inward)
                 idea = at_wall(situation, wall, place, cost=cost, why=f"it faces {anchor.id} across the room")
                 in_line = (Constraint(kind="facing", anchors=(anchor.id,)),) if aside < 0.05 else ()
                 yield replace(idea, words=(*idea.words, *in_line))

@@ -19,7 +19,7 @@ DEAD = 0.3
 """A gap from CLOSED up to this is of no use at all [m]."""
 NARROW, SNUG = 0.8, 0.15
 """Cost of a gap that nobody walks through, and of one that is merely not comfortable."""
-TOUCHING = 0.4
+TOUCHING = 0.9
 """Cost of standing close up to something that needs air, or of needing air oneself."""
 BESIDE_WALL = 0.35
 """Share of a gap's cost where the other side is a wall and the thing stands against another one."""

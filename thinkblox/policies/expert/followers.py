@@ -1,0 +1,59 @@
+"""Room for what comes later and refers to the object in question."""
+
+import numpy as np
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.plan import Target, Tie
+from thinkblox.policies.expert.ground import zone_costs
+from thinkblox.policies.expert.needs import need
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.walls import run_of
+from thinkblox.policies.expert.zones import beside, fewest
+from thinkblox.rects import Array, Rects, overlap_depth
+
+IN_USE = 2.0
+"""Cost per metre by which a follower would stand in the floor that others need."""
+
+
+def follower_costs(situation: Situation, rects: Rects) -> Array:
+    """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
+    costs = _room_for_run(situation, rects)
+    done: set[tuple[str, str]] = set()
+    for follower in situation.followers:
+        for tie in follower.ties:
+            key = (follower.request, tie.kind)
+            if key not in done and (situation.target.id in tie.anchors or tie.kind in ("facing", "opposite")):
+                done.add(key)
+                costs += _room_for(situation, rects, follower, tie)
+    return costs
+
+
+def _room_for_run(situation: Situation, rects: Rects) -> Array:
+    """The first of a run leaves room for the rest to one side or the other."""
+    run = run_of(situation.target.category)
+    later = [t for t in situation.observation.plan.targets if t.category in run and t.id not in situation.scene]
+    if len(later) < 2 or any(p.category in run for p in situation.solid):
+        return np.zeros(len(rects))
+    length = (len(later) - 1) * situation.size[1]
+    return np.minimum(*(zone_costs(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
+
+
+def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
+    wanted = need(follower, tie, of=situation.target.category)
+    if wanted is None:
+        hung_above = tie.kind == "above" and CATALOGUE[follower.category].mount == "wall"
+        return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
+    zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
+    missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]
+    return fewest(missing, wanted.number)
+
+
+def _in_use(situation: Situation, zone: Rects) -> Array:
+    """What it costs that the follower would stand where others need the floor."""
+    return np.asarray(IN_USE * overlap_depth(zone, situation.clearances).max(-1, initial=0.0))
+
+
+def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
+    """A window behind leaves nothing to hang something on."""
+    tall = Rects(rects.centre, rects.half + 0.05, rects.yaw, rects.top, rects.top + 1.0)
+    return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
