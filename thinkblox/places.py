@@ -1,6 +1,7 @@
 """What a relation can refer to, as one kind of thing: objects, and walls, corners, openings, the middle of a room."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -37,7 +38,7 @@ class Thing:
     """
 
     name: str
-    kind: Literal["object", "wall", "opening", "corner", "centre"]
+    kind: Literal["object", "wall", "opening", "corner", "centre", "floor"]
     footprint: BaseGeometry
     centre: Vec2
     yaw: float = 0.0
@@ -86,6 +87,8 @@ def things(scene: Scene, name: str) -> tuple[Thing, ...]:
         return corners(scene.room)
     if name == "centre":
         return (_middle(scene.room),)
+    if name == "floor":
+        return (_floor(scene.room),)
     openings = [o for o in scene.room.openings if name in (o.kind, o.id)]
     if openings:
         return tuple(_opening(scene.room, o) for o in openings)
@@ -107,10 +110,17 @@ def walls(room: Room, place: str) -> tuple[Wall, ...]:
     return tuple(wall for wall in room.walls if wall.name == place or wall.name.rpartition("_")[0] == place)
 
 
-def corners(room: Room) -> tuple[Thing, ...]:
-    """The corners that something can stand in: those with an interior angle under 180 degrees, facing into the room."""
+def corners(room: Room, places: Sequence[str] = ()) -> tuple[Thing, ...]:
+    """The corners that something can stand in: those with an interior angle under 180 degrees, facing into the room.
+
+    With `places`, only those where each of them is one of the two walls: ("north_wall", "east_wall") is one corner of a
+    rectangle, ("north_wall",) are two.
+    """
     found = []
+    wanted = [walls(room, place) for place in places if place != "corner"]
     for before, wall in zip(room.walls[-1:] + room.walls[:-1], room.walls, strict=True):
+        if not all(before in sides or wall in sides for sides in wanted):
+            continue
         (ax, ay), (bx, by) = before.along, wall.along
         if ax * by - ay * bx > 1e-6:
             nx, ny = before.inward[0] + wall.inward[0], before.inward[1] + wall.inward[1]
@@ -166,6 +176,12 @@ def _opening(room: Room, opening: Opening) -> Thing:
         base=opening.sill,
         top=opening.sill + opening.height,
     )
+
+
+def _floor(room: Room) -> Thing:
+    x, y = room.polygon.centroid.coords[0]
+    half = (room.extent[0] / 2, room.extent[1] / 2)
+    return Thing("the floor", "floor", room.polygon, (x, y), half=half, front="any", carries=(0.0,))
 
 
 def _middle(room: Room) -> Thing:

@@ -13,7 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
-from thinkblox.places import Thing, things
+from thinkblox.places import Thing, corners, things
 from thinkblox.scene import Scene
 from thinkblox.value import Vec2
 from thinkblox.verdict import RelationResult
@@ -94,6 +94,8 @@ def measure(
     else:
         members = [found[name][0] for name in subjects]
         parts = [part for name in against for part in found[name]]
+        if kind == "in_corner":
+            parts = list(corners(scene.room, against))
         holds, text = _measure_all(scene, kind, members, parts, rows, each)
     return RelationResult(kind=kind, subject=", ".join(subjects), anchors=tuple(anchors), holds=holds, measured=text)
 
@@ -189,7 +191,7 @@ def _on(subject: Thing, anchor: Thing) -> _Finding:
     if not anchor.solid:
         lift = max(subject.base - anchor.top, 0.0)
     text = f"{subject.name} {lift * 1000:.0f} mm above a surface of {anchor.name}" + ("" if over else ", not over it")
-    return anchor.kind == "object" and over and abs(lift) <= CONTACT + _ROUNDING, text
+    return anchor.kind in ("object", "floor") and over and abs(lift) <= CONTACT + _ROUNDING, text
 
 
 def _above(subject: Thing, anchor: Thing) -> _Finding:
