@@ -128,8 +128,8 @@ def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> lis
 def _companies(situation: Situation, anchor: Placement, count: int) -> list[list[Place]]:
     surfaces = situation.scene.asset_of(anchor).surfaces
     if surfaces and surfaces[0].round:
-        return [_ring(anchor, count, phase / 4) for phase in range(4)]
-    return _rectangles(anchor, count)
+        return [_ring(anchor, count, phase / 8) for phase in (0, 4, 2, 6)]
+    return _rectangles(anchor, count, place=max(PLACE_WIDTH, situation.size[1] + 0.05))
 
 
 def _ring(anchor: Placement, count: int, phase: float) -> list[Place]:
@@ -151,17 +151,17 @@ def _outward(a: float, b: float, t: float) -> float:
     return round(math.degrees(square + turn / 2) % 360.0, 1)
 
 
-def _rectangles(anchor: Placement, count: int) -> list[list[Place]]:
+def _rectangles(anchor: Placement, count: int, *, place: float) -> list[list[Place]]:
     """Ways to seat `count` people about a rectangle, the best first: pairs on the long sides, then heads."""
     depth, width = anchor.size[0], anchor.size[1]
     sides = ("front", "back", "left", "right") if width >= depth else ("left", "right", "front", "back")
     ranked: list[tuple[float, list[Place]]] = []
-    for heads in range(min(count, 2 * max(1, round(min(depth, width) / PLACE_WIDTH))) + 1):
+    for heads in range(min(count, 2 * max(1, round(min(depth, width) / place))) + 1):
         counts = dict(zip(sides, _halves(count - heads) + _halves(heads), strict=True))
-        crowd = sum(max(0.0, n * PLACE_WIDTH - 0.05 - _width(anchor, side)) for side, n in counts.items())
+        crowd = sum(max(0.0, n * place - 0.05 - _width(anchor, side)) for side, n in counts.items())
         odd = (count - heads) % 2 + heads % 2
         even = abs(heads - count / 2) * 0.3 if max(depth, width) < 1.2 * min(depth, width) else heads * 0.1
-        places = [place for side, n in counts.items() for place in _side_places(anchor, side, n)]
+        places = [spot for side, n in counts.items() for spot in _side_places(anchor, side, n)]
         ranked.append((3.0 * crowd + 0.2 * odd + even, places))
     return [places for _, places in sorted(ranked, key=lambda r: r[0])][:4]
 

@@ -17,7 +17,7 @@ IN_USE = 2.0
 
 def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
-    costs = _room_for_run(situation, rects)
+    costs = _room_for_run(situation, rects) + _room_beside(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -26,6 +26,17 @@ def follower_costs(situation: Situation, rects: Rects) -> Array:
                 done.add(key)
                 costs += _room_for(situation, rects, follower, tie)
     return costs
+
+
+def _room_beside(situation: Situation, rects: Rects) -> Array:
+    """Where two different things come beside it, they need a side each."""
+    ties = [(t, tie) for t in situation.followers for tie in t.ties if situation.target.id in tie.anchors]
+    kinds = {t.request: t for t, tie in ties if tie.kind == "next_to"}
+    if len(kinds) < 2:
+        return np.zeros(len(rects))
+    narrowest = min(CATALOGUE[t.category].size[1] for t in kinds.values())
+    zones = [beside(rects, side, narrowest) for side in ("left", "right")]
+    return fewest([zone_costs(situation, zone, weight=2.0) for zone in zones], 2)
 
 
 def _room_for_run(situation: Situation, rects: Rects) -> Array:

@@ -43,16 +43,15 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     z = min(max(0.0, middle - situation.size[2] / 2), situation.room.height - situation.size[2])
     if situation.target.category in AT_WINDOWS:
         yield from at_windows(situation)
+    watched = _is_watched(situation)
     for wall in named_walls(situation.room, place):
-        short_view = (
-            0.25 * (_longest_view(situation.room) - _view(situation.room, wall)) if _is_watched(situation) else 0.0
-        )
+        short_view = 0.25 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
         half = situation.size[1] / 2
         if wall.length < situation.size[1]:
             continue
         for i in range(17):
             along = half + (wall.length - 2 * half) * i / 16
-            cost = short_view + 0.6 * abs(along - wall.length / 2) / wall.length
+            cost = short_view + (2.0 if watched else 0.6) * abs(along - wall.length / 2) / wall.length
             for lift in (0.0, 0.3, -0.3):
                 top = z + lift + situation.size[2]
                 if z + lift >= 0.0 and top <= situation.room.height:

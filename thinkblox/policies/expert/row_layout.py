@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
@@ -51,13 +51,21 @@ class _Spacing:
 
 def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[Layout]:
     """Every way to lay out the members of a request in rows."""
-    rows = tie.rows or max(1, round(math.sqrt(tie.count / 2)))
-    columns = -(-tie.count // rows)
-    for yaw in _directions(situation, facing, mutual=mutual):
-        for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
-            yield _layout(situation, tie.count, columns, yaw, spacing, inward=mutual, away=bool(facing))
-            if rows == 2 and not facing and situation.target.category in FROM_AISLES:
-                yield _layout(situation, tie.count, columns, yaw, spacing, inward=True, away=False)
+    for dear, rows in enumerate(_row_counts(tie)):
+        columns = -(-tie.count // rows)
+        for yaw in _directions(situation, facing, mutual=mutual):
+            for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
+                dearer = replace(spacing, cost=spacing.cost + 0.4 * dear)
+                yield _layout(situation, tie.count, columns, yaw, dearer, inward=mutual, away=bool(facing))
+                if rows == 2 and not facing and situation.target.category in FROM_AISLES:
+                    yield _layout(situation, tie.count, columns, yaw, dearer, inward=True, away=False)
+
+
+def _row_counts(tie: Tie) -> tuple[int, ...]:
+    """How many rows, as asked for; where nobody asked, nearly square as well."""
+    square = max(1, round(math.sqrt(tie.count)))
+    usual = tie.rows or max(1, round(math.sqrt(tie.count / 2)))
+    return (usual,) if (tie.asked and tie.rows) or square == usual else (usual, square)
 
 
 def _directions(situation: Situation, facing: tuple[str, ...], *, mutual: bool) -> tuple[float, ...]:

@@ -13,10 +13,12 @@ from thinkblox.policies.expert import row_layout
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.needs import MAIN_WAY, need
 from thinkblox.policies.expert.row_layout import Layout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.rects import Array, Rects, outside, overlap_depth
+from thinkblox.scene import Placement
 
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
@@ -114,7 +116,14 @@ def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...
     ahead = offset @ np.array([math.cos(angle), math.sin(angle)])
     aside = np.abs((offset @ np.array([-math.sin(angle), math.cos(angle)])).mean(-1))
     free = ahead.min(-1) - anchor.size[0] / 2 - situation.size[0] / 2
-    return np.asarray(0.6 * np.abs(free - FIRST_ROW) + 0.3 * aside)
+    return np.asarray(0.6 * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside)
+
+
+def _first_row(situation: Situation, board: Placement) -> float:
+    """Distance from a board to the first row, with a way behind whoever has a place before the board [m]."""
+    later = [t for t in situation.observation.plan.targets if t.request != situation.target.request]
+    wanted = [need(t, tie, of=board.category) for t in later for tie in t.ties if board.id in tie.anchors]
+    return max([FIRST_ROW, *(n.depth + MAIN_WAY for n in wanted if n is not None)])
 
 
 def _holding(situation: Situation, blocks: Blocks) -> Blocks:

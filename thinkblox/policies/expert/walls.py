@@ -47,6 +47,8 @@ RUNS: tuple[frozenset[str], ...] = (
 """What forms a row along a wall when there are several."""
 VIEW_RANGE = (1.8, 3.2)
 """Good distances from a seat to the screen, the fire or the seat that it looks at [m]."""
+BESIDE_CORNER = 0.5
+"""Left between a seat and its corner for a lamp or a small table [m]."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -149,9 +151,11 @@ def _corner_ideas(situation: Situation, before: Wall, after: Wall) -> Iterator[I
         return
     diagonal = situation.target.category in SEATS or situation.asset.front == "any"
     flush = 0.45 if diagonal and situation.asset.front == "one" else 0.0
-    for wall, along in ((after, width / 2 + WALL_GAP), (before, before.length - width / 2 - WALL_GAP)):
-        idea = at_wall(situation, wall, along, cost=flush, why="it fills the corner")
-        yield replace(idea, words=(words, *idea.words))
+    for aside, dear in ((0.0, 0.0), (BESIDE_CORNER, 0.15)) if diagonal else ((0.0, 0.0),):
+        end = width / 2 + WALL_GAP + aside
+        for wall, along in ((after, end), (before, before.length - end)):
+            idea = at_wall(situation, wall, along, cost=flush + dear, why="it fills the corner")
+            yield replace(idea, words=(words, *idea.words))
     if diagonal and abs(_dot(before, after)) < 0.01:
         yield _diagonal(situation, before, after, words)
 
