@@ -1,16 +1,18 @@
 """Prompts and what must be read from them: every object with its count, and its relations."""
 
+from typing import get_args
+
 import pytest
 
 from thinkblox.assets import CATALOGUE
-from thinkblox.brief import Brief
+from thinkblox.brief import Brief, Place
 from thinkblox.reading import read_brief
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.habits import load_habits
 from thinkblox.reading.lexicon import LANGUAGES, load
 from thinkblox.reading.senses import categories_meant, generic_nouns
 
-PLACES = {"wall", "long_wall", "short_wall", "corner", "window", "door", "centre"}
+PLACES = set(get_args(Place))
 
 SHARED = {
     "A calm bedroom, 4 m by 5 m, with a double bed against the long wall, two nightstands with a lamp on each, "
@@ -314,7 +316,8 @@ def test_sizes(prompt: str, size: tuple[float | None, ...]) -> None:
 def test_a_size_of_an_object_is_not_the_rooms() -> None:
     brief = read_brief("A living room with a 2 m sofa and a rug of 2 x 3 m.")
     assert (brief.width, brief.area) == (None, None)
-    assert brief.unknown == ("2 m", "2 x 3 m")
+    assert brief.unknown == ()
+    assert {r.category: r.size for r in brief.requests} == {"sofa": (None, 2.0, None), "rug": (2.0, 3.0, None)}
 
 
 def test_openings() -> None:

@@ -35,12 +35,22 @@ Place = Literal[
     "east_wall",
     "south_wall",
     "west_wall",
+    "left_wall",
+    "right_wall",
+    "far_wall",
+    "near_wall",
+    "floor",
     "corner",
     "window",
     "door",
     "centre",
 ]
-"""Parts of the room that a relation can name as its anchor."""
+"""Parts of the room that a relation can name as its anchor. Left, right, far and near are as seen by somebody who comes
+in by the door; a plan names the walls they mean. "in_corner" names one of these walls, or the two that meet there."""
+
+
+Measures = tuple[float | None, float | None, float | None]
+"""Depth, width and height in the order of an asset's size [m]; None for what the prompt leaves open."""
 
 
 class Request(Value, frozen=True, kw_only=True):
@@ -52,6 +62,7 @@ class Request(Value, frozen=True, kw_only=True):
         asked: named in the prompt; False when assumed from what such a room usually holds.
         attributes: what the prompt says of it, in the catalogue's words ("round", "double", "low").
         phrase: the words it was read from; empty when assumed.
+        size: what the prompt says of its size.
     """
 
     key: str
@@ -60,6 +71,7 @@ class Request(Value, frozen=True, kw_only=True):
     asked: bool = True
     attributes: tuple[str, ...] = ()
     phrase: str = ""
+    size: Measures = (None, None, None)
 
 
 class Relation(Value, frozen=True, kw_only=True):

@@ -186,7 +186,9 @@ class Placing:
 def asset_for(target: Target, scene: Scene) -> Asset:
     """The asset for a target; one seed for a whole scene, so that its furniture is of one style."""
     seed = crc32(f"{scene.seed}/{scene.prompt}".encode())
-    return make_asset(target.category, seed=seed, attributes=target.attributes)
+    asset = make_asset(target.category, seed=seed, attributes=target.attributes)
+    x, y, z = (wanted or usual for wanted, usual in zip(target.size, asset.size, strict=True))
+    return asset if (x, y, z) == asset.size else fit_asset(asset, (x, y, z))
 
 
 def _try(text: str, item: Measured | Rejection) -> Try:

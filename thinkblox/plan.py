@@ -1,6 +1,6 @@
 """In which order the objects of a brief are placed, and what each depends on."""
 
-from thinkblox.brief import Brief, RelationKind
+from thinkblox.brief import Brief, Measures, RelationKind
 from thinkblox.value import Value
 
 
@@ -29,6 +29,7 @@ class Target(Value, frozen=True, kw_only=True):
         request: key of its request; all targets of a request share one asset.
         index, count: which of how many of its request.
         ties: its relations, the one that decides where it goes first.
+        size: what its asset must measure, where that is not left open.
     """
 
     id: str
@@ -39,6 +40,7 @@ class Target(Value, frozen=True, kw_only=True):
     index: int = 0
     count: int = 1
     ties: tuple[Tie, ...] = ()
+    size: Measures = (None, None, None)
 
     @property
     def depends_on(self) -> tuple[str, ...]:
@@ -47,10 +49,15 @@ class Target(Value, frozen=True, kw_only=True):
 
 
 class Plan(Value, frozen=True, kw_only=True):
-    """The targets in the order in which they are placed: anchors, what belongs to them, small things."""
+    """The targets in the order in which they are placed: anchors, what belongs to them, small things.
+
+    Attributes:
+        notes: what the prompt asks for and cannot have, in sentences.
+    """
 
     brief: Brief
     targets: tuple[Target, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def target(self, id: str) -> Target:
         """The target called `id`; raises KeyError."""

@@ -22,8 +22,10 @@ def report_on(scene: Scene, plan: Plan, *, absent: Sequence[Absence], tolerances
         Absence(id=word, category="unknown", asked=True, reason="the catalogue has nothing of that name")
         for word in plan.brief.missing
     ]
+    verified = verify(scene, tolerances=tolerances)
     return structs.replace(
-        verify(scene, tolerances=tolerances),
+        verified,
+        notes=(*plan.notes, *verified.notes),
         absent=(*absent, *missing),
         unknown=plan.brief.unknown,
         relations=tuple(relations_of(scene, plan)),

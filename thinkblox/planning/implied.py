@@ -21,6 +21,8 @@ _UNLIMITED = 1000
 def imply(members: Members, windows: bool) -> None:
     """Complete the ties of every object that has none that says where it stands."""
     for request in members.by_request.values():
+        for member in request:
+            _stay_on_floor(members, member)
         waiting = [member for member in request if _needs_place(member)]
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
@@ -30,7 +32,19 @@ def imply(members: Members, windows: bool) -> None:
         _number(request)
 
 
+def _stay_on_floor(members: Members, member: Member) -> None:
+    """Small things that may stand on the floor do so beside furniture, in a corner or by a window."""
+    floor = any(habit.kind != "on" for habit in load_habits().of(member.category))
+    if member.mount != "surface" or not floor or any(tie.kind == "on" for tie in member.ties):
+        return
+    anchors = [members.by_id.get(anchor) for tie in member.ties if tie.asked for anchor in tie.anchors]
+    if anchors and all(anchor is None or anchor.mount == "floor" for anchor in anchors):
+        member.ties.append(Tie(kind="on", anchors=("floor",), asked=False))
+
+
 def _needs_place(member: Member) -> bool:
+    if member.category == "wall_tv" and all(tie.anchors == ("wall",) for tie in member.ties):
+        return True
     if member.mount == "surface":
         return not any(tie.kind == "on" for tie in member.ties)
     return all(tie.kind in _WITHOUT_PLACE for tie in member.ties)
@@ -67,7 +81,10 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
 
 def _applies(members: Members, waiting: list[Member], habit: Habit) -> bool:
     """Whether the habit's company is there, and nobody has been told to look at what would have to look at others."""
-    if habit.company and not members.of_category(habit.company):
+    company = members.of_category(habit.company) if habit.company else []
+    if habit.kind == "opposite":
+        company = [other for other in company if members.support(other) in waiting]
+    if habit.company and not company:
         return False
     if habit.kind != "opposite":
         return True
@@ -116,7 +133,7 @@ def _at_anchors(members: Members, waiting: list[Member], habit: Habit, anchors: 
 
 def _put(member: Member, habit: Habit, anchor: str) -> None:
     tie = Tie(kind=habit.kind, anchors=(anchor,), asked=False)
-    if habit.kind == "on":
+    if habit.kind == "on" or member.ties:
         member.ties.insert(0, tie)
     else:
         member.ties.append(tie)

@@ -1,11 +1,13 @@
 """Where the doors and windows of a room go."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from thinkblox.brief import Brief
+from thinkblox.planning.walls import COMPASS, speaks_of_sides, wall_meant
 from thinkblox.room import Opening, Room, Wall
 
 DOOR = (0.9, 2.1)
@@ -15,7 +17,8 @@ _CORNER = 0.2
 """Least distance of an opening to a corner [m]."""
 _FILLED_CORNER = 0.9
 """Least distance of an opening to a corner in which something will stand [m]."""
-_SIDES = ("north_wall", "east_wall", "south_wall", "west_wall")
+_LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
+"""An opening is made narrower, down to this, before it is left out [m]."""
 _WINDOWLESS = frozenset(
     {
         "bathroom",
@@ -40,6 +43,30 @@ def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     return Room(floor=room.floor, height=room.height, openings=tuple(planner.openings))
 
 
+def opening_notes(brief: Brief, room: Room) -> Iterator[str]:
+    """A sentence for every kind of opening that the brief asks for and the room has too few of."""
+    wanted: dict[tuple[str, str], int] = {}
+    for request in brief.openings:
+        key = (request.kind, wall_meant(request.wall, room))
+        wanted[key] = wanted.get(key, 0) + request.count
+    for (kind, wall), count in wanted.items():
+        named = {i for i in range(len(room.walls)) if i in _walls_named(room, wall)} if wall else None
+        have = sum(o.kind == kind and (named is None or o.wall in named) for o in room.openings)
+        if have < count:
+            where = f" in the {wall.replace('_', ' ')}" if wall else ""
+            yield f"{count - have} of {count} {kind}{'s' * (count > 1)}{where} did not fit"
+
+
+def _walls_named(room: Room, name: str) -> list[int]:
+    """Indices of the walls that a name can mean; all for one that means any."""
+    meant = wall_meant(name, room)
+    if meant in COMPASS:
+        return [i for i, wall in enumerate(room.walls) if wall.name.startswith(meant)]
+    if meant in ("long_wall", "short_wall"):
+        return _by_length(room, meant)
+    return list(range(len(room.walls)))
+
+
 @dataclass(frozen=True, slots=True)
 class _Wanted:
     """An opening to be: its kind, its wall ("" for any), and which of how many in that wall it is."""
@@ -60,7 +87,7 @@ def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
         for n in range(r.count)
     ]
     if not any(opening.kind == "door" for opening in wanted):
-        wanted.insert(0, _Wanted("door"))
+        wanted.insert(0, _Wanted("door", "near_wall" if speaks_of_sides(brief) else ""))
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
         usual = brief.room_type not in _WINDOWLESS
@@ -99,27 +126,29 @@ class _Openings:
 
     def add(self, wanted: _Wanted) -> None:
         """Put a door or window into the named wall, or into the best one that has space for it."""
-        for index in self._walls(wanted.kind, wanted.wall):
-            if (opening := self._fit(wanted, index)) is not None:
-                self.openings.append(opening)
-                return
+        walls = self._walls(wanted.kind, wanted.wall)
+        for share in (1.0, 0.75, 0.5):
+            for index in walls:
+                if (opening := self._fit(wanted, index, share)) is not None:
+                    self.openings.append(opening)
+                    return
 
     def _walls(self, kind: str, name: str) -> list[int]:
         """Indices of the walls to try, best first; of a named wall only those it can mean."""
         walls = self.room.walls
         lengths = [wall.length for wall in walls]
-        if name in _SIDES:
-            return [i for i, wall in enumerate(walls) if wall.name.startswith(name)]
-        if name in ("long_wall", "short_wall"):
-            return _by_length(self.room, name)
+        if name and name != "wall":
+            built = Room(floor=self.room.floor, height=self.room.height, openings=tuple(self.openings))
+            return _walls_named(built, name)
         taken = {opening.wall for opening in self.openings}
         return sorted(
             range(len(walls)), key=lambda i: (i in self.spared, i in taken, _dislike(kind, walls[i]), lengths[i])
         )
 
-    def _fit(self, wanted: _Wanted, index: int) -> Opening | None:
+    def _fit(self, wanted: _Wanted, index: int, share: float) -> Opening | None:
         wall, kind = self.room.walls[index], wanted.kind
-        width = DOOR[0] if kind == "door" else self._window_width(wall.length / wanted.count)
+        usual = DOOR[0] if kind == "door" else self._window_width(wall.length / wanted.count)
+        width = round(max(_LEAST_DOOR if kind == "door" else _LEAST_WINDOW, share * usual), 2)
         number = sum(opening.kind == kind for opening in self.openings) + 1
         offset = self._offset(wanted, index, width)
         top = self.room.height - 0.1

@@ -7,6 +7,9 @@ from thinkblox.plan import Plan, Target
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.implied import imply
 from thinkblox.planning.members import Member, Members
+from thinkblox.planning.openings import opening_notes
+from thinkblox.planning.sizes import size_note, size_of
+from thinkblox.planning.walls import relations_in
 from thinkblox.room import Room
 
 _PLACED = ("against_wall", "in_corner", "in_centre", "near", "in_rows")
@@ -22,13 +25,15 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     Two ties may have no anchors: "in_rows", and "facing" or "next_to" of the first among its like.
     """
     members = Members(brief)
-    for relation in sorted(brief.relations, key=lambda r: not r.asked):
+    for relation in relations_in(brief, room):
         tie_relation(brief, relation, members)
     imply(members, windows=any(opening.kind == "window" for opening in room.openings))
-    return Plan(brief=brief, targets=tuple(_target(member) for member in _ordered(members)))
+    targets = tuple(_target(member, members) for member in _ordered(members))
+    sizes = (size_note(request) for request in brief.requests)
+    return Plan(brief=brief, targets=targets, notes=(*filter(None, sizes), *opening_notes(brief, room)))
 
 
-def _target(member: Member) -> Target:
+def _target(member: Member, members: Members) -> Target:
     request = member.request
     return Target(
         id=member.id,
@@ -39,6 +44,7 @@ def _target(member: Member) -> Target:
         index=member.index,
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
+        size=size_of(member, members),
     )
 
 

@@ -88,8 +88,10 @@ def _is_against_wall(brief: Brief, request: Request) -> bool:
 
 
 def _size(request: Request) -> Vec3:
-    """Usual size of what is requested (along the front axis, across, up) [m]."""
-    return _usual_size(request.category, request.attributes)
+    """Size of what is requested, as asked or usual (along the front axis, across, up) [m]."""
+    x, y, z = _usual_size(request.category, request.attributes)
+    depth, width, height = request.size
+    return (depth or x, width or y, height or z)
 
 
 @lru_cache(maxsize=256)

@@ -1,6 +1,7 @@
 """Anchors: what a relation is to ("the bed", "it", "each corner", "the foot of the bed"), and who its subject is."""
 
-from thinkblox.reading.attach import bind, place_bond, relation_kind, subjects_of
+from thinkblox.brief import RelationKind
+from thinkblox.reading.attach import FLANKS, bind, place_bond, relation_kind, subjects_of
 from thinkblox.reading.draft import Bond, Thing
 from thinkblox.reading.memory import Memory, Waiting
 from thinkblox.reading.phrases import Phrase
@@ -14,7 +15,7 @@ class Anchors(Memory):
         kind, subject = waiting.kind, waiting.subject
         match phrase.kind:
             case "pronoun" if phrase.value == "it":
-                return kind, self.antecedent(subject, kind)
+                return kind, self.antecedent(subject, kind, self._noun_ahead() if waiting.fronted else "")
             case "pronoun" if phrase.value == "each":
                 return kind, self.references.shared(subject)
             case "pronoun":
@@ -29,6 +30,11 @@ class Anchors(Memory):
             case "object":
                 return kind, self.named(phrase, waiting)
         return kind, ()
+
+    def _noun_ahead(self) -> str:
+        """The noun whose relation stands in front of it: "on it a lamp"."""
+        ahead = (self.next_item(n) for n in (1, 2))
+        return next((p.value for p in ahead if isinstance(p, Phrase) and p.kind == "object"), "")
 
     def _whole(self, phrase: Phrase) -> Thing | None:
         """The object of "the middle of the table"; None where it is the room's."""
@@ -45,7 +51,7 @@ class Anchors(Memory):
         """The thing an anchor phrase names, and a second one after "between ... and"."""
         kind = waiting.kind
         pointing = phrase.definite or phrase.each or phrase.whose or kind == "per"
-        known = self.references.named(phrase) if pointing else None
+        known = self.references.named(phrase, besides=waiting.subject) if pointing else None
         thing = known or self.new_thing(phrase)
         if waiting.shared and known is None and waiting.subject is not None and thing.count == 1:
             thing.count = waiting.subject.count
@@ -80,19 +86,26 @@ class Anchors(Memory):
             return
         if kind == "in" and not self.habits.is_in(anchors[0].noun, "surfaces"):
             kind = "on"
-        if kind == "flank" and subject.count == 1:
-            subject.count = 2
-        relation = relation_kind(kind)
+        relation = self._flanked(kind, subject, anchors[0]) if kind in FLANKS else relation_kind(kind)
         if relation == "between" and self.chain is not None:
             subject = self.chain
-        for one in subjects_of(self.draft, subject, kind, anchors, self.run, pronoun=pronoun and relation != "between"):
+        known = pronoun and relation != "between"
+        for one in self.everyone or subjects_of(self.draft, subject, kind, anchors, self.run, pronoun=known):
             bind(self.draft, Bond(relation, one, anchors, each=each))
             if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of"):
                 self.references.pairs.append((one, anchors[0]))
 
+    def _flanked(self, kind: str, subject: Thing, anchor: Thing) -> RelationKind:
+        """One of a thing "on either side" is two, two seats "on each side" are four; seats are drawn up to a table."""
+        seats = self.habits.is_in(subject.noun, "seats")
+        if subject.count == 1 or (seats and kind == "flank_each" and subject.count):
+            subject.count = 2 * (subject.count or 1)
+        usual = self.habits.tie(subject.noun, anchor.noun)
+        return usual if usual in ("at", "around") else relation_kind(kind)
+
     def attach_place(self, kind: str, place: str, subject: Thing | None, *, each: bool, places: int = 1) -> None:
         """Bind a thing, or the door or window just mentioned, to a place of the room, or to so many of them."""
-        if self.opening is not None and place.endswith("_wall") and subject is None:
+        if self.opening is not None and place.endswith("_wall") and " " not in place and subject is None:
             self.opening.wall = place
             return
         meant = place_bond(kind, place)
@@ -100,5 +113,5 @@ class Anchors(Memory):
             return
         if places > 1 and subject.count == 1:
             subject.count = places
-        for one in subjects_of(self.draft, subject, meant[0], (place,), self.run, pronoun=False):
-            bind(self.draft, Bond(meant[0], one, (meant[1],), each=each))
+        for one in self.everyone or subjects_of(self.draft, subject, meant[0], (place,), self.run, pronoun=False):
+            bind(self.draft, Bond(meant[0], one, meant[1], each=each))

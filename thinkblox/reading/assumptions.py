@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from thinkblox.brief import RelationKind
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Thing
 from thinkblox.reading.habits import load_habits
@@ -20,6 +21,10 @@ _SEATING = {
 _A_PLACE_EACH = {"classroom": "school_desk", "office": "desk", "computer_room": "desk", "home_office": "desk"}
 _SLEEPING = ("bedroom", "kids_room", "dorm_room", "hospital_room")
 _FURNISH = "furnished"
+_READERS = ("bookstore", "library", "living_room", "home_office", "reading_corner", "kids_room", "studio")
+_MOST_FILLED = 6
+"""Books are many shapes: more bookcases than this stay empty."""
+_CHAIRS = ("chair", "office_chair", "child_chair")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +77,17 @@ def assume(draft: Draft) -> None:
         _carry(draft)
 
 
+def stock(draft: Draft) -> None:
+    """Put books into bookcases where people read, unless the prompt says what is in them; counts are settled by now."""
+    cases = [t for t in draft.things if t.noun == "bookcase"]
+    if draft.room not in _READERS or sum(t.count or 1 for t in cases) > _MOST_FILLED:
+        return
+    for case in cases:
+        carries = any(b.kind == "on" and case in b.anchors for b in draft.bonds)
+        if not carries and not {"empty", "filled"} & set(case.attributes):
+            case.attributes.append("filled")
+
+
 def _is_bare(draft: Draft) -> bool:
     """Whether only the room is named, or with it one thing that is not what such a room is for."""
     if not draft.things:
@@ -110,8 +126,17 @@ def _scale(draft: Draft) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
-        if not any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+        if any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+            continue
+        free = [t for t in draft.things if t.noun in _CHAIRS and not draft.bonds_of(t)]
+        for seat in free:
+            draft.bonds.append(Bond(_seated(thing), seat, (thing,), asked=False))
+        if not free:
             _chairs(draft, thing, thing.seats * (thing.count or 1))
+    for seat in [t for t in draft.things if t.count is None and load_habits().is_in(t.noun, "seats")]:
+        tables = [b.anchors[0] for b in draft.bonds_of(seat) if b.kind == "around"]
+        people = sum(t.seats * (t.count or 1) for t in tables if isinstance(t, Thing)) or draft.people
+        seat.count = people if people and tables and draft.room in _SEATING else seat.count
     if draft.people and draft.room in _SEATING and not _has(draft, "seats"):
         table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
         _chairs(draft, table or _add(draft, _SEATING[draft.room], 1), draft.people)
@@ -119,8 +144,11 @@ def _seat(draft: Draft) -> None:
 
 def _chairs(draft: Draft, table: Thing, count: int) -> None:
     seat = _add(draft, "chair", count)
-    kind = "at" if load_habits().is_in(table.noun, "desks") else "around"
-    draft.bonds.append(Bond(relation_kind(kind), seat, (table,), each=table.many, asked=False))
+    draft.bonds.append(Bond(_seated(table), seat, (table,), each=table.many, asked=False))
+
+
+def _seated(table: Thing) -> RelationKind:
+    return "at" if load_habits().is_in(table.noun, "desks") else "around"
 
 
 def _has(draft: Draft, group: str) -> bool:

@@ -1,34 +1,32 @@
 """Makes bonds: which relation really holds, who its subject is, and what a place of the room means for it."""
 
 from thinkblox.brief import RelationKind
-from thinkblox.reading.draft import Bond, Draft, Thing
+from thinkblox.reading.draft import MISSING, Bond, Draft, Thing
 from thinkblox.reading.habits import load_habits
 
-_WALLS = ("wall", "long_wall", "short_wall", "north_wall", "east_wall", "south_wall", "west_wall")
-_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to"}
+_KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to", "flank_each": "next_to"}
+FLANKS = ("flank", "flank_each")
+"""Both sides of something: "on either side of the bed", and "on each side", where a number is that of one side."""
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
 _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list can share, and what kind of things then do."""
 _COVERS = ("rug", "bath_mat", "door_mat", "yoga_mat")
 
 
-def place_bond(kind: str, place: str) -> tuple[RelationKind, str] | None:
-    """The relation and place that "<kind> the <place>" means; None when it says nothing ("on the floor")."""
-    if place in _WALLS:
-        return (
-            ("facing", place)
-            if kind == "facing"
-            else ("opposite", place)
-            if kind == "opposite"
-            else ("against_wall", place)
-        )
-    if place == "corner":
-        return ("in_corner", place)
-    if place == "centre":
-        return ("in_centre", place)
-    if place in ("window", "door"):
+def place_bond(kind: str, place: str) -> tuple[RelationKind, tuple[str, ...]] | None:
+    """The relation and places that "<kind> the <place>" means; None when it says nothing ("on the ceiling")."""
+    name, *walls = place.split()
+    if name == "corner":
+        return ("in_corner", tuple(walls) or (name,))
+    if name == "centre":
+        return ("in_centre", (name,))
+    if name == "floor":
+        return ("on", (name,)) if kind in ("on", "in") else None
+    if name in ("window", "door"):
         keep = kind in ("facing", "opposite", "left_of", "right_of", "above")
-        return (relation_kind(kind) if keep else "near", place)
+        return (relation_kind(kind) if keep else "near", (name,))
+    if name.endswith("wall"):
+        return (relation_kind(kind) if kind in ("facing", "opposite") else "against_wall", (name,))
     return None
 
 
@@ -45,12 +43,19 @@ def bind(draft: Draft, bond: Bond) -> None:
             return
         if bond.kind == "on" and anchor.noun in _COVERS and bond.subject.noun not in _COVERS:
             bond = Bond("under", anchor, (bond.subject,), each=bond.each)
+        elif bond.kind in ("against_wall", "under") and (
+            usual := load_habits().tie(bond.subject.noun, anchor.noun)
+        ) in (
+            "at",
+            "around",
+        ):
+            bond.kind = usual
         elif bond.kind == "against_wall":
-            usual = load_habits().tie(bond.subject.noun, anchor.noun)
-            bond.kind = usual if usual in ("at", "around") else "next_to"
+            bond.kind = "next_to"
         elif bond.kind == "between" and load_habits().tie(anchor.noun, bond.subject.noun) == "next_to":
             bond = Bond("next_to", anchor, (bond.subject,))
     if bond.subject.owner is not None and not bond.implied:
+        bond.each |= any(_is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds)
         draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
     draft.bonds.append(bond)
 
@@ -83,7 +88,7 @@ def subjects_of(
             return [owner]
     group = _JOINED.get(kind, "")
     taken = [thing for thing in run if draft.bonds_of(thing)] if group else []
-    if group and habits.is_in(current.noun, group):
+    if group and (current.noun == MISSING or habits.is_in(current.noun, group)):
         free = (t for t in run if t.owner is owner and t not in anchors and (t is current or t not in taken))
         return [t for t in free if habits.is_in(t.noun, group)] or [current]
     return [current]

@@ -7,7 +7,7 @@ MAX_OF_A_KIND = 200
 """Most objects that one request may ask for."""
 MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as missing."""
-_CORNERS = 4
+_CORNERS = _WALLS = 4
 _PER_ROW, _ROWS = 3, 2
 _BARE = {
     "school_desk": 6,
@@ -64,16 +64,20 @@ def _settle(draft: Draft, thing: Thing, bonds: list[Bond]) -> None:
     anchors = shares.anchors if shares else ()
     if shares and any(isinstance(a, str) and a == "corner" for a in anchors):
         thing.count = (thing.count or 1) * _CORNERS
+    elif shares and any(isinstance(a, str) and a == "wall" for a in shares.anchors):
+        thing.count = (thing.count or 1) * _WALLS
     elif shares and any(isinstance(a, Thing) for a in anchors):
-        each = thing.count if thing.count is not None else _each(thing)
+        each = thing.count if thing.count is not None else _each(thing, shares.anchors)
         thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Thing))
     elif thing.count is None:
         thing.count = _bare(thing, bonds)
     _carriers(draft, thing)
 
 
-def _each(thing: Thing) -> int:
-    return 4 if thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
+def _each(thing: Thing, anchors: tuple[Thing | str, ...]) -> int:
+    """So many of a bare plural belong to each anchor: "tables with chairs", "desks with chairs"."""
+    table = any(isinstance(a, Thing) and load_habits().is_in(a.noun, "meal_tables") for a in anchors)
+    return 4 if table and thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
 
 
 def _bare(thing: Thing, bonds: list[Bond]) -> int:

@@ -5,6 +5,9 @@ from dataclasses import dataclass, field
 from thinkblox.brief import RelationKind
 from thinkblox.reading.sizes import Size
 
+MISSING = "missing"
+"""The noun of a thing that we do not have; words can still refer to it."""
+
 
 @dataclass(eq=False)
 class Thing:
@@ -16,7 +19,8 @@ class Thing:
         owner: what it was said to belong to ("a desk with a chair"), if anything.
         host: the thing whose list it heads, related or not ("a sink with a mirror above it").
         seats: how many people it was said to be for.
-        general: only said of the room as a whole ("a shop full of plants").
+        size: lengths said of it.
+        general: only said of the whole before the parts ("a shop full of plants: ...", "ten tables: six round ...").
     """
 
     noun: str
@@ -30,6 +34,7 @@ class Thing:
     owner: "Thing | None" = None
     host: "Thing | None" = None
     seats: int = 0
+    size: Size | None = None
     general: bool = False
 
     @property

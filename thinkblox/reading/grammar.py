@@ -37,7 +37,16 @@ class Walker(Nouns):
         """Unknown words that fill a place in a list are things we do not have; others are only listed."""
         if not self.strays:
             return
-        ends = isinstance(item, Link) and item.kind in ("comma", "stop", "and", "relation", "having", "or", "colon")
+        ends = isinstance(item, Link) and item.kind in (
+            "comma",
+            "stop",
+            "and",
+            "relation",
+            "adverb",
+            "having",
+            "or",
+            "colon",
+        )
         listed = bool(self.separator) and not (self.separator == "stop" and not self.draft.things)
         words, self.strays = self.strays, []
         if ends and listed and len(words) <= 3 and not self.negating:
@@ -57,6 +66,8 @@ class Walker(Nouns):
                 self.draft.empty = True
             case "only":
                 self.only = True
+            case "of":
+                self._of()
             case "relation":
                 self._relation(link.value)
             case "having":
@@ -71,7 +82,9 @@ class Walker(Nouns):
         self._elided()
         if kind in ("stop", "colon"):
             self.frame = self.front = None
-            self.run, self.fresh = [], True
+            self.run, self.fresh, self.references.topic = [], True, None
+            if kind == "colon" and self.current is not None:
+                self.current.general |= self.current.many
             self.current = None if kind == "colon" else self.current
         elif kind == "and" and self.frame is not None:
             self.frame.closing = True
@@ -79,7 +92,7 @@ class Walker(Nouns):
             self.frame = None
         if kind != "or" and not (kind == "and" and self.negating and self.next_is("or")):
             self.negating = False
-        self.chain = None
+        self.chain, self.everyone = None, []
         self.separator = kind if self.separator != "stop" or kind != "comma" else "stop"
 
     def _relation(self, kind: str) -> None:
@@ -114,6 +127,14 @@ class Walker(Nouns):
         """Whether "each" or, unless it is to stand alone, "each desk" comes just before."""
         previous = self.items[self.at - 1] if self.at else None
         return isinstance(previous, Phrase) and previous.each and not (alone and previous.kind != "pronoun")
+
+    def _of(self) -> None:
+        """Read "shelves of bottles" as shelves that carry bottles."""
+        contents, head = self.next_item(), self.current
+        small = isinstance(contents, Phrase) and self.habits.is_in(contents.value, "small")
+        said = isinstance(self.items[self.at - 1], Phrase)
+        if small and said and self.waiting is None and head is not None and self.habits.is_in(head.noun, "surfaces"):
+            self._having("carry")
 
     def _full(self) -> None:
         """Tell "a bookcase full of books", which describes it, from "shelves filled with jars", which asks for jars."""
@@ -150,7 +171,7 @@ class Walker(Nouns):
         """Read an adverb that points back: "a nightstand to its left", "to its left a nightstand"."""
         following = self.next_item()
         if isinstance(following, Phrase) and following.kind == "object" and self.separator:
-            self.front = Front(kind, self.antecedent(None, kind), each=False)
+            self.front = Front(kind, self.antecedent(None, kind, following.value), each=False)
             return
         belongs = self.current is not None and self.current.owner is not None
         if not (belongs and kind in ("left_of", "right_of")):
@@ -174,6 +195,6 @@ class Walker(Nouns):
         waiting, self.waiting = self.waiting, None
         if waiting is None or waiting.kind in ("of", "for", "in", "at", "on", "per", "along"):
             return
-        subject = waiting.subject
+        subject, self.references.topic = waiting.subject, None
         if subject is not None:
             self.attach(waiting.kind, self.antecedent(subject, waiting.kind), subject=subject, pronoun=True)

@@ -1,8 +1,9 @@
 """Which language a prompt is written in, by how many of its words each lexicon knows."""
 
 from thinkblox.errors import InputError
+from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.lexicon import LANGUAGES, Lexicon, load
-from thinkblox.reading.phrases import Chunker, Item
+from thinkblox.reading.phrases import Item
 
 _CLEAR = 0.72
 """Share of known words from which on English is taken without a look at the other languages."""

@@ -13,6 +13,7 @@ Sort = Literal[
     "object",
     "room",
     "place",
+    "missing",
     "relation",
     "having",
     "adverb",
@@ -29,6 +30,7 @@ _SORTS: Mapping[str, Sort] = {
     "objects": "object",
     "rooms": "room",
     "places": "place",
+    "missing": "missing",
     "relations": "relation",
     "having": "having",
     "adverbs": "adverb",
@@ -183,7 +185,7 @@ def _add_all(lexicon: Lexicon, phrases: str, sort: Sort, value: str, plurals: st
         lexicon.add(singular, Entry(sort, value, False, attribute))
         if plural and plural != singular:
             lexicon.add(plural, Entry(sort, value, True, attribute))
-        elif not irregular and sort in ("object", "room", "place"):
+        elif not irregular and sort in ("object", "room", "place", "missing"):
             for form in _plural_forms(singular, plurals):
                 lexicon.add(form, Entry(sort, value, True, attribute))
 

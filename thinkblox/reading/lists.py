@@ -38,9 +38,11 @@ class Lists(Anchors):
         if tie is None or (not first and self.separator == "comma" and tie not in _LISTED):
             self.frame = frame if first and self.separator == "having" and tie is None and frame.each else None
             return
+        if "shared" in thing.attributes and tie == "next_to" and frame.head.many:
+            tie = "between"
         thing.owner = frame.head
         frame.members.append(thing)
-        each = frame.each or _shares(thing, frame.head, tie)
+        each = tie != "between" and (frame.each or _shares(thing, frame.head, tie))
         bind(self.draft, Bond(tie, thing, (frame.head,), each=each, implied=True))
 
     def _tie(self, thing: Thing, frame: Frame) -> RelationKind | None:
@@ -60,7 +62,7 @@ class Lists(Anchors):
 
 def _shares(thing: Thing, head: Thing, tie: str) -> bool:
     """Whether "two desks with a chair" means a chair at each."""
-    if head.count is None or head.count < 2 or thing.vague:
+    if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
         return False
     if thing.count is None:
         return tie in ("on", "at", "around")

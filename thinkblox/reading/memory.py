@@ -49,6 +49,8 @@ class Memory:
         waiting: a relation whose anchor comes next ("next to ...").
         front: a relation whose subject comes next ("on the desk stands ...").
         run: things that were listed side by side.
+        everyone: what "all" of a list means, until its relation has been read.
+        parted: several alike of which "one" was put somewhere and "the other" still has to be.
         chain: the first thing since the last comma or "and".
         fresh: nothing has been mentioned in this sentence.
         separator: what stood just before ("comma", "and", "having", "stop"); empty after a phrase.
@@ -68,6 +70,8 @@ class Memory:
         self.waiting: Waiting | None = None
         self.front: Front | None = None
         self.run: list[Thing] = []
+        self.everyone: list[Thing] = []
+        self.parted: Thing | None = None
         self.chain: Thing | None = None
         self.fresh = True
         self.separator = "stop"
@@ -110,16 +114,15 @@ class Memory:
         self.draft.things.append(thing)
         if rows:
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(rows, 0)))
-        if phrase.size:
-            self.draft.unknown.append(phrase.size.text)
+        thing.size = phrase.size
         thing.general, self.general = self.general, False
         if self.only:
             self.draft.empty, self.only = True, False
         return thing
 
-    def antecedent(self, subject: Thing | None, kind: str) -> tuple[Thing | str, ...]:
-        """Return what a pronoun, or a relation without an anchor, points back to."""
+    def antecedent(self, subject: Thing | None, kind: str, noun: str = "") -> tuple[Thing | str, ...]:
+        """Return what a pronoun, or no anchor at all, points back to; `noun` stands for a subject to come."""
         if kind == "between":
             return self.references.several(subject, kind)
-        found = self.references.beside(subject, kind)
+        found = self.references.beside(subject, kind, noun)
         return (found,) if found is not None else ()

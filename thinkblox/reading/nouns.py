@@ -1,14 +1,17 @@
 """What each kind of noun phrase does: name a thing, a room, a door, a number of people, or anchor a relation."""
 
 from thinkblox.reading.attach import bind
-from thinkblox.reading.draft import Bond, Gap, Thing
-from thinkblox.reading.lists import Lists
+from thinkblox.reading.draft import MISSING, Bond, Gap, Thing
 from thinkblox.reading.memory import Front
+from thinkblox.reading.parts import Parts
 from thinkblox.reading.phrases import Link, Phrase
 from thinkblox.reading.sizes import Size
 
+_OF = (Link("of"), Link("which"), Link("comma", "("), Link("comma", ""))
+"""What can stand between a thing and its size."""
 
-class Nouns(Lists):
+
+class Nouns(Parts):
     """Reads noun phrases into the draft."""
 
     def _phrase(self, phrase: Phrase) -> None:
@@ -30,7 +33,7 @@ class Nouns(Lists):
 
     def _is_excluded(self, phrase: Phrase) -> bool:
         none = phrase.count == 0
-        if not (self.negating or none) or phrase.kind not in ("object", "place", "missing", "room"):
+        if not (self.negating or none) or phrase.kind not in ("object", "place", "missing", "room", "wares"):
             return False
         if phrase.kind == "object":
             self.draft.excluded.add(phrase.value)
@@ -45,6 +48,8 @@ class Nouns(Lists):
             self.frame = None
             self.mention(known)
             return
+        if self._is_capacity(phrase):
+            return
         thing = self.new_thing(phrase)
         if self.front is not None:
             self.take_front(thing)
@@ -54,6 +59,15 @@ class Nouns(Lists):
             self.references.pairs.append((self.run[-1], thing))
         self.run.append(thing)
         self.mention(thing)
+
+    def _is_capacity(self, phrase: Phrase) -> bool:
+        """Whether "(3 seats)" only says how large the sofa before it is."""
+        sofa = self.current
+        bracket = self.items[self.at - 1] == Link("comma", "(")
+        if not bracket or sofa is None or phrase.text.split()[-1] not in ("seats", "seat") or not phrase.count:
+            return False
+        sofa.attributes.append(f"{phrase.count}-seat")
+        return True
 
     def _is_new(self, phrase: Phrase) -> bool:
         """Whether a count does not fit, so that it is another thing: "the two small chairs" after "a chair"."""
@@ -68,6 +82,7 @@ class Nouns(Lists):
             members = self.frame.members if self.frame else [self.current] if self.current else []
             for bond in (b for thing in members for b in self.draft.bonds_of(thing) if b.anchors):
                 bond.each = True
+            self.frame = None
         elif phrase.value in ("it", "them") and self.fresh:
             found = self.references.single(None, "") if phrase.value == "it" else None
             self.current = found or (self.references.several(None, "") or (None,))[0]
@@ -91,20 +106,30 @@ class Nouns(Lists):
             self.current = None
 
     def _size(self, size: Size) -> None:
-        before = [item for item in self.items[max(0, self.at - 2) : self.at] if item != Link("of")]
+        """Read a size: of the object just before or after it, or of the room."""
+        before = [item for item in self.items[max(0, self.at - 2) : self.at] if item not in _OF]
         of_thing = bool(before) and isinstance(before[-1], Phrase) and before[-1].kind == "object"
         following = self.next_item()
         ceiling = isinstance(following, Phrase) and following.value == "ceiling"
-        single = len(size.lengths) == 1 and size.area is None and not size.lengths[0].axis
-        if of_thing or (single and not ceiling and self.draft.things):
+        single = len(size.lengths) == 1 and size.area is None
+        if isinstance(following, Phrase) and following.kind == "object" and not following.size:
+            following.size = size
+        elif self.current is not None and not ceiling and (of_thing or (single and size.area is None)):
+            self.current.size = self.current.size or size
+        elif single and not size.lengths[0].axis and self.draft.things:
             self.draft.unknown.append(size.text)
         else:
             self.draft.sizes.append(size)
 
-    def _people(self, phrase: Phrase) -> None:
-        self._number(phrase)
+    def _all(self, phrase: Phrase) -> None:
+        """Let "all" be everything in the list just read."""
+        self.everyone = [t for t in self.run if self.current is None or t.owner is self.current.owner]
 
     def _number(self, phrase: Phrase) -> None:
+        if not self._ones(phrase):
+            self._people(phrase)
+
+    def _people(self, phrase: Phrase) -> None:
         """Read "for six (people)", "seats eight": of the table just mentioned, or of the room."""
         if not phrase.count:
             return
@@ -121,7 +146,17 @@ class Nouns(Lists):
 
     def _missing(self, phrase: Phrase) -> None:
         self.draft.missing.append(phrase.text)
-        self.current, self.fresh = None, False
+        thing = Thing(MISSING, text=phrase.text)
+        self.run.append(thing)
+        self.mention(thing)
+
+    def _wares(self, phrase: Phrase) -> None:
+        """Goods fill the shelves they are said to be on; by themselves they are things we do not have."""
+        carrier = self.current
+        if carrier is None or not (self.separator == "having" or self.items[self.at - 1] == Link("of")):
+            self._missing(phrase)
+        elif self.habits.is_in(carrier.noun, "surfaces"):
+            carrier.attributes.append("filled")
 
     def _gap(self, phrase: Phrase) -> None:
         """Aisles and gaps are no objects; what is said of them next is not about the thing before."""
@@ -137,7 +172,7 @@ class Nouns(Lists):
         if waiting is None:
             return
         if phrase.kind in ("rows", "people", "number", "room", "missing", "adjective"):
-            getattr(self, f"_{phrase.kind}")(phrase)
+            getattr(self, "_people" if phrase.kind == "number" else f"_{phrase.kind}")(phrase)
             return
         kind, anchors = self.resolve(phrase, waiting)
         if not anchors:

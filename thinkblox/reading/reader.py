@@ -4,11 +4,12 @@ from typing import Literal
 
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
-from thinkblox.reading.assumptions import assume, room_types
+from thinkblox.reading.assumptions import assume, room_types, stock
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Thing
 from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import read_items
+from thinkblox.reading.measures import object_size
 from thinkblox.reading.reference import are_alike
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
@@ -36,11 +37,16 @@ def read_brief(prompt: str) -> Brief:
 
 
 def _finish(draft: Draft) -> None:
+    known = set(map(id, draft.things))
+    draft.bonds = [
+        b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))
+    ]
     limit_things(draft)
     _drop_general(draft)
     choose_senses(draft)
     assume(draft)
     settle_counts(draft)
+    stock(draft)
     _fit_tables(draft)
 
 
@@ -56,8 +62,9 @@ def _fit_tables(draft: Draft) -> None:
 def _drop_general(draft: Draft) -> None:
     """Ask once for the plants of "a shop full of plants: fifteen potted plants ..."."""
     for thing in list(draft.things):
-        others = [t for t in draft.things if t is not thing and t.asked and are_alike(t.noun, thing.noun)]
-        if thing.general and others:
+        later = draft.things[draft.things.index(thing) + 1 :] if thing.general else []
+        others = [t for t in later if t.asked and are_alike(t.noun, thing.noun)]
+        if others and (thing.count is None or sum(t.count or 1 for t in others) == thing.count):
             draft.drop(thing)
 
 
@@ -102,6 +109,7 @@ def _request(thing: Thing, keys: dict[int, str]) -> Request:
         asked=thing.asked,
         attributes=tuple(dict.fromkeys(thing.attributes)),
         phrase=thing.text,
+        size=object_size(thing.noun, thing.size),
     )
 
 

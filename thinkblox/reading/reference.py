@@ -7,7 +7,7 @@ from thinkblox.reading.habits import load_habits
 from thinkblox.reading.phrases import Phrase
 
 _RELATIVES = (
-    ("beds",),
+    ("bed", "bunk_bed", "hospital_bed"),
     ("any_table", "tables", "console_table", "display_table"),
     ("any_lamp", "lamps"),
     ("any_shelf", "shelves"),
@@ -27,8 +27,13 @@ _RELATIVES = (
 )
 
 
+_REACH = 200
+"""How many things back "the desk" can reach."""
 _MEMORY = 40
 """How many things back a pronoun can reach."""
+_BY_HABIT = ("on", "above", "under", "at", "around")
+"""Relations of which one can tell what has them to what."""
+_CLOSE = ("on", "at", "around")
 _SIDES = ("left_of", "right_of")
 _ON_THE_FLOOR = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "opposite")
 
@@ -40,29 +45,36 @@ class References:
         self.draft = draft
         self.pairs: list[tuple[Thing, Thing]] = []
         self.mentions: list[Thing] = []
+        self.topic: Thing | None = None
 
-    def named(self, phrase: Phrase) -> Thing | None:
-        """The latest thing that "the <noun>" can mean; None when nothing like it was mentioned."""
+    def named(self, phrase: Phrase, besides: Thing | None = None) -> Thing | None:
+        """The latest thing that "the <noun>" can mean, `besides` one; None when nothing like it was mentioned."""
         word = _last_word(phrase.text)
-        recent = list(reversed(self.draft.things))
+        recent = [t for t in reversed(self.draft.things[-_REACH:]) if t is not besides or t.many]
         very = (t for t in recent if t.noun == phrase.value and _last_word(t.text) == word)
         same = (t for t in recent if t.noun == phrase.value)
         like = (t for t in recent if are_alike(t.noun, phrase.value))
-        general = phrase.value.startswith("any_")
-        called = (t for t in recent if general and _last_word(t.text) == word)
+        called = (t for t in recent if _last_word(t.text) == word)
         return next(very, None) or next(same, None) or next(like, None) or next(called, None)
 
     def mention(self, thing: Thing) -> None:
         """Remember that a thing was spoken of just now."""
         self.mentions.append(thing)
 
-    def single(self, subject: Thing | None, kind: str) -> Thing | None:
-        """What "it" means as the anchor of a relation of this kind; None when there is nothing."""
+    def single(self, subject: Thing | None, kind: str, noun: str = "") -> Thing | None:
+        """What "it" means as the anchor of a relation of this kind of a subject or `noun`; None when there is nothing.
+
+        First what such a thing usually has that relation to, then what "it" meant before in the same sentence.
+        """
+        noun = noun or (subject.noun if subject is not None else "")
         host = subject.host if subject is not None else None
         if host is not None and (_fits(host, kind) or host is getattr(subject, "owner", None)):
             return host
         candidates = self._recent(subject)
+        usually, topic = load_habits().tie, self.topic
         for wanted in (
+            lambda t: kind in _BY_HABIT and usually(noun, t.noun) == kind,
+            lambda t: _fits(t, kind) and t is topic,
             lambda t: not t.many and _fits(t, kind) and not _is_small(t),
             lambda t: not _is_small(t) and _fits(t, kind),
             lambda t: True,
@@ -71,12 +83,12 @@ class References:
                 return found
         return None
 
-    def beside(self, subject: Thing | None, kind: str) -> Thing | None:
+    def beside(self, subject: Thing | None, kind: str, noun: str = "") -> Thing | None:
         """As `single`, but what is carried stands for what carries it: a fridge at the end of the cabinets."""
-        found = self.single(subject, kind)
+        found = self.topic = self.single(subject, kind, noun)
         if found is None or kind not in _ON_THE_FLOOR:
             return found
-        carried = any(bond.kind == "on" and found.owner in bond.anchors for bond in self.draft.bonds_of(found))
+        carried = any(bond.kind in _CLOSE and found.owner in bond.anchors for bond in self.draft.bonds_of(found))
         if found.owner is not None and carried and found.owner is not subject:
             found = found.owner
         if kind in _SIDES:
@@ -97,6 +109,9 @@ class References:
                 return pair
             if thing.many and not (_is_small(thing) and kind in ("between", "around")):
                 return (thing,)
+        standing = [t for t in self._before(subject) if not _is_small(t)]
+        if kind == "between" and len(standing) > 1:
+            return (standing[1], standing[0])
         found = self.single(subject, kind)
         return (found,) if found is not None else ()
 

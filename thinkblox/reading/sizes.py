@@ -22,7 +22,7 @@ SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
 MIN_SIDE, MAX_SIDE = 1.0, 50.0
 """Sides of a room that a prompt may ask for [m]."""
 _MARKS = {"'": "ft", "’": "ft", "′": "ft", '"': "inch", "”": "inch", "″": "inch", "′′": "inch"}
-_AXES = ("width", "depth", "height")
+_AXES = ("width", "depth", "length", "height", "diameter")
 _NOT_FINITE = {"nan": math.nan, "inf": math.inf, "infinity": math.inf, "infinite": math.inf}
 
 

@@ -1,0 +1,55 @@
+"""How large the objects of a plan are to be: as the prompt says, and counters as long as who sits at them needs."""
+
+import numpy as np
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.assets.category import Category
+from thinkblox.assets.sizing import size_for
+from thinkblox.brief import Measures, Request
+from thinkblox.planning.members import Member, Members
+from thinkblox.reading.habits import load_habits
+
+_PLACE = 0.6
+"""Width of a place at a counter [m]."""
+_AXES = ("depth", "width", "height")
+OPEN: Measures = (None, None, None)
+
+
+def size_of(member: Member, members: Members) -> Measures:
+    """What the asset of an object must measure [m]."""
+    kind = CATALOGUE.get(member.category)
+    if kind is None:
+        return OPEN
+    asked = tuple(s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
+    depth, width, height = asked
+    return (depth, width or _for_seats(member, members, kind), height)
+
+
+def size_note(request: Request) -> str:
+    """The sentence on a size that the prompt asks for and that cannot be made; empty when there is none."""
+    kind = CATALOGUE.get(request.category)
+    if kind is None:
+        return ""
+    least, most = kind.size_range
+    wrong = [
+        f"its {name} can be {least[axis]:g} to {most[axis]:g} m, not {size:g} m"
+        for axis, (name, size) in enumerate(zip(_AXES, request.size, strict=True))
+        if size is not None and not _fits(size, kind, axis)
+    ]
+    return f"{request.phrase or kind.noun}: {' and '.join(wrong)}" if wrong else ""
+
+
+def _fits(size: float | None, kind: Category, axis: int) -> bool:
+    least, most = kind.size_range
+    return size is not None and least[axis] <= size <= most[axis]
+
+
+def _for_seats(member: Member, members: Members, kind: Category) -> float | None:
+    """Width of a counter that is longer than usual because several sit at it."""
+    if not load_habits().is_in(member.category, "counters"):
+        return None
+    seats = sum(t.kind == "at" and member.id in t.anchors for m in members.all for t in m.ties)
+    words = frozenset(member.request.attributes)
+    usual = size_for(kind, words, np.random.default_rng(0))[1] if seats else 0.0
+    needed = round(min(_PLACE * seats + 0.1, kind.size_range[1][1]), 3)
+    return needed if seats and needed > usual else None

@@ -1,0 +1,45 @@
+"""Left, right, far and near walls, as seen by somebody who comes in by the door, and the corners between walls."""
+
+from collections.abc import Iterator
+
+from msgspec.structs import replace
+
+from thinkblox.brief import Brief, Relation
+from thinkblox.room import Room
+
+COMPASS = ("north_wall", "east_wall", "south_wall", "west_wall")
+"""Clockwise, as on a plan."""
+SIDES = ("far_wall", "right_wall", "near_wall", "left_wall")
+"""Clockwise too, from the wall opposite the door."""
+
+
+def wall_meant(name: str, room: Room) -> str:
+    """The wall of the compass that a name means in a room; other names stay as they are.
+
+    A room without a door is looked at from the south, as in its pictures.
+    """
+    if name not in SIDES:
+        return name
+    door = next((o for o in room.openings if o.kind == "door"), None)
+    near = "_".join(room.walls[door.wall].name.split("_")[:2]) if door else "south_wall"
+    far = COMPASS.index(near) + 2 if near in COMPASS else 0
+    return COMPASS[(far + SIDES.index(name)) % 4]
+
+
+def speaks_of_sides(brief: Brief) -> bool:
+    """Whether a brief names a wall by how it is seen from the door."""
+    named = {anchor for relation in brief.relations for anchor in relation.anchors} | {o.wall for o in brief.openings}
+    return not named.isdisjoint(SIDES)
+
+
+def relations_in(brief: Brief, room: Room) -> Iterator[Relation]:
+    """The relations of a brief in a room, those that are asked for first; a named corner is a corner and its walls."""
+    for relation in sorted(brief.relations, key=lambda r: not r.asked):
+        meant = replace(relation, anchors=tuple(wall_meant(anchor, room) for anchor in relation.anchors))
+        walls = [anchor for anchor in meant.anchors if anchor in COMPASS]
+        if relation.kind == "in_corner" and walls:
+            yield replace(meant, anchors=("corner",))
+            for wall in walls:
+                yield replace(meant, kind="against_wall", anchors=(wall,))
+        else:
+            yield meant

@@ -1,0 +1,71 @@
+"""Some of several: "two armchairs, one by the window and the other by the door", "two chairs here and one there"."""
+
+from dataclasses import replace
+
+from thinkblox.reading.attach import FLANKS
+from thinkblox.reading.draft import Thing
+from thinkblox.reading.lists import Lists
+from thinkblox.reading.phrases import Link, Phrase
+
+
+class Parts(Lists):
+    """Reads "one", "two" and "the other" where they stand for things named before."""
+
+    def _ones(self, phrase: Phrase) -> bool:
+        """Read a number that something is said of; whether it was one."""
+        following = self.next_item()
+        whole = self._whole_of_parts()
+        if whole is None or not phrase.count or not isinstance(following, Link):
+            return False
+        if following.kind not in ("relation", "adverb", "having") or following.value == "for":
+            return False
+        if following.value in FLANKS and not self._is_placed(whole):
+            whole.count = 2 * phrase.count
+            self.items[self.at + 1] = Link(following.kind, FLANKS[0])
+            self.mention(whole)
+        elif self._is_placed(whole) and whole is not self.parted:
+            self._take(self._copy(whole, phrase.count))
+        else:
+            self._set_apart(whole, phrase.count)
+        return True
+
+    def _other(self, phrase: Phrase) -> None:
+        """Read "the other": what is left of several, or one more of what was just mentioned."""
+        following = self.next_item()
+        said = isinstance(following, Link) and following.kind in ("relation", "adverb", "having")
+        whole = self.parted or self.current
+        if whole is None or not said:
+            return
+        if whole is self.parted:
+            self.parted = None
+            self.mention(whole)
+        else:
+            self._take(self._copy(whole, 1))
+
+    def _whole_of_parts(self) -> Thing | None:
+        """The several things that a number now parts."""
+        recent = [self.current, *reversed(self.run), *reversed(self.references.mentions[-3:])]
+        return self.parted or next((t for t in recent if t is not None and t.many and t in self.draft.things), None)
+
+    def _is_placed(self, thing: Thing) -> bool:
+        return any(not bond.implied for bond in self.draft.bonds_of(thing))
+
+    def _set_apart(self, whole: Thing, count: int) -> None:
+        """Set so many of `whole` apart; the last of them stay `whole` itself."""
+        left = (whole.count or 2 * count) - count
+        if left <= 0:
+            self.parted = None
+            self.mention(whole)
+            return
+        self.parted, whole.count = whole, left
+        part = self._copy(whole, count)
+        self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]
+        self._take(part)
+
+    def _copy(self, thing: Thing, count: int) -> Thing:
+        return replace(thing, count=count, plural=False, attributes=[*thing.attributes])
+
+    def _take(self, thing: Thing) -> None:
+        self.draft.things.append(thing)
+        self.run.append(thing)
+        self.mention(thing)
