@@ -5,6 +5,7 @@ import math
 from thinkblox.brief import Brief, Relation, RelationKind
 from thinkblox.plan import Tie
 from thinkblox.planning.members import Member, Members
+from thinkblox.reading.habits import load_habits
 
 _TOGETHER = ("between", "above", "around", "facing", "opposite", "behind", "under", "near")
 """Relations that one object can have to several anchors at once."""
@@ -89,6 +90,13 @@ def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member]
         _add(members, subject, [anchors[which]], relation, alike.index(number), len(alike))
 
 
+def _is_backing(relation: Relation, subject: Member, anchors: list[Member]) -> bool:
+    """Whether shelves behind a counter have to be placed before it, so that somebody fits in between."""
+    habits = load_habits()
+    shelves = habits.is_in(subject.category, "storage") and subject.mount == "floor"
+    return relation.kind == "behind" and shelves and habits.is_in(anchors[0].category, "counters")
+
+
 def _load(members: Members, anchor: Member, kind: str) -> int:
     """How many things the anchor carries (or has beside it) already."""
     return sum(tie.kind == kind and anchor.id in tie.anchors for member in members.all for tie in member.ties)
@@ -101,7 +109,11 @@ def share(number: int, count: int, anchors: int) -> int:
 
 def _add(members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int) -> None:
     """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject."""
-    if relation.kind in ("between", "in_front_of", "opposite"):
+    if _is_backing(relation, subject, anchors):
+        subject.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
+        anchors[0].ties.append(Tie(kind="in_front_of", anchors=(subject.id,)))
+        return
+    if relation.kind in ("between", "in_front_of", "opposite") or subject.mount == "floor":
         anchors = [members.support(anchor) or anchor for anchor in anchors]
     anchors = [anchor for anchor in dict.fromkeys(anchors) if anchor is not subject]
     free = [anchor for anchor in anchors if not members.depends(anchor, subject)]

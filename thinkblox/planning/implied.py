@@ -97,6 +97,8 @@ def _at_place(members: Members, waiting: list[Member], habit: Habit, *, windows:
     place = habit.anchors[0]
     if place == "window" and not windows:
         return waiting
+    if place == "centre" and any(tie.kind == "in_rows" for m in members.all for tie in m.ties):
+        return waiting
     if place == "centre" and len(waiting) > 1:
         return _in_rows(waiting)
     free = _free(members, waiting[0], habit, place)
@@ -143,7 +145,7 @@ def _free(members: Members, member: Member, habit: Habit, anchor: str) -> int:
     """How many more can have this relation to the anchor."""
     capacity = _CAPACITY.get(habit.kind, _UNLIMITED)
     if habit.kind == "at" and anchor.rsplit("_", 1)[0] in _LONG_SIDES:
-        capacity = 4
+        capacity = _UNLIMITED
     rivals = (m for m in members.all if m.mount == member.mount and m.flat == member.flat)
     if habit.kind not in _EXCLUSIVE:
         rivals = (m for m in rivals if m.category == member.category)

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from thinkblox.brief import Brief
-from thinkblox.planning.walls import COMPASS, speaks_of_sides, wall_meant
+from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
 from thinkblox.room import Opening, Room, Wall
 
 DOOR = (0.9, 2.1)
@@ -99,7 +99,8 @@ def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
 def _spared(brief: Brief, room: Room) -> frozenset[int]:
     """Walls that the prompt gives to something ("a screen on the short wall"), and so to nothing opposite either."""
     places = {anchor for relation in brief.relations if relation.asked for anchor in relation.anchors}
-    return frozenset(i for place in ("short_wall", "long_wall") if place in places for i in _by_length(room, place))
+    named = [place for place in places if place in ("short_wall", "long_wall", *COMPASS, *SIDES)]
+    return frozenset(i for place in named for i in _walls_named(room, place))
 
 
 def _by_length(room: Room, place: str) -> list[int]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from thinkblox.brief import Brief
 from thinkblox.planning.openings import with_openings
-from thinkblox.planning.space import needed_area
+from thinkblox.planning.space import needed_area, wall_needs
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.sizes import MAX_SIDE
 from thinkblox.room import Room, rectangle
@@ -43,7 +43,11 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1
     depth = round(min(MAX_SIDE, max(min(_LEAST_SIDE, math.sqrt(area)), math.sqrt(area * proportion))), digits)
-    return round(min(MAX_SIDE, area / depth), digits), depth
+    width = round(min(MAX_SIDE, area / depth), digits)
+    if brief.area is not None:
+        return width, depth
+    least_width, least_depth = wall_needs(brief)
+    return max(width, least_width), max(depth, least_depth)
 
 
 def _proportion(brief: Brief, rng: np.random.Generator) -> float:

@@ -7,9 +7,11 @@ import numpy as np
 from thinkblox.assets import CATALOGUE
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Request
+from thinkblox.planning.walls import COMPASS, SIDES
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.habits import load_habits
-from thinkblox.value import Vec3
+from thinkblox.reading.sizes import MAX_SIDE
+from thinkblox.value import Vec2, Vec3
 
 _DOOR_AREA = 1.6
 """Free floor that a door and the way in take [m2]."""
@@ -20,6 +22,8 @@ _WAYS = 1.3
 _TYPICAL_SHARE = 0.6
 """A room is not made smaller than this share of its type's usual floor."""
 _EMPTY_AREA = 10.0
+_BESIDE, _IN_CORNER = 0.15, 0.9
+"""Free width beside a piece along a wall, and beside one in a corner with its seats [m]."""
 
 
 def needed_area(brief: Brief) -> float:
@@ -40,6 +44,27 @@ def _walls_area(brief: Brief) -> float:
     widths = sum(r.count * _size(r)[1] for r in brief.requests if _is_against_wall(brief, r))
     perimeter = widths / _WALL_SHARE
     return (perimeter / 4.0) ** 2
+
+
+def wall_needs(brief: Brief) -> Vec2:
+    """Least sides of a room along x and y, for what the prompt puts against a wall that it names [m]."""
+    needs = dict.fromkeys((*COMPASS, *SIDES), 0.0)
+    requests = {request.key: request for request in brief.requests}
+    for relation in brief.relations:
+        for wall in relation.anchors:
+            if wall in needs and relation.kind in ("against_wall", "in_corner"):
+                request = requests[relation.subject]
+                gap = _BESIDE if relation.kind == "against_wall" else _IN_CORNER
+                needs[wall] += request.count * (_size(request)[1] + gap) if _stands(request) else 0.0
+    along = [max(needs[a], needs[b]) for a, b in (("north_wall", "south_wall"), ("east_wall", "west_wall"))]
+    seen = [max(needs[a], needs[b]) for a, b in (("far_wall", "near_wall"), ("left_wall", "right_wall"))]
+    x, y = (round(min(MAX_SIDE, max(pair)), 1) for pair in zip(along, seen, strict=True))
+    return x, y
+
+
+def _stands(request: Request) -> bool:
+    category = CATALOGUE.get(request.category)
+    return category is not None and category.mount == "floor" and not category.flat
 
 
 def _own_area(brief: Brief, request: Request) -> float:

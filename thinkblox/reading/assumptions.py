@@ -157,6 +157,7 @@ def _has(draft: Draft, group: str) -> bool:
 
 def _carry(draft: Draft) -> None:
     """Something to put small things on, where the prompt names nothing that could carry them."""
+    _build_in(draft)
     for thing in [t for t in draft.things if load_habits().is_in(t.noun, "small")]:
         if _lies_somewhere(draft, thing):
             continue
@@ -165,6 +166,20 @@ def _carry(draft: Draft) -> None:
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
                 _add(draft, noun, 1)
+
+
+def _build_in(draft: Draft) -> None:
+    """A cabinet for a sink or hob where there is no worktop; what is said of its place is then said of the cabinet."""
+    habits = load_habits()
+    alone = [t for t in draft.things if habits.is_in(t.noun, "built_in")]
+    if any(habits.is_in(t.noun, "worktops", "counters") or t.noun == "workbench" for t in draft.things):
+        return
+    for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
+        cabinet = _add(draft, "base_cabinet", thing.count or 1)
+        for bond in draft.bonds:
+            bond.subject = cabinet if bond.subject is thing else bond.subject
+            bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
+        draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
 
 
 def _lies_somewhere(draft: Draft, thing: Thing) -> bool:
