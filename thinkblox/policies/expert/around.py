@@ -64,16 +64,25 @@ def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:
 def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Every arrangement of the whole company about the anchor; from each, the places that are still free."""
     for order, places in enumerate(_companies(situation, anchor, tie.count)):
-        free, strays = _free_places(situation, anchor, places)
+        free, strays, tucks = _free_places(situation, anchor, places)
         spoilt = _spoilt(situation, anchor, free)
-        for number, place in enumerate(free):
-            cost = 0.4 * order + 2.0 * strays + 1.0 * sum(spoilt) + 0.05 * number
-            yield from _seats(situation, anchor, place, cost=cost)
+        for place in free:
+            cost = 0.4 * order + 2.0 * strays + 1.0 * sum(spoilt) - 0.1 * _from_middle(place)
+            yield from _seats(situation, anchor, place, cost=cost, tucks=tucks)
 
 
-def _seats(situation: Situation, anchor: Placement, place: Place, *, cost: float) -> Iterator[Idea]:
-    """At one place, drawn up more or less."""
-    for step, tuck in enumerate(TUCKS.get(situation.target.category, USUAL_TUCKS)):
+def _from_middle(place: Place) -> float:
+    """How far along its edge a place is: the outer ones come first, for the legs of the table are there [m]."""
+    angle = math.radians(place.outward)
+    return abs(-place.edge[0] * math.sin(angle) + place.edge[1] * math.cos(angle))
+
+
+def _seats(
+    situation: Situation, anchor: Placement, place: Place, *, cost: float, tucks: tuple[float, ...] = ()
+) -> Iterator[Idea]:
+    """At one place, drawn up as far as those that stand there, or more or less."""
+    usual = TUCKS.get(situation.target.category, USUAL_TUCKS)
+    for step, tuck in enumerate(sorted(usual, key=lambda t: min((round(abs(t - k), 2) for k in tucks), default=0.0))):
         yield beside_at(
             situation,
             anchor,
@@ -86,9 +95,11 @@ def _seats(situation: Situation, anchor: Placement, place: Place, *, cost: float
         )
 
 
-def _free_places(situation: Situation, anchor: Placement, places: list[Place]) -> tuple[list[Place], int]:
-    """The places nobody has taken yet, and how many seats at this table fit none of them."""
-    free, strays = list(places), 0
+def _free_places(
+    situation: Situation, anchor: Placement, places: list[Place]
+) -> tuple[list[Place], int, tuple[float, ...]]:
+    """The places nobody has taken yet, how many seats at this table fit none of them, and how far seats go under it."""
+    free, strays, tucks = list(places), 0, []
     for p in situation.siblings:
         x, y = anchor.to_local((p.position[0], p.position[1]))
         if max(abs(x) - anchor.size[0] / 2, abs(y) - anchor.size[1] / 2) > 0.8:
@@ -96,9 +107,16 @@ def _free_places(situation: Situation, anchor: Placement, places: list[Place]) -
         taken = min(free, key=lambda place: _off(place, x, y), default=None)
         if taken is not None and _off(taken, x, y) < SAME_SEAT:
             free.remove(taken)
+            tucks.append(round(situation.size[0] / 2 - _out(taken, x, y), 3))
         else:
             strays += 1
-    return free, strays
+    return free, strays, tuple(tucks)
+
+
+def _out(place: Place, x: float, y: float) -> float:
+    """Distance of a point from a place's edge, straight out [m]."""
+    angle = math.radians(place.outward)
+    return (x - place.edge[0]) * math.cos(angle) + (y - place.edge[1]) * math.sin(angle)
 
 
 def _off(place: Place, x: float, y: float) -> float:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.needs import BEDS
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
@@ -65,7 +66,8 @@ def _alignments(situation: Situation, anchor: Placement, side: str, size: Vec2) 
     if along == 0:
         small_round = situation.asset.front == "any" and situation.size[0] < 0.6
         back, centre = (0.1, 0.0) if small_round else (0.0, 0.3)
-        return ((-room, back), (0.0, centre), (room, 0.5))
+        from_head = 1.5 if anchor.category in BEDS else 0.0
+        return ((-room, 0.0 if from_head else back), (0.0, centre + from_head), (room, 0.5 + from_head))
     return ((0.0, 0.0), (-room / 2, 0.4), (room / 2, 0.4), (-room, 0.7), (room, 0.7))
 
 

@@ -30,9 +30,15 @@ def used_costs(situation: Situation, rects: Rects) -> Array:
     """How much of the floor is missing that the object needs to be used."""
     asset, costs = situation.asset, np.zeros(len(rects))
     for use in uses(situation.target.category, situation.size, asset.front, asset.clearance):
-        missing = [zone_costs(situation, beside(rects, side, use.depth), weight=5.0) for side in use.sides]
+        zones = [beside(rects, side, use.depth) for side in use.sides]
+        missing = [zone_costs(situation, zone, weight=5.0) + _promised(situation, zone) for zone in zones]
         costs += fewest(missing, use.number)
     return costs
+
+
+def _promised(situation: Situation, zone: Rects) -> Array:
+    """What will be missing of a zone when those come who are promised floor there."""
+    return np.asarray(2.0 * overlap_depth(zone, situation.promised).max(-1, initial=0.0))
 
 
 def zone_costs(situation: Situation, zone: Rects, *, weight: float) -> Array:

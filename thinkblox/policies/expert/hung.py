@@ -45,7 +45,7 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
         yield from at_windows(situation)
     watched = _is_watched(situation)
     for wall in named_walls(situation.room, place):
-        short_view = 0.25 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
+        short_view = 0.5 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
         half = situation.size[1] / 2
         if wall.length < situation.size[1]:
             continue

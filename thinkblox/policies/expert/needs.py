@@ -92,7 +92,7 @@ def need(follower: Target, tie: Tie, *, of: str) -> Need | None:
         case "left_of" | "right_of":
             return Need((tie.kind.removesuffix("_of"),), width + 0.1, None, 1, 4.0)
         case "around":
-            return Need(ALL_ROUND, depth + BEHIND_SEAT, None, min(tie.count, 4), 2.5)
+            return Need(ALL_ROUND, depth + BEHIND_SEAT, None, 2 if tie.count <= 2 else 4, 2.5)
         case "at":
             return Need(("front",), depth + BEHIND_SEAT, width, 1, 4.0)
         case "in_front_of" | "at_foot_of":

@@ -49,6 +49,8 @@ NEIGHBOURS: dict[str, tuple[str, Vec2]] = {"mouse": ("keyboard", (0.0, 1.0)), "k
 """What keeps its place by a companion rather than by the surface: the side of it that it takes."""
 OVERHANG = 0.02
 """Half of how far a thing may reach over the front edge [m]: feet stand inside its outline."""
+APART = 0.02
+"""Left between things side by side [m]."""
 SHRINK = (1.0, 0.85, 0.7, 0.6)
 """Sizes tried, as shares, for what is too large for every surface of its support."""
 HEADROOM = 0.02
@@ -70,8 +72,14 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
 
 def _room_for_all(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> bool:
     """Whether as many of that size as the tie counts have room, side by side on all surfaces together."""
-    room = sum(int(max(s.size) / (min(size[:2]) + 0.01)) * max(1, int(min(s.size) / max(size[:2]))) for s in surfaces)
-    return room >= tie.count
+    turned = (size[1], size[0])
+    return sum(max(_fitting(s, size[:2]), _fitting(s, turned)) for s in surfaces) >= tie.count
+
+
+def _fitting(surface: Surface, size: Vec2) -> int:
+    """How many things of a size fit on a surface in lines."""
+    deep = int((surface.size[0] + 2 * OVERHANG) / size[0])
+    return deep * int(surface.size[1] / (size[1] + APART))
 
 
 def _scaled(size: Vec3, share: float) -> Vec3:

@@ -23,6 +23,12 @@ TOUCHING = 0.9
 """Cost of standing close up to something that needs air, or of needing air oneself."""
 BESIDE_WALL = 0.35
 """Share of a gap's cost where the other side is a wall and the thing stands against another one."""
+CROWDS_WALL = 0.5
+"""Cost of a wall close up to something that people sit or play around."""
+SAT_AROUND = frozenset(
+    "dining_table kitchen_table conference_table square_table high_table play_table pool_table table_tennis "
+    "display_table kitchen_island".split()
+)
 UNBALANCED = 0.9
 """Cost per metre from the middle of the room to the middle of what stands in it, by floor area."""
 CASES = frozenset(
@@ -49,7 +55,7 @@ def in_the_way(situation: Situation, rects: Rects, *, beside: frozenset[str] = f
     others = tuple(p for p in situation.large if p.id not in near)
     gaps = separation(rects, Rects.of_placements(others))
     costs = gap_cost(gaps) + _touching(situation, gaps, others)
-    return np.asarray(costs.sum(-1)) + _walls(situation.room, rects)
+    return np.asarray(costs.sum(-1)) + _walls(situation.room, rects, free=situation.target.category in SAT_AROUND)
 
 
 _MOVED = frozenset("chair office_chair child_chair stool bar_stool bean_bag ottoman laundry_basket".split())
@@ -62,11 +68,12 @@ def _touching(situation: Situation, gaps: Array, others: tuple[Placement, ...]) 
     return np.where((gaps <= CLOSED) & airy[None], TOUCHING, 0.0)
 
 
-def _walls(room: Room, rects: Rects) -> Array:
+def _walls(room: Room, rects: Rects, *, free: bool) -> Array:
     """Gaps to walls; for what stands against some wall, a gap at its end is no way and matters less."""
     gaps = separation(rects, wall_rects(room))
-    share = np.where((gaps <= CLOSED).any(-1), BESIDE_WALL, 1.0)
-    return np.asarray(share * gap_cost(gaps).sum(-1))
+    against = (gaps <= CLOSED).any(-1)
+    costs = np.where(against, BESIDE_WALL, 1.0) * gap_cost(gaps).sum(-1)
+    return np.asarray(costs + np.where(against & free, CROWDS_WALL, 0.0))
 
 
 def wall_rects(room: Room) -> Rects:
