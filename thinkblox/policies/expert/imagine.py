@@ -41,8 +41,10 @@ LIKES_CORNERS = frozenset(("plant", "floor_lamp", "waste_bin", "laundry_basket",
 def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
     ties = situation.target.ties
-    if ties and ties[0].kind == "facing" and not ties[0].anchors:
-        ties = ties[:1]
+    like = {t.id for t in _company(situation)}
+    mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
+    if mutual and all(tie.kind != "in_rows" for tie in ties):
+        ties = mutual
     return [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
 
 

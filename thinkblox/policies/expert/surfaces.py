@@ -8,6 +8,7 @@ from thinkblox.asset import Surface
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.place_settings import by_seats
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2, Vec3
@@ -143,9 +144,10 @@ def _spots(
     situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2
 ) -> Iterator[tuple[Vec2, float]]:
     yield from _by_companion(situation, anchor, surface, free)
+    yield from by_seats(situation, anchor, surface, free)
     marked = SPOTS.get(situation.target.category, ((0.0, 0.0),) if situation.target.category in CENTRED else ())
     if tie.count > 1:
-        marked = _spread(tie, surface)
+        marked = _spread(tie, surface, free)
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
     columns = max(3, min(13, round(free[1] / 0.06)))
@@ -170,14 +172,16 @@ def _by_companion(
                 yield (u, v), -0.2
 
 
-def _spread(tie: Tie, surface: Surface) -> tuple[Vec2, ...]:
+def _spread(tie: Tie, surface: Surface, free: Vec2) -> tuple[Vec2, ...]:
     """Evenly along the longer side for up to six, in two staggered lines for more."""
     lines = 1 if tie.count <= 6 else 2
     per_line = -(-tie.count // lines)
     line, place = divmod(tie.index, per_line)
-    along = 2 * (place + 0.5) / per_line - 1
     across = 0.0 if lines == 1 else (0.5 if line else -0.5)
-    return ((across, along),) if surface.size[1] >= surface.size[0] else ((along, across),)
+    lengthwise = 1 if surface.size[1] >= surface.size[0] else 0
+    reach = surface.size[lengthwise] / 2 / max(free[lengthwise], 1e-9)
+    along = min(max((2 * (place + 0.5) / per_line - 1) * reach, -1.0), 1.0)
+    return ((across, along),) if lengthwise else ((along, across),)
 
 
 def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float) -> Idea:

@@ -1,0 +1,64 @@
+"""Where things go on a table that people sit at: one to each seat, before whoever sits there."""
+
+import math
+from collections.abc import Iterator
+
+from thinkblox.asset import Surface
+from thinkblox.policies.expert.idea import SEATS
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.scene import Placement
+from thinkblox.value import Vec2
+
+SETTINGS: dict[str, Vec2] = {
+    "plate": (0.03, 0.0),
+    "bowl": (0.06, 0.0),
+    "laptop": (0.06, 0.0),
+    "book": (0.06, 0.0),
+    "glass": (0.24, 0.16),
+    "cup": (0.14, 0.22),
+    "cutlery": (0.03, 0.22),
+}
+"""From the edge of the table to a thing, and from its middle to the right of the person [m]."""
+AT_TABLE = 0.6
+"""A seat nearer than this to a table belongs to it [m]."""
+
+
+def by_seats(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> Iterator[tuple[Vec2, float]]:
+    """A spot on the surface for each seat at the table, one's own first, with its cost."""
+    inset = SETTINGS.get(situation.target.category)
+    if inset is None or situation.target.count < 2:
+        return
+    for number, seat in enumerate(_seats_at(situation, anchor)):
+        u, v = _before(anchor, surface, seat, inset, reach=max(situation.size[:2]) / 2)
+        if abs(u) <= free[0] and abs(v) <= free[1]:
+            yield (u, v), -0.6 + (0.0 if number == situation.target.index else 0.1)
+
+
+def _seats_at(situation: Situation, anchor: Placement) -> list[Placement]:
+    """Seats near the table that look at it."""
+    return [
+        p
+        for p in situation.solid
+        if p.category in SEATS and p.footprint.distance(anchor.footprint) < AT_TABLE and _looks_at(p, anchor)
+    ]
+
+
+def _looks_at(seat: Placement, anchor: Placement) -> bool:
+    dx, dy = anchor.position[0] - seat.position[0], anchor.position[1] - seat.position[1]
+    angle = math.radians(seat.yaw)
+    return dx * math.cos(angle) + dy * math.sin(angle) > 0.0
+
+
+def _before(anchor: Placement, surface: Surface, seat: Placement, inset: Vec2, *, reach: float) -> Vec2:
+    """A point of the surface straight before a seat, from the surface's middle."""
+    x, y = anchor.to_local((seat.position[0], seat.position[1]))
+    x, y = x - surface.position[0], y - surface.position[1]
+    a, b = surface.size[0] / 2, surface.size[1] / 2
+    if surface.round:
+        share = 1.0 / max(1.0, math.hypot(x / a, y / b))
+        x, y = x * share, y * share
+    else:
+        x, y = min(max(x, -a), a), min(max(y, -b), b)
+    angle = math.radians(seat.yaw - anchor.yaw)
+    (ahead_x, ahead_y), deep = (math.cos(angle), math.sin(angle)), inset[0] + reach
+    return (x + ahead_x * deep + ahead_y * inset[1], y + ahead_y * deep - ahead_x * inset[1])
