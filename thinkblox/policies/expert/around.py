@@ -67,7 +67,7 @@ def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
         free, strays, tucks = _free_places(situation, anchor, places)
         spoilt = _spoilt(situation, anchor, free)
         for place in free:
-            cost = 0.4 * order + 2.0 * strays + 1.0 * sum(spoilt) - 0.5 * _from_middle(place)
+            cost = 0.4 * order + 2.0 * strays + sum(spoilt) - _from_middle(place)
             yield from _seats(situation, anchor, place, cost=cost, tucks=tucks)
 
 
