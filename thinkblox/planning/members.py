@@ -1,6 +1,7 @@
 """The objects of a brief one by one, and what they are like."""
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from thinkblox.assets import CATALOGUE
 from thinkblox.brief import Brief, Request
@@ -21,19 +22,19 @@ class Member:
         """Its category."""
         return self.request.category
 
-    @property
+    @cached_property
     def mount(self) -> str:
         """What it is placed on; "floor" for what the catalogue does not have."""
         category = CATALOGUE.get(self.category)
         return category.mount if category else "floor"
 
-    @property
+    @cached_property
     def footprint(self) -> float:
         """Area it usually covers [m2]."""
         category = CATALOGUE.get(self.category)
         return category.size[0] * category.size[1] if category else 0.25
 
-    @property
+    @cached_property
     def flat(self) -> bool:
         """Whether it is walked on."""
         category = CATALOGUE.get(self.category)

@@ -25,8 +25,11 @@ class Anchors(Memory):
             case "place":
                 return kind, (phrase.value,)
             case "part":
-                means = self._part_of(phrase)
+                laid = kind == "on" and subject is not None and self.habits.is_in(subject.noun, "small")
+                means = "on" if laid else self._part_of(phrase)
                 return means, self.antecedent(subject, means if means == "at_foot_of" else "")
+            case "object" if kind == "between" and self._and_opening(subject):
+                return "next_to", self.named(phrase, waiting)
             case "object":
                 return kind, self.named(phrase, waiting)
         return kind, ()
@@ -44,13 +47,23 @@ class Anchors(Memory):
         self.items[self.at + 2] = Phrase("ignored", "")
         return self.references.named(second) or self.new_thing(second)
 
+    def _and_opening(self, subject: Thing | None) -> bool:
+        """Read the second half of "between the sofa and the window"; whether there is one."""
+        second = self.next_item(2)
+        if not self.next_is("and") or not isinstance(second, Phrase) or second.value not in ("window", "door"):
+            return False
+        self.attach_place("near", second.value, subject, each=False)
+        self.items[self.at + 2] = Phrase("ignored", "")
+        return True
+
     def _part_of(self, phrase: Phrase) -> str:
         return {"foot": "at_foot_of", "side": "next_to", "head": "next_to", "top": "on"}[phrase.value]
 
     def named(self, phrase: Phrase, waiting: Waiting) -> tuple[Thing | str, ...]:
         """The thing an anchor phrase names, and a second one after "between ... and"."""
         kind = waiting.kind
-        pointing = phrase.definite or phrase.each or phrase.whose or kind == "per"
+        bare = phrase.plural and phrase.count is None and not phrase.rows
+        pointing = phrase.definite or phrase.each or phrase.whose or kind == "per" or bare
         known = self.references.named(phrase, besides=waiting.subject) if pointing else None
         thing = known or self.new_thing(phrase)
         if waiting.shared and known is None and waiting.subject is not None and thing.count == 1:

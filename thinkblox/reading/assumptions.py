@@ -74,6 +74,7 @@ def assume(draft: Draft) -> None:
         if _FURNISH in draft.style or _is_bare(draft):
             _fill(draft)
         _seat(draft)
+        _staff(draft)
         _carry(draft)
 
 
@@ -142,6 +143,13 @@ def _seat(draft: Draft) -> None:
         _chairs(draft, table or _add(draft, _SEATING[draft.room], 1), draft.people)
 
 
+def _staff(draft: Draft) -> None:
+    """Desks for the people of an office, where only "desks" are named."""
+    for desk in draft.things:
+        if draft.people and desk.count is None and not desk.rows and desk.noun == _A_PLACE_EACH.get(draft.room):
+            desk.count = draft.people
+
+
 def _chairs(draft: Draft, table: Thing, count: int) -> None:
     seat = _add(draft, "chair", count)
     draft.bonds.append(Bond(_seated(table), seat, (table,), each=table.many, asked=False))
@@ -178,7 +186,8 @@ def _build_in(draft: Draft) -> None:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
         for bond in draft.bonds:
             bond.subject = cabinet if bond.subject is thing else bond.subject
-            bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
+            if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
+                bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
 
 

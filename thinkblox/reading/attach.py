@@ -10,7 +10,6 @@ FLANKS = ("flank", "flank_each")
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
 _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list can share, and what kind of things then do."""
-_COVERS = ("rug", "bath_mat", "door_mat", "yoga_mat")
 
 
 def place_bond(kind: str, place: str) -> tuple[RelationKind, tuple[str, ...]] | None:
@@ -41,7 +40,8 @@ def bind(draft: Draft, bond: Bond) -> None:
     if isinstance(anchor, Thing):
         if anchor is bond.subject and bond.kind not in ("facing", "next_to"):
             return
-        if bond.kind == "on" and anchor.noun in _COVERS and bond.subject.noun not in _COVERS:
+        covered = bond.kind == "on" and load_habits().is_in(anchor.noun, "covers")
+        if covered and not load_habits().is_in(bond.subject.noun, "covers", "small"):
             bond = Bond("under", anchor, (bond.subject,), each=bond.each)
         elif bond.kind in ("against_wall", "under") and (
             usual := load_habits().tie(bond.subject.noun, anchor.noun)
@@ -52,7 +52,11 @@ def bind(draft: Draft, bond: Bond) -> None:
             bond.kind = usual
         elif bond.kind == "against_wall":
             bond.kind = "next_to"
-        elif bond.kind == "between" and load_habits().tie(anchor.noun, bond.subject.noun) == "next_to":
+        elif (
+            bond.kind == "between"
+            and len(bond.anchors) == 1
+            and load_habits().tie(anchor.noun, bond.subject.noun) == "next_to"
+        ):
             bond = Bond("next_to", anchor, (bond.subject,))
     if bond.subject.owner is not None and not bond.implied:
         bond.each |= any(_is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds)
@@ -81,10 +85,10 @@ def subjects_of(
     habits = load_habits()
     owner = current.owner
     place = bool(anchors) and isinstance(anchors[0], str)
-    if owner is not None and not pronoun and owner not in anchors:
+    if owner is not None and owner not in anchors and (not pronoun or kind in _BY_OWNER):
         if place and not (habits.is_in(current.noun, "wallpieces", "ceiling")):
             return [owner]
-        if kind in _BY_OWNER and habits.is_in(current.noun, "small", "seats") and kind != "facing":
+        if kind in _BY_OWNER and habits.is_in(current.noun, "small", "seats", "lamps") and kind != "facing":
             return [owner]
     group = _JOINED.get(kind, "")
     taken = [thing for thing in run if draft.bonds_of(thing)] if group else []

@@ -40,9 +40,9 @@ class Chunker:
         yield from self._link(self.peek())
 
     def _shortened(self, lexeme: Lexeme, ahead: int) -> Lexeme:
-        """Leave "side table" whole in "on each side table"."""
+        """Leave "side table" whole in "on each side table", and "left wall" in "on the left wall"."""
         last = self.peek(ahead + lexeme.length - 1)
-        whole = last.length > 1 and last.entry("object")
+        whole = last.length > 1 and last.entry("object", "place")
         return self.peek(ahead, lexeme.length - 1) if whole else lexeme
 
     def size(self) -> Size | None:
@@ -93,8 +93,8 @@ _HEADS: dict[str, PhraseKind] = {
     "other": "other",
     "all": "all",
 }
-_POINTING = ("it", "them", "other", "all")
-"""Heads that stand alone: "both", but not "both lamps"."""
+_POINTING = ("them", "other", "all")
+"""Heads that stand alone where the same word can be a determiner: "both", but not "both lamps"."""
 
 
 class _NounPhrase:
@@ -141,7 +141,7 @@ class _NounPhrase:
         return True
 
     def _determiner(self, lexeme: Lexeme) -> bool:
-        entry = next((e for e in lexeme.entries if e.sort == "word" and e.value in _DETERMINERS), None)
+        entry = _determiner_of(lexeme)
         if (
             entry is None
             or self._stands_alone(lexeme)
@@ -292,7 +292,9 @@ class _NounPhrase:
 
     def _word(self, lexeme: Lexeme) -> Entry | None:
         entry = next((e for e in lexeme.entries if e.sort == "word" and e.value in _HEADS), None)
-        if entry is None or (entry.value in _POINTING and (self.determined or not self._stands_alone(lexeme))):
+        if entry is None or (entry.value in ("it", *_POINTING) and self.determined):
+            return None
+        if entry.value in _POINTING and _determiner_of(lexeme) and not self._stands_alone(lexeme):
             return None
         return None if entry.value == "ignored" and not self.determined else entry
 
@@ -350,6 +352,10 @@ def is_owner(lexeme: Lexeme) -> bool:
 
 _VERBS = ("stands",)
 _DETERMINERS = ("indefinite", "definite", "possessive", "each", "other")
+
+
+def _determiner_of(lexeme: Lexeme) -> Entry | None:
+    return next((e for e in lexeme.entries if e.sort == "word" and e.value in _DETERMINERS), None)
 
 
 def _continues(lexeme: Lexeme) -> bool:

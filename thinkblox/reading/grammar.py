@@ -11,6 +11,9 @@ from thinkblox.reading.sizes import Size
 
 _TAKES_BOOKS = ("bookcase", "any_shelf", "wall_shelf", "shelving_unit")
 
+_ROOM_SIDES = {"left_of": "left_wall", "right_of": "right_wall"}
+"""What "on the left" means of the first thing in a sentence."""
+
 
 class Walker(Nouns):
     """Reads the items of one prompt into a draft."""
@@ -173,8 +176,10 @@ class Walker(Nouns):
         if isinstance(following, Phrase) and following.kind == "object" and self.separator:
             self.front = Front(kind, self.antecedent(None, kind, following.value), each=False)
             return
-        belongs = self.current is not None and self.current.owner is not None
-        if not (belongs and kind in ("left_of", "right_of")):
+        current = self.current
+        if kind in _ROOM_SIDES and current is not None and self.run == [current] and current.owner is None:
+            self.attach_place("along", _ROOM_SIDES[kind], current, each=False)
+        else:
             self.attach(kind, self.antecedent(self.current, kind), subject=self.current, pronoun=True)
 
     def _mutual(self, kind: str) -> None:

@@ -20,11 +20,12 @@ class Lists(Anchors):
         if front is None:
             return
         listed = self.separator in ("and", "comma") and self.run
-        if listed and front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted"):
+        off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted")
+        if listed and (off or (front.kind == "along" and self.separator == "comma")):
             self.front = None
             return
         self.attach(front.kind, front.anchors, subject=thing, pronoun=True, each=front.each)
-        if front.kind not in ("on", "above"):
+        if front.kind not in ("on", "above", "along"):
             self.front = None
 
     def take_member(self, thing: Thing) -> None:

@@ -123,7 +123,8 @@ class Nouns(Parts):
 
     def _all(self, phrase: Phrase) -> None:
         """Let "all" be everything in the list just read."""
-        self.everyone = [t for t in self.run if self.current is None or t.owner is self.current.owner]
+        owner = self.current.owner if self.current is not None else None
+        self.everyone = [t for t in self.run if t.owner is None] or ([owner] if owner is not None else [])
 
     def _number(self, phrase: Phrase) -> None:
         if not self._ones(phrase):
@@ -170,6 +171,10 @@ class Nouns(Parts):
         """The noun phrase after a preposition."""
         waiting, self.waiting = self.waiting, None
         if waiting is None:
+            return
+        if phrase.kind == "missing" and phrase.definite and (known := self.references.called(phrase)):
+            phrase.kind, phrase.value = "object", known.noun
+        if phrase.kind == "missing" and waiting.kind == "for":
             return
         if phrase.kind in ("rows", "people", "number", "room", "missing", "adjective"):
             getattr(self, "_people" if phrase.kind == "number" else f"_{phrase.kind}")(phrase)

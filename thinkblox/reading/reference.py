@@ -31,7 +31,7 @@ _REACH = 200
 """How many things back "the desk" can reach."""
 _MEMORY = 40
 """How many things back a pronoun can reach."""
-_BY_HABIT = ("on", "above", "under", "at", "around")
+_BY_HABIT = ("on", "above", "under", "at", "around", "opposite")
 """Relations of which one can tell what has them to what."""
 _CLOSE = ("on", "at", "around")
 _SIDES = ("left_of", "right_of")
@@ -57,6 +57,11 @@ class References:
         called = (t for t in recent if _last_word(t.text) == word)
         return next(very, None) or next(same, None) or next(like, None) or next(called, None)
 
+    def called(self, phrase: Phrase) -> Thing | None:
+        """The latest thing whose last word a phrase repeats: "the machines" after "two washing machines"."""
+        word = _last_word(phrase.text).removesuffix("s")
+        return next((t for t in reversed(self.draft.things) if _last_word(t.text).removesuffix("s") == word), None)
+
     def mention(self, thing: Thing) -> None:
         """Remember that a thing was spoken of just now."""
         self.mentions.append(thing)
@@ -68,7 +73,13 @@ class References:
         """
         noun = noun or (subject.noun if subject is not None else "")
         host = subject.host if subject is not None else None
-        if host is not None and (_fits(host, kind) or host is getattr(subject, "owner", None)):
+        if noun in load_habits().group("screens") and kind == "opposite":
+            noun = "tv_stand"
+        if (
+            host is not None
+            and not (host.many and subject is not host)
+            and (_fits(host, kind) or host is getattr(subject, "owner", None))
+        ):
             return host
         candidates = self._recent(subject)
         usually, topic = load_habits().tie, self.topic
@@ -156,7 +167,7 @@ def _fits(thing: Thing, kind: str) -> bool:
     habits = load_habits()
     match kind:
         case "on":
-            return habits.is_in(thing.noun, "surfaces", "beds", "lounges")
+            return habits.is_in(thing.noun, "surfaces", "beds", "lounges", "tops", "covers")
         case "at_foot_of":
             return habits.is_in(thing.noun, "beds")
     return True
