@@ -240,14 +240,14 @@ PROMPTS = {
         "1 crib, 1 rocking_chair, 1 play_table, 1 table_lamp, 1 dresser, 1 rug, 3 toy",
         (
             "crib against_wall wall, rocking_chair next_to crib, table_lamp on play_table, play_table between"
-            " rocking_chair crib, dresser opposite crib, rug in_centre centre, toy on rug"
+            " rocking_chair crib, dresser opposite crib, rug in_centre centre, toy near rug"
         ),
         "",
     ),
     "A meeting room with a rectangular table, four chairs on each side and one at each end, a TV on the wall at "
     "the end of the table, and a whiteboard next to the door.": (
         "1 conference_table, 10 chair, 1 wall_tv, 1 whiteboard",
-        "chair around conference_table, wall_tv next_to conference_table, whiteboard near door",
+        "chair around conference_table, wall_tv near conference_table, whiteboard near door",
         "",
     ),
     "Living room with fireplace; two sofas facing each other in front of the fireplace, rug between them, coffee "
@@ -289,7 +289,7 @@ PROMPTS = {
     "island in the middle with a bowl, two cups and a kettle on it.": (
         "1 fridge, 1 oven, 1 dishwasher, 1 sink, 1 kitchen_island, 1 bowl, 2 cup, 1 kettle",
         (
-            "fridge between oven dishwasher, kitchen_island in_centre centre, bowl on kitchen_island, cup on "
+            "oven next_to fridge, dishwasher next_to fridge, kitchen_island in_centre centre, bowl on kitchen_island, cup on "
             "kitchen_island, kettle on kitchen_island"
         ),
         "",

@@ -7,6 +7,7 @@ import numpy as np
 from thinkblox.assets import CATALOGUE
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Request
+from thinkblox.planning.asked import rows_for
 from thinkblox.planning.walls import COMPASS, SIDES
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.habits import load_habits
@@ -22,6 +23,8 @@ _WAYS = 1.3
 _TYPICAL_SHARE = 0.6
 """A room is not made smaller than this share of its type's usual floor."""
 _EMPTY_AREA = 10.0
+_BOARD = 1.8
+"""Free depth before a board [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
 """Free width beside a piece along a wall, and beside one in a corner with its seats [m]."""
 
@@ -36,7 +39,15 @@ def needed_area(brief: Brief) -> float:
 
 
 def _furniture_area(brief: Brief) -> float:
-    return _DOOR_AREA + _WAYS * sum(r.count * _own_area(brief, r) for r in brief.requests)
+    return _DOOR_AREA + _WAYS * sum(r.count * _own_area(brief, r) for r in brief.requests) + _before_board(brief)
+
+
+def _before_board(brief: Brief) -> float:
+    """Floor between a board and the first of the rows that look at it [m2]."""
+    looking = {r.subject for r in brief.relations if r.kind in ("facing", "opposite")}
+    rows = [r for r in brief.relations if r.kind == "in_rows" and r.subject in looking]
+    requests = [(brief.request(r.subject), r.rows) for r in rows]
+    return sum(_BOARD * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.count)) for q, n in requests)
 
 
 def _walls_area(brief: Brief) -> float:

@@ -33,13 +33,13 @@ def speaks_of_sides(brief: Brief) -> bool:
 
 
 def relations_in(brief: Brief, room: Room) -> Iterator[Relation]:
-    """The relations of a brief in a room, those that are asked for first; a named corner is a corner and its walls."""
+    """The relations of a brief in a room, those that are asked for first; a named corner is one near its walls."""
     for relation in sorted(brief.relations, key=lambda r: not r.asked):
         meant = replace(relation, anchors=tuple(wall_meant(anchor, room) for anchor in relation.anchors))
         walls = [anchor for anchor in meant.anchors if anchor in COMPASS]
         if relation.kind == "in_corner" and walls:
             yield replace(meant, anchors=("corner",))
             for wall in walls:
-                yield replace(meant, kind="against_wall", anchors=(wall,))
+                yield replace(meant, kind="near", anchors=(wall,))
         else:
             yield meant

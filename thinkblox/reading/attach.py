@@ -11,6 +11,9 @@ _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", 
 _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list can share, and what kind of things then do."""
 
+_FREE = ("any_table", "dining_table", "kitchen_table", "conference_table", "high_table", "coffee_table")
+"""What stands away from the walls: what hangs on a wall is near it rather than beside it."""
+
 
 def place_bond(kind: str, place: str) -> tuple[RelationKind, tuple[str, ...]] | None:
     """The relation and places that "<kind> the <place>" means; None when it says nothing ("on the ceiling")."""
@@ -40,28 +43,40 @@ def bind(draft: Draft, bond: Bond) -> None:
     if isinstance(anchor, Thing):
         if anchor is bond.subject and bond.kind not in ("facing", "next_to"):
             return
-        covered = bond.kind == "on" and load_habits().is_in(anchor.noun, "covers")
-        if covered and not load_habits().is_in(bond.subject.noun, "covers", "small"):
-            bond = Bond("under", anchor, (bond.subject,), each=bond.each)
-        elif bond.kind in ("against_wall", "under") and (
-            usual := load_habits().tie(bond.subject.noun, anchor.noun)
-        ) in (
-            "at",
-            "around",
-        ):
-            bond.kind = usual
-        elif bond.kind == "against_wall":
-            bond.kind = "next_to"
-        elif (
-            bond.kind == "between"
-            and len(bond.anchors) == 1
-            and load_habits().tie(anchor.noun, bond.subject.noun) == "next_to"
-        ):
-            bond = Bond("next_to", anchor, (bond.subject,))
+        if bond.kind == "between" and (neighbours := _neighbours(bond)):
+            draft.bonds += neighbours[1:]
+            bond = neighbours[0]
+        else:
+            bond = _turned(bond, anchor)
     if bond.subject.owner is not None and not bond.implied:
         bond.each |= any(_is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds)
         draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
     draft.bonds.append(bond)
+
+
+def _turned(bond: Bond, anchor: Thing) -> Bond:
+    """The bond that is meant: chairs "under" a desk are at it, a bed "on" a rug has the rug under it."""
+    habits = load_habits()
+    usual = habits.tie(bond.subject.noun, anchor.noun)
+    if bond.kind == "on" and habits.is_in(anchor.noun, "covers") and not habits.is_in(bond.subject.noun, "covers"):
+        if habits.is_in(bond.subject.noun, "small"):
+            bond.kind = "near"
+            return bond
+        return Bond("under", anchor, (bond.subject,), each=bond.each)
+    if bond.kind in ("against_wall", "under") and usual in ("at", "around"):
+        bond.kind = usual
+    elif bond.kind == "against_wall":
+        bond.kind = "next_to"
+    elif bond.kind == "next_to" and habits.is_in(bond.subject.noun, "wallpieces") and anchor.noun in _FREE:
+        bond.kind = "near"
+    return bond
+
+
+def _neighbours(bond: Bond) -> list[Bond]:
+    """The bed "between two nightstands" or the fridge between two appliances comes first, what is beside it then."""
+    tie = load_habits().tie
+    things = [a for a in bond.anchors if isinstance(a, Thing) and tie(a.noun, bond.subject.noun) == "next_to"]
+    return [Bond("next_to", a, (bond.subject,)) for a in things] if len(things) == len(bond.anchors) else []
 
 
 def _is_sharper(bond: Bond, old: Bond) -> bool:
