@@ -39,13 +39,17 @@ def check_folder(out: str | Path, *, overwrite: bool = False) -> Path:
         parent = parent.parent
     if not parent.is_dir():
         raise InputError(f"{out}: cannot be made, for {parent} is not a folder")
-    if not os.access(parent, os.W_OK | os.X_OK):
-        raise InputError(f"{out}: cannot be made, for the folder {parent} is not writable")
+    try:
+        tempfile.TemporaryDirectory(prefix=f".{out.name}"[:20], dir=parent).cleanup()
+    except OSError as error:
+        raise InputError(f"{out}: cannot be made, for the folder {parent} is not writable: {error.strerror}") from error
     return out
 
 
 def _check_ours(out: Path, overwrite: bool) -> None:
-    if out.is_symlink() or not out.is_dir():
+    if out.is_symlink():
+        raise InputError(f"{out}: is a symbolic link; name the folder itself")
+    if not out.is_dir():
         raise InputError(f"{out}: exists and is not a folder; choose another name")
     foreign = sorted(entry.name for entry in out.iterdir() if entry.name not in FILES or entry.is_dir())
     if foreign:
@@ -56,7 +60,7 @@ def _check_ours(out: Path, overwrite: bool) -> None:
     except InputError as error:
         raise InputError(f"{out}: exists and is not a room that we wrote; choose another folder") from error
     if not overwrite:
-        raise InputError(f"{out}: already holds a room; choose another folder or ask for it to be overwritten")
+        raise InputError(f"{out}: already holds a room; choose another folder, or --overwrite it")
 
 
 def save_room(result: "Generation", out: str | Path, *, pictures: bool = True, overwrite: bool = False) -> Path:

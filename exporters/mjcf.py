@@ -10,13 +10,13 @@ import numpy as np
 
 from thinkblox.room import Room
 from thinkblox.scene import Scene
-from thinkblox.sim.build import build_spec
+from thinkblox.sim.build import build_spec, compiled
 from thinkblox.sim.settings import Physics
 from thinkblox.sim.settle import SettledState, add_keyframe, settle
 
 AZIMUTH, ELEVATION = 125.0, -40.0
 """Where the viewer looks to at first [degrees]."""
-_DISTANCE = 1.1
+_DISTANCE = 0.65
 """Distance of the named camera from the room's middle, in extents."""
 
 
@@ -43,7 +43,7 @@ def mjcf_text(scene: Scene, *, settled: SettledState | None = None, physics: Phy
     settled = settled or settle(scene, physics=physics)
     add_keyframe(spec, settled)
     _set_view(spec, scene.room)
-    spec.compile()
+    compiled(spec)
     return _with_exact_poses(spec, settled)
 
 
@@ -67,7 +67,7 @@ def _numbers(values: Iterable[float]) -> str:
 def _set_view(spec: mujoco.MjSpec, room: Room) -> None:
     """The whole room in the viewer's window, from above one corner, and the same as a camera "overview"."""
     width, depth = room.extent
-    extent = math.hypot(width, depth, room.height) / 2
+    extent = 0.85 * math.hypot(width, depth, room.height)
     centre = (width / 2, depth / 2, room.height / 3)
     spec.stat.center, spec.stat.extent = centre, extent
     view = spec.visual.global_

@@ -16,7 +16,7 @@ from thinkblox.exporters.usd_prims import Prim, T, quaternion, vector
 from thinkblox.exporters.usd_shapes import Polygons, add_colliders, add_mesh, add_visuals, box_polygons
 from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
-from thinkblox.sim.build import build_spec, package_version, yaw_quat
+from thinkblox.sim.build import build_spec, compiled, package_version, yaw_quat
 from thinkblox.sim.render.materials import Palette, palette
 from thinkblox.sim.settings import Physics
 from thinkblox.sim.settle import SettledState, settle
@@ -46,7 +46,7 @@ def write_usd(scene: Scene, path: Path, *, settled: SettledState | None = None, 
 def usd_text(scene: Scene, *, settled: SettledState | None = None, physics: Physics | None = None) -> str:
     """The text of `write_usd`."""
     physics = physics or Physics()
-    model = build_spec(scene, physics=physics).compile()
+    model = compiled(build_spec(scene, physics=physics))
     data = mujoco.MjData(model)
     data.qpos[:] = (settled or settle(scene, physics=physics)).qpos
     mujoco.mj_kinematics(model, data)

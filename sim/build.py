@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 from thinkblox.asset import Asset, Joint, Link, Shape
+from thinkblox.errors import InputError
 from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.settings import Physics
@@ -61,6 +62,18 @@ def build_spec(
     if sleeping:
         spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     return spec
+
+
+def compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
+    """Compile a spec.
+
+    Raises:
+        InputError: the engine cannot build it; says what it said.
+    """
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise InputError(f"MuJoCo cannot build the scene: {' '.join(str(error).split())}") from error
 
 
 def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.scene import Scene
-from thinkblox.sim.build import FREE_SUFFIX, build_spec
+from thinkblox.sim.build import FREE_SUFFIX, build_spec, compiled
 from thinkblox.sim.judge import Motion
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics
@@ -85,7 +85,7 @@ def settle_body(model: mujoco.MjModel, data: mujoco.MjData, address: int, physic
 def settle(scene: Scene, *, physics: Physics | None = None) -> SettledState:
     """Let a whole scene come to rest, everything free, from the poses that it proposes."""
     physics = physics or Physics()
-    return rest(build_spec(scene, physics=physics).compile(), physics)
+    return rest(compiled(build_spec(scene, physics=physics)), physics)
 
 
 @quiet_engine()

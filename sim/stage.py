@@ -3,7 +3,7 @@
 import mujoco
 
 from thinkblox.scene import Placement
-from thinkblox.sim.build import yaw_quat
+from thinkblox.sim.build import compiled, yaw_quat
 from thinkblox.sim.contacts import Contacts, shares
 from thinkblox.sim.judge import Motion, Static, judge_motion, verdict
 from thinkblox.sim.quiet import quiet_engine
@@ -20,7 +20,7 @@ class Stage:
 
     def __init__(self, spec: mujoco.MjSpec, physics: Physics) -> None:
         self._physics = physics
-        self._model = spec.compile()
+        self._model = compiled(spec)
         self._data = mujoco.MjData(self._model)
         self._contacts = Contacts(self._model)
         self._addresses = free_addresses(self._model)

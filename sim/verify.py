@@ -8,7 +8,7 @@ import numpy as np
 
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.access import Access, access
-from thinkblox.sim.build import build_spec, package_version
+from thinkblox.sim.build import build_spec, compiled, package_version
 from thinkblox.sim.contacts import Contacts
 from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
 from thinkblox.sim.quiet import quiet_engine
@@ -57,14 +57,16 @@ def verify(
         way: whether objects that cut others off fail; the report names what is cut off in any case.
     """
     tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
-    model = build_spec(scene, physics=physics).compile()
+    model = compiled(build_spec(scene, physics=physics))
     state = state or rest(model, physics)
     held = hold(model, state, physics)
     walkable = access(scene, walking)
     blockers = _blockers(scene, walking) if way and walkable.unreachable else {}
     objects = _objects(scene, tolerances, physics, walking, blockers)
+    valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
     return Report(
-        valid=all(v.valid for v in objects) and _stands_still(held, tolerances),
+        valid=valid,
+        complete=valid,
         prompt=scene.prompt,
         seed=scene.seed,
         versions={"thinkblox": package_version(), "mujoco": mujoco.__version__},
@@ -142,7 +144,7 @@ def _object(
 
 def _touching(scene: Scene, physics: Physics) -> dict[str, dict[str, float]]:
     """Deepest contact of every object with each other thing, mounted things among themselves included [m]."""
-    model = build_spec(scene, physics=physics, loose=True).compile()
+    model = compiled(build_spec(scene, physics=physics, loose=True))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     found: dict[str, dict[str, float]] = {}

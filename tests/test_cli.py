@@ -2,6 +2,7 @@ import json
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -144,6 +145,81 @@ def test_verify_measures_a_scene_again_and_finds_what_was_broken(tmp_path, capsy
     capsys.readouterr()
     assert main(["verify", str(tmp_path / "broken.json")]) == 1
     assert "fell" in capsys.readouterr().out
+
+
+def shape(**change: object) -> dict[str, object]:
+    return {"kind": "box", "size": [1, 1, 1], "position": [0, 0, 0.5]} | change
+
+
+def broken_scene(**changes: object) -> dict[str, object]:
+    asset = {
+        "id": "box-0", "category": "box", "description": "a box", "size": [1, 1, 1], "mass": 1, "friction": 0.5,
+        "mount": "floor", "links": [{"name": "body", "shapes": [shape()]}],
+    }  # fmt: skip
+    placement = {
+        "id": "box_1", "category": "box", "asset": "box-0", "position": [2, 2, 0], "yaw": 0, "size": [1, 1, 1],
+        "support": "floor",
+    }  # fmt: skip
+    asset |= {key: value for key, value in changes.items() if key in asset}
+    placement |= {key.removeprefix("at_"): value for key, value in changes.items() if key.startswith("at_")}
+    room = {"floor": [[0, 0], [4, 0], [4, 4], [0, 4]], "openings": changes.get("openings", [])}
+    return {"room": room, "placements": [placement] * int(str(changes.get("times", 1))), "assets": {"box-0": asset}}
+
+
+def hull(*points: list[float]) -> list[object]:
+    return [{"name": "body", "shapes": [shape(kind="hull", points=list(points))]}]
+
+
+DOOR = {"id": "door_1", "kind": "door", "wall": 0, "offset": 1, "width": 0.9, "height": 2}
+FLAT = ([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0])
+BROKEN: dict[str, dict[str, object]] = {
+    "no links": {"links": []},
+    "no shapes": {"links": [{"name": "body", "shapes": []}]},
+    "zero size": {"links": [{"name": "body", "shapes": [shape(size=[0, 1, 1])]}]},
+    "negative size": {"links": [{"name": "body", "shapes": [shape(size=[1, -1, 1])]}]},
+    "hull of two points": {"links": hull(*FLAT[:2])},
+    "flat hull": {"links": hull(*FLAT)},
+    "hull of one place": {"links": hull(*[FLAT[1]] * 5)},
+    "negative mass": {"mass": -1},
+    "empty id": {"at_id": ""},
+    "id with a slash": {"at_id": "a/b_1"},
+    "id with NUL": {"at_id": "a\0b"},
+    "id of the floor": {"at_id": "floor"},
+    "id of a wall": {"at_id": "north_wall"},
+    "id of a door": {"at_id": "door_1", "openings": [DOOR]},
+    "two alike": {"times": 2},
+    "too many": {"times": 3000},
+    "two doors in one place": {"openings": [DOOR, DOOR | {"id": "door_2", "offset": 1.5}]},
+    "two doors of one id": {"openings": [DOOR, DOOR | {"offset": 2.5}]},
+}
+
+
+@pytest.mark.parametrize("changes", BROKEN.values(), ids=BROKEN.keys())
+@pytest.mark.parametrize("command", ["verify", "render"])
+def test_a_broken_scene_is_refused_by_name(tmp_path, capsys, command, changes):
+    (tmp_path / "scene.json").write_text(json.dumps(broken_scene(**changes)))
+    assert main([command, str(tmp_path / "scene.json")]) == 2
+    assert "scene.json: " in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["scene.json"]
+
+
+def test_the_scene_that_is_broken_above_is_fine_unbroken(tmp_path, capsys):
+    (tmp_path / "scene.json").write_text(json.dumps(broken_scene(openings=[DOOR])))
+    assert main(["verify", str(tmp_path / "scene.json")]) == 0
+    assert "all passed" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("delay", [0.6, 1.2])
+def test_a_terminated_run_leaves_nothing_behind(tmp_path, delay):
+    prompt = "A buffet restaurant with five square tables with four chairs each and a long counter."
+    command = [sys.executable, "-m", "thinkblox", "generate", prompt, "--out", str(tmp_path / "a" / "b" / "room")]
+    running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    time.sleep(delay)
+    running.terminate()
+    _, errors = running.communicate(timeout=60)
+    assert running.returncode == 130
+    assert b"nothing was written" in errors
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_verify_of_nothing_says_so(tmp_path, capsys):

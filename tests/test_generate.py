@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from thinkblox.consistency import residual
+from thinkblox.errors import InputError
 from thinkblox.generate import Progress, generate_room
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
@@ -180,8 +181,41 @@ def test_a_room_that_is_not_all_as_asked_is_begun_anew_and_the_best_attempt_is_k
     policy = Scripted(chair_at(-3.0, 1.0))
     effort = Effort(candidates=1, rounds=1, repairs=0, restarts=2)
     result = generate_room(ONE_CHAIR, room=rectangle(4.0, 3.0), policy=policy, effort=effort)
-    assert [(r.attempt, r.kept) for r in result.trace] == [(0, True), (1, False), (2, False)]
+    assert [(r.attempt, r.kept) for r in result.trace] == [(0, True), (1, False)]
     assert [a.id for a in result.report.absent] == ["chair_1"]
+
+
+def test_what_no_arrangement_can_mend_is_not_tried_again():
+    told: list[Progress] = []
+    result = generate_room("A room with a hoverboard and a table.", on_object=told.append)
+    assert [p.attempt for p in told] == [0]
+    assert result.report.valid
+    assert not result.report.complete
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"prompt": None}, "NoneType"),
+        ({"prompt": "bed \udcff"}, "UTF-8"),
+        ({"prompt": ONE_CHAIR, "seed": -1}, "seed"),
+        ({"prompt": ONE_CHAIR, "seed": 1.5}, "seed"),
+        ({"prompt": ONE_CHAIR, "seed": True}, "seed"),
+        ({"prompt": ONE_CHAIR, "room": {"floor": []}}, "Room"),
+    ],
+)
+def test_wrong_arguments_are_named(arguments, message):
+    with pytest.raises(InputError, match=message):
+        generate_room(**arguments)
+
+
+def test_a_policy_may_answer_with_anything():
+    class Odd:
+        def propose(self, observation, n, rng):
+            return [None, 7, "text"]
+
+    result = generate_room(ONE_CHAIR, policy=Odd(), effort=Effort(rounds=1, restarts=0))
+    assert [t.rejection.reason for t in result.trace[0].tries if t.rejection] == ["format"] * 3
 
 
 def test_progress_is_told_for_every_object():

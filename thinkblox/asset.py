@@ -1,15 +1,18 @@
 """What can be placed. Asset frame: origin at the centre of the footprint at the base, x to the front, y left, z up."""
 
+import math
 from typing import Annotated, Literal
 
 from msgspec import Meta
 
+from thinkblox.errors import InputError
 from thinkblox.value import Quat, Value, Vec2, Vec3
 
 Mount = Literal["floor", "wall", "ceiling", "surface"]
 Material = Literal[
     "wood", "metal", "fabric", "leather", "glass", "ceramic", "plastic", "paper", "leaf", "stone", "light", "screen"
 ]
+_THIN = 1e-6
 Unit = Annotated[float, Meta(ge=0.0, le=1.0)]
 
 
@@ -27,6 +30,9 @@ class Shape(Value, frozen=True, kw_only=True, omit_defaults=True):
         colour: linear base colour is derived from this sRGB triple, 0 to 1.
         collide: False for what is only looked at (a rug's pile, a screen's picture).
         smooth: shade curved, for a hull that stands for a round thing.
+
+    Raises:
+        InputError: an extent that is not positive, or a hull whose points span no volume.
     """
 
     kind: Literal["box", "cylinder", "capsule", "sphere", "ellipsoid", "hull"]
@@ -38,6 +44,33 @@ class Shape(Value, frozen=True, kw_only=True, omit_defaults=True):
     material: Material = "wood"
     collide: bool = True
     smooth: bool = False
+
+    def __post_init__(self) -> None:
+        if min(self.size) <= 0.0:
+            raise InputError(f"a {self.kind} has the size {list(self.size)}; every extent must be positive")
+        if self.kind == "hull" and not _spans_volume(self.points):
+            raise InputError(f"a hull of {len(self.points)} points spans no volume; 4 out of plane are needed")
+
+
+def _spans_volume(points: tuple[Vec3, ...]) -> bool:
+    """Whether some four of the points are the corners of a body, at least a micrometre thick in every direction."""
+    if len(points) < 4:
+        return False
+    origin = points[0]
+    arms = [tuple(c - o for c, o in zip(point, origin, strict=True)) for point in points[1:]]
+    first = max(arms, key=_length)
+    normal = max((_cross(first, arm) for arm in arms), key=_length)
+    area = _length(normal)
+    heights = [abs(sum(n * c for n, c in zip(normal, arm, strict=True))) for arm in arms]
+    return area > _THIN**2 and max(heights) > _THIN * area
+
+
+def _cross(a: tuple[float, ...], b: tuple[float, ...]) -> tuple[float, ...]:
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def _length(a: tuple[float, ...]) -> float:
+    return math.hypot(*a)
 
 
 class Joint(Value, frozen=True, kw_only=True):
@@ -60,7 +93,7 @@ class Link(Value, frozen=True, kw_only=True, omit_defaults=True):
     """A rigid part. The first link of an asset is its body and has no joint; doors and drawers are joined to it."""
 
     name: str
-    shapes: tuple[Shape, ...]
+    shapes: Annotated[tuple[Shape, ...], Meta(min_length=1)]
     joint: Joint | None = None
 
 
@@ -103,7 +136,7 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True):
     mass: Annotated[float, Meta(gt=0.0)]
     friction: Annotated[float, Meta(gt=0.0)]
     mount: Mount
-    links: tuple[Link, ...]
+    links: Annotated[tuple[Link, ...], Meta(min_length=1)]
     front: Literal["one", "two", "any"] = "one"
     clearance: float = 0.0
     surfaces: tuple[Surface, ...] = ()

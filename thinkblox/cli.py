@@ -1,11 +1,14 @@
 """The command line.
 
-Exit status 0: all as asked; 1: done, but something was not placed or did not pass; 2: unusable input.
+Exit status 0: all as asked; 1: done, but something was not placed or did not pass; 2: unusable input; 130: stopped.
 """
 
 import argparse
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,12 +21,12 @@ EXAMPLE = 'thinkblox generate "A calm bedroom, 4 m by 5 m, with a double bed and
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
-    parser = _parser()
-    arguments = parser.parse_args(argv)
     from thinkblox.errors import InputError
 
+    arguments = _parser().parse_args(argv)
     try:
-        status: int = arguments.run(arguments)
+        with _stoppable():
+            status: int = arguments.run(arguments)
     except InputError as error:
         print(f"thinkblox: {error}", file=sys.stderr)
         return 2
@@ -31,6 +34,23 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("thinkblox: stopped; nothing was written", file=sys.stderr)
         return 130
     return status
+
+
+@contextmanager
+def _stoppable() -> Iterator[None]:
+    """Let SIGTERM end a command as Ctrl-C does, so that nothing half-written stays behind."""
+
+    def stop(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, stop)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -134,7 +154,7 @@ def _generate(arguments: argparse.Namespace) -> int:
     if arguments.json:
         sys.stdout.write(to_json(result.report).decode())
     else:
-        print(_summary(result.report, len(result.scene.placements)))
+        print(_summary(result.report, len(result.scene.placements), outcome=_outcome(result.report)))
         print(f"written to {arguments.out}")
     return 0 if result.report.complete else 1
 
@@ -149,7 +169,7 @@ def _verify(arguments: argparse.Namespace) -> int:
     if arguments.json:
         sys.stdout.write(to_json(report).decode())
     else:
-        print(_summary(report, len(scene.placements)))
+        print(_summary(report, len(scene.placements), outcome="all passed" if report.valid else "not all passed"))
     return 0 if report.valid else 1
 
 
@@ -223,11 +243,16 @@ class _Progress:
             self._bar.reset()
 
 
-def _summary(report: "Report", placed: int) -> str:
+def _outcome(report: "Report") -> str:
+    if report.complete:
+        return "all as asked"
+    return "passed, but not all as asked" if report.valid else "not all passed"
+
+
+def _summary(report: "Report", placed: int, *, outcome: str) -> str:
     """The report as a person reads it: the outcome first, then every fault with its numbers."""
-    asked_absent = [a for a in report.absent if a.asked]
     still = f"in {report.simulated:g} s with everything free: {report.drift * 1000:.2f} mm, {report.tilt:.2f} degrees"
-    counts = f"{placed} objects placed, {len(report.absent)} not"
+    counts = f"{placed} object{'' if placed == 1 else 's'} placed, {len(report.absent)} not"
     lines = [f"{counts}; deepest contact {report.depth * 1000:.2f} mm; {still}"]
     lines += [f"  not placed: {a.id}{'' if a.asked else ' (assumed)'}: {a.reason}" for a in report.absent]
     lines += [f"  {verdict}" for verdict in report.objects if not verdict.valid]
@@ -242,10 +267,7 @@ def _summary(report: "Report", placed: int) -> str:
     if report.unknown:
         lines.append(f"words not understood: {', '.join(report.unknown)}")
     lines += report.notes
-    verdict = "all as asked" if report.complete else "passed, but incomplete" if report.valid else "not all passed"
-    if not report.relations and not asked_absent and not report.prompt:
-        verdict = "all passed" if report.valid else "not all passed"
-    return "\n".join([*lines, verdict])
+    return "\n".join([*lines, outcome])
 
 
 def _words(kind: str, anchors: tuple[str, ...]) -> str:

@@ -6,13 +6,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from msgspec import structs
 
+from thinkblox.errors import InputError
 from thinkblox.placing import Effort, Placing
 from thinkblox.plan import Plan, Target
 from thinkblox.planning import plan_brief, plan_room
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import read_brief
-from thinkblox.reporting import report_on
+from thinkblox.reporting import UNKNOWN, report_on
 from thinkblox.room import Room
 from thinkblox.scene import Scene
 from thinkblox.sim.settings import Tolerances
@@ -64,8 +65,9 @@ def generate_room(
         on_object: called after each object.
 
     Raises:
-        InputError: the prompt or the room cannot be used.
+        InputError: the prompt, the seed or the room cannot be used.
     """
+    _check_arguments(prompt, seed, room)
     brief = read_brief(prompt)
     room = room or plan_room(brief, rng=np.random.default_rng((seed, 0)))
     plan = plan_brief(brief, room)
@@ -79,6 +81,17 @@ def generate_room(
     )
 
 
+def _check_arguments(prompt: object, seed: object, room: object) -> None:
+    if not isinstance(prompt, str):
+        raise InputError(f"the prompt is a {type(prompt).__name__}; it must be a text")
+    if prompt.encode("utf-8", "ignore").decode() != prompt:
+        raise InputError("the prompt is not valid text: it holds bytes that are not UTF-8")
+    if type(seed) is not int or not 0 <= seed < 2**63:
+        raise InputError(f"the seed is {seed!r}; it must be a whole number from 0 to 2^63 - 1")
+    if room is not None and not isinstance(room, Room):
+        raise InputError(f"the room is a {type(room).__name__}; it must be a Room")
+
+
 def furnish(
     plan: Plan,
     scene: Scene,
@@ -88,13 +101,14 @@ def furnish(
     tolerances: Tolerances,
     on_object: Callable[[Progress], None],
 ) -> Generation:
-    """Place the targets of a plan into a scene, one at a time; begin anew where that does not end well."""
+    """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
     made: list[Generation] = []
     for attempt in range(1 + effort.restarts):
         made.append(
             _attempt(plan, scene, attempt, policy=policy, effort=effort, tolerances=tolerances, on_object=on_object)
         )
-        if not any(_faults(made[-1].report)):
+        last = _faults(made[-1].report)
+        if not any(last) or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
     best = min(made, key=lambda generation: _faults(generation.report))
     rounds = [structs.replace(r, kept=generation is best) for generation in made for r in generation.trace]
@@ -102,12 +116,13 @@ def furnish(
 
 
 def _faults(report: Report) -> tuple[int, ...]:
-    """What is not as asked, the gravest first."""
+    """What is not as asked and another arrangement might mend, the gravest first."""
+    absent = [a for a in report.absent if a.category != UNKNOWN]
     return (
-        sum(a.asked for a in report.absent),
+        sum(a.asked for a in absent),
         sum(not v.valid for v in report.objects) + (not report.valid),
         sum(not r.holds for r in report.relations),
-        len(report.absent),
+        len(absent),
     )
 
 

@@ -89,12 +89,12 @@ class Placing:
     @property
     def reason(self) -> str:
         """Why it could not be placed: the failure of the try that came nearest, or of the last text."""
-        return self._failure()
+        return self._failure().removeprefix(f"{self.target.id}: ")
 
     def _ask(self, feedback: tuple[str, ...]) -> Measured | None:
         observation = Observation(self.plan, self.scene, self.target, self.asset, feedback)
         start = time.perf_counter()
-        texts = self.policy.propose(observation, self.effort.candidates, self.rng)
+        texts = list(self.policy.propose(observation, self.effort.candidates, self.rng))[: self.effort.candidates]
         proposed = time.perf_counter()
         read = [self._read(text) for text in texts]
         measured = [item if isinstance(item, Rejection) else self._measure(*item) for item in read]
@@ -104,7 +104,9 @@ class Placing:
         self.failed += [m for m in measured if isinstance(m, Measured) and not m.verdict.valid]
         return None if chosen is None else _as_measured(measured[chosen])
 
-    def _read(self, text: str) -> tuple[Placement, Asset] | Rejection:
+    def _read(self, text: object) -> tuple[Placement, Asset] | Rejection:
+        if not isinstance(text, str):
+            return Rejection(reason="format", message=f"the policy gave a {type(text).__name__}, not a text")
         step = parse(text)
         if isinstance(step, Rejection):
             return step

@@ -14,21 +14,29 @@ from thinkblox.verdict import Absence, RelationResult, Report
 
 TOGETHER: frozenset[RelationKind] = frozenset({"around", "in_rows"})
 """Relations that a whole company has, not each member by itself; as is any that names no anchor."""
+UNKNOWN = "unknown"
+"""Category of what the catalogue does not have."""
+NO_DOOR = "The room has no door, so that no walkable way could be measured."
 
 
 def report_on(scene: Scene, plan: Plan, *, absent: Sequence[Absence], tolerances: Tolerances) -> Report:
     """Verify the scene and hold it against its plan."""
     missing = [
-        Absence(id=word, category="unknown", asked=True, reason="the catalogue has nothing of that name")
+        Absence(id=word, category=UNKNOWN, asked=True, reason="the catalogue has nothing of that name")
         for word in plan.brief.missing
     ]
     verified = verify(scene, tolerances=tolerances)
+    gone = (*absent, *missing)
+    relations = tuple(relations_of(scene, plan))
+    there = not any(absence.asked for absence in gone)
+    doorless = () if any(o.kind == "door" for o in scene.room.openings) else (NO_DOOR,)
     return structs.replace(
         verified,
-        notes=(*plan.notes, *verified.notes),
-        absent=(*absent, *missing),
+        complete=verified.valid and there and all(relation.holds for relation in relations),
+        notes=(*plan.notes, *doorless, *verified.notes),
+        absent=gone,
         unknown=plan.brief.unknown,
-        relations=tuple(relations_of(scene, plan)),
+        relations=relations,
     )
 
 

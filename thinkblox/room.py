@@ -2,6 +2,7 @@
 
 import math
 from functools import lru_cache
+from itertools import combinations
 from typing import Annotated, Literal
 
 from msgspec import Meta
@@ -32,7 +33,7 @@ class Opening(Value, frozen=True, kw_only=True):
         hinge: which end of the opening a door turns about, seen along the wall from its start.
     """
 
-    id: str
+    id: Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*$", max_length=80)]
     kind: Literal["door", "window"]
     wall: Annotated[int, Meta(ge=0)]
     offset: Annotated[float, Meta(ge=0.0)]
@@ -88,7 +89,7 @@ class Room(Value, frozen=True, kw_only=True):
 
     Raises:
         InputError: fewer than three corners, crossing or coinciding edges, clockwise order, an extent outside
-            MIN_EXTENT to MAX_EXTENT, or an opening that its wall cannot hold.
+            MIN_EXTENT to MAX_EXTENT, an opening that its wall cannot hold, or two openings that overlap or share an id.
     """
 
     floor: tuple[tuple[Metres, Metres], ...]
@@ -99,6 +100,7 @@ class Room(Value, frozen=True, kw_only=True):
         _check_floor(self.floor)
         for opening in self.openings:
             _check_opening(self, opening)
+        _check_apart(self.openings)
 
     @property
     def polygon(self) -> Polygon:
@@ -177,6 +179,20 @@ def _check_opening(room: Room, opening: Opening) -> None:
         )
     if opening.sill + opening.height > room.height + 1e-6:
         raise InputError(f"opening {opening.id}: its top is above the room's height of {room.height:g} m")
+
+
+def _check_apart(openings: tuple[Opening, ...]) -> None:
+    for first, second in combinations(openings, 2):
+        if first.id == second.id:
+            raise InputError(f"two openings are called {first.id!r}; ids must differ")
+        if first.wall == second.wall and _overlap(first, second):
+            raise InputError(f"openings {first.id} and {second.id} overlap in wall {first.wall}")
+
+
+def _overlap(a: Opening, b: Opening) -> bool:
+    across = min(a.offset + a.width, b.offset + b.width) - max(a.offset, b.offset)
+    up = min(a.sill + a.height, b.sill + b.height) - max(a.sill, b.sill)
+    return across > 1e-6 and up > 1e-6
 
 
 def rectangle(width: float, depth: float, *, height: float = 2.6, openings: tuple[Opening, ...] = ()) -> Room:

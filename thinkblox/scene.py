@@ -13,6 +13,8 @@ from thinkblox.room import Room
 from thinkblox.value import Value, Vec2, Vec3, read_json
 
 SCENE_VERSION = 1
+MAX_PLACEMENTS = 2000
+"""Most objects in a scene that is read."""
 Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
 
@@ -29,7 +31,7 @@ class Placement(Value, frozen=True, kw_only=True):
         support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id.
     """
 
-    id: str
+    id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*$", max_length=120)]
     category: str
     asset: str
     position: tuple[Finite, Finite, Finite]
@@ -78,7 +80,8 @@ class Scene(Value, frozen=True, kw_only=True):
     """A room, the assets it uses and their placements, in the order in which they were placed.
 
     Raises:
-        InputError: a version this release does not read, two placements of one id, or one whose asset is missing.
+        InputError: a version this release does not read, too many placements, two of one id or one called as a part of
+            the room is, or one whose asset is missing.
     """
 
     version: int = SCENE_VERSION
@@ -91,8 +94,13 @@ class Scene(Value, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         if self.version != SCENE_VERSION:
             raise InputError(f"scene version {self.version} is not known; this release reads version {SCENE_VERSION}")
+        if len(self.placements) > MAX_PLACEMENTS:
+            raise InputError(f"the scene has {len(self.placements)} placements; at most {MAX_PLACEMENTS} are read")
+        taken = {"floor", "ceiling"} | {w.name for w in self.room.walls} | {o.id for o in self.room.openings}
         seen: set[str] = set()
         for placement in self.placements:
+            if placement.id in taken:
+                raise InputError(f"a placement is called {placement.id!r}, which is the name of a part of the room")
             if placement.id in seen:
                 raise InputError(f"two placements are called {placement.id!r}; ids must differ")
             seen.add(placement.id)
@@ -130,8 +138,15 @@ class Scene(Value, frozen=True, kw_only=True):
         return self._with([p for p in self.placements if p is not gone], self.assets)
 
     def moved(self, id: str, *, position: Vec3 | None = None, yaw: float | None = None) -> "Scene":
-        """Return this scene with one object at another pose. Raises KeyError for an unknown id."""
+        """Return this scene with one object at another pose.
+
+        Raises:
+            KeyError: an unknown id.
+            InputError: a coordinate that is not a finite number.
+        """
         old = self[id]
+        if not all(math.isfinite(value) for value in (*(position or ()), yaw or 0.0)):
+            raise InputError(f"{id} cannot be moved to {position} and turned to {yaw}: that is not a pose")
         new = structs.replace(
             old, position=old.position if position is None else position, yaw=old.yaw if yaw is None else yaw
         )

@@ -1,6 +1,7 @@
 """Immutable values that read and write strict JSON: the base of the whole vocabulary."""
 
 import re
+from codecs import BOM_UTF8
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -53,7 +54,7 @@ def read_json(path: Path, kind: type[V]) -> V:
         data = path.read_bytes()
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
-    return from_json(data, kind, where=str(path))
+    return from_json(data.removeprefix(BOM_UTF8), kind, where=str(path))
 
 
 def json_schema(kind: type[Value]) -> dict[str, Any]:

@@ -116,7 +116,8 @@ class Report(Value, frozen=True, kw_only=True):
     """The verdict on a whole scene.
 
     Attributes:
-        valid: every placement is valid, and the whole stands still.
+        valid: every placement is valid, and the whole stands still; of an empty room too.
+        complete: besides, everything asked for is there, and stands as it was asked to. That is what a prompt wants.
         depth: deepest contact between any two bodies [m].
         drift, tilt: the largest motion of any free object over `simulated` seconds, everything free [m, degrees].
         reach: share of the free floor that hangs together with the doors, for a walker of `way` metres.
@@ -126,6 +127,7 @@ class Report(Value, frozen=True, kw_only=True):
     """
 
     valid: bool
+    complete: bool = False
     prompt: str = ""
     seed: int = 0
     versions: dict[str, str] = {}
@@ -141,8 +143,3 @@ class Report(Value, frozen=True, kw_only=True):
     reach: float = 1.0
     unreachable: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-
-    @property
-    def complete(self) -> bool:
-        """Everything asked for was placed and passed, and stands as it was asked to."""
-        return self.valid and not any(a.asked for a in self.absent) and all(r.holds for r in self.relations)
