@@ -11,7 +11,9 @@ from thinkblox.policies.expert.walls import run_of
 from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.rects import Array, Rects, overlap_depth
 
-IN_USE = 2.0
+END_OF_RUN = 0.75
+"""Length of a fridge or the like at the end of a run [m]."""
+IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
 
@@ -40,13 +42,24 @@ def _room_beside(situation: Situation, rects: Rects) -> Array:
 
 
 def _room_for_run(situation: Situation, rects: Rects) -> Array:
-    """The first of a run leaves room for the rest to one side or the other."""
+    """The first of a run leaves room for the rest to one side, and to the other for what comes next to it."""
     run = run_of(situation.target.category)
     later = [t for t in situation.observation.plan.targets if t.category in run and t.id not in situation.scene]
     if len(later) < 2 or any(p.category in run for p in situation.solid):
         return np.zeros(len(rects))
-    length = (len(later) - 1) * situation.size[1]
-    return np.minimum(*(zone_costs(situation, beside(rects, side, length), weight=2.0) for side in ("left", "right")))
+    ends = [t for t in situation.followers if t.category in run and t.request != situation.target.request]
+    lengths = ((len(later) - 1 - len(ends)) * situation.size[1], len(ends) * END_OF_RUN)
+    ways = (("left", "right"), ("right", "left"))
+    return np.minimum(*(_along(situation, rects, sides, lengths) for sides in ways))
+
+
+def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: tuple[float, float]) -> Array:
+    """What is missing of two stretches of a run, one to each side."""
+    costs = np.zeros(len(rects))
+    for side, length in zip(sides, lengths, strict=True):
+        if length > 0.0:
+            costs += zone_costs(situation, beside(rects, side, length), weight=2.0)
+    return costs
 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:

@@ -10,13 +10,13 @@ from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 
 SETTINGS: dict[str, Vec2] = {
-    "plate": (0.03, 0.0),
+    "plate": (0.04, 0.0),
     "bowl": (0.06, 0.0),
     "laptop": (0.06, 0.0),
     "book": (0.06, 0.0),
     "glass": (0.24, 0.16),
     "cup": (0.14, 0.22),
-    "cutlery": (0.03, 0.22),
+    "cutlery": (0.04, 0.22),
 }
 """From the edge of the table to a thing, and from its middle to the right of the person [m]."""
 AT_TABLE = 0.6

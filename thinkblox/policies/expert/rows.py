@@ -158,7 +158,7 @@ def _soft_costs(situation: Situation, blocks: Blocks) -> Array:
     """What the floor says against each member, on the average and at worst, and the balance of the room."""
     rects, count = blocks.rects(situation), blocks.yaw.shape[1]
     ground = (ground_costs(situation, rects) + follower_costs(situation, rects)).reshape(len(blocks), count)
-    costs = 0.5 * ground.mean(-1) * math.sqrt(count) + 0.5 * ground.max(-1)
+    costs = 0.5 * ground.mean(-1) * math.sqrt(count) + ground.max(-1)
     moments = moment(situation.room, rects).reshape(len(blocks), count, 2).sum(1)
     placed = moment(situation.room, Rects.of_placements(situation.siblings)).sum(0)
     return np.asarray(costs + imbalance(situation, moments - placed))

@@ -7,6 +7,7 @@ from thinkblox.asset import Asset
 from thinkblox.assets import CATALOGUE
 from thinkblox.observe import Observation
 from thinkblox.plan import Target
+from thinkblox.policies.expert.idea import SEATS
 from thinkblox.policies.expert.needs import Need, need, uses
 from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.rects import Rects, outside, overlap_depth
@@ -91,6 +92,11 @@ class Situation:
     def large(self) -> tuple[Placement, ...]:
         """What one walks round: standing on the floor, and neither flat nor small."""
         return tuple(p for p in self.solid if p.position[2] < 0.3 and is_large(p.size))
+
+    @cached_property
+    def seats(self) -> tuple[str, ...]:
+        """Seats, whose boxes reach over a table that they are drawn up to, though they themselves do not."""
+        return tuple(p.id for p in self.solid if p.category in SEATS)
 
     @cached_property
     def relatives(self) -> frozenset[str]:

@@ -196,7 +196,7 @@ def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2,
         Constraint(kind="offset", anchors=(anchor.id,), values=(round(local[0], 3), round(local[1], 3))),
         turned(yaw),
     )
-    return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id,))
+    return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id, *situation.seats))
 
 
 def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2) -> float:

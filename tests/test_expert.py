@@ -1,0 +1,237 @@
+"""The expert's taste, piece by piece: what it wants of the floor, of rows, of seats and of what stands on tables."""
+
+import math
+from functools import cache
+from itertools import combinations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from thinkblox.assets import make_asset
+from thinkblox.generate import Generation, generate_room
+from thinkblox.observe import Observation
+from thinkblox.placing import Effort
+from thinkblox.plan import Plan, Target, Tie
+from thinkblox.planning import plan_brief
+from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.policies.expert.ground import ground_costs, used_costs
+from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY, need, uses
+from thinkblox.policies.expert.row_layout import layouts
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.ways import CLOSED, gap_cost, imbalance, moment
+from thinkblox.policies.expert.zones import beside
+from thinkblox.reading import read_brief
+from thinkblox.rects import Rects, outside, overlap_depth, separation
+from thinkblox.resting import placed_at
+from thinkblox.room import rectangle
+from thinkblox.scene import Placement, Scene
+
+ONCE = Effort(restarts=0)
+
+
+def situation(category: str, *ties: Tie, stands: tuple[tuple[str, float, float, float], ...] = ()) -> Situation:
+    """A room of 6 m by 5 m in which some things stand (category, x, y, yaw) and one is to be placed."""
+    scene = Scene(prompt="", seed=0, room=rectangle(6.0, 5.0))
+    for number, (kind, x, y, yaw) in enumerate(stands, 1):
+        asset = make_asset(kind, seed=1)
+        scene = scene.with_placement(
+            placed_at(scene, asset, id=f"{kind}_{number}", position=(x, y, 0.0), yaw=yaw), asset
+        )
+    target = Target(id=f"{category}_9", category=category, request=category, ties=ties)
+    plan = Plan(brief=read_brief("A room with a chair."), targets=(target,))
+    return Situation(Observation(plan, scene, target, make_asset(category, seed=1)))
+
+
+def boxes(s: Situation, *poses: tuple[float, float, float]) -> Rects:
+    return Rects.of([((x, y), s.size[:2], yaw, 0.0, s.size[2]) for x, y, yaw in poses])
+
+
+@cache
+def room(prompt: str, seed: int = 0) -> Generation:
+    return generate_room(prompt, seed=seed, effort=ONCE)
+
+
+def of(generation: Generation, category: str) -> list[Placement]:
+    return [p for p in generation.scene.placements if p.category == category]
+
+
+def gap(a: Placement, b: Placement) -> float:
+    return float(separation(Rects.of_placements((a,)), Rects.of_placements((b,)))[0, 0])
+
+
+# ---------------------------------------------------------------- floor
+
+
+def test_a_pool_table_needs_floor_all_round_and_a_wide_bed_on_both_sides():
+    pool, wide, narrow = (uses(c, s, "one", 0.6) for c, s in (
+        ("pool_table", (1.4, 2.5, 0.8)), ("bed", (2.0, 1.6, 0.9)), ("bed", (2.0, 0.9, 0.9))
+    ))  # fmt: skip
+    assert [(len(u.sides), u.number, u.depth) for u in pool] == [(4, 4, 1.2)]
+    assert [u.number for u in wide if "left" in u.sides] == [2]
+    assert [u.number for u in narrow if "left" in u.sides] == [1]
+    assert uses("chair", (0.5, 0.5, 0.8), "one", 0.5) == ()
+
+
+def test_floor_that_is_missing_for_use_costs_more_the_more_is_missing():
+    s = situation("pool_table")
+    free, near, nearer = used_costs(s, boxes(s, (3.0, 2.5, 90.0), (1.9, 2.5, 90.0), (1.5, 2.5, 90.0)))
+    assert free == pytest.approx(0.0)
+    assert 0.0 < near < nearer
+
+
+def test_what_stands_free_keeps_a_way_or_closes_the_gap():
+    s = situation("wardrobe", stands=(("bookcase", 3.0, 0.2, 90.0),))
+    other = s.scene.placements[0]
+    x = other.position[0] + (other.size[1] + s.size[1]) / 2
+    y = s.size[0] / 2 + 0.02
+    flush, narrow, wide = ground_costs(s, boxes(s, (x + 0.01, y, 90.0), (x + 0.3, y, 90.0), (x + 1.0, y, 90.0)))
+    assert flush < narrow
+    assert wide < narrow
+
+
+@given(st.floats(0.0, 3.0), st.floats(0.0, 3.0))
+def test_a_wider_gap_never_costs_more_once_it_is_a_gap(one: float, other: float):
+    low, high = sorted((one, other))
+    costs = gap_cost(np.array([low, high]))
+    assert (costs >= 0.0).all()
+    if low > CLOSED:
+        assert costs[0] >= costs[1]
+    if low >= MAIN_WAY or high <= CLOSED:
+        assert costs[1] == 0.0
+    assert gap_cost(np.array([SIDE_WAY / 2]))[0] > gap_cost(np.array([SIDE_WAY]))[0]
+
+
+def test_weight_on_the_other_side_balances_a_room():
+    s = situation("wardrobe", stands=(("wardrobe", 0.4, 2.5, 0.0),))
+    same, other = imbalance(s, moment(s.room, boxes(s, (0.4, 1.0, 0.0), (5.6, 2.5, 180.0))))
+    assert other < same
+
+
+def test_the_side_of_a_box_is_beside_it():
+    box = Rects.of([((1.0, 1.0), (0.4, 1.0), 90.0, 0.0, 1.0)])
+    ahead, left = beside(box, "front", 0.5), beside(box, "left", 0.5, width=0.2)
+    assert ahead.centre[0] == pytest.approx((1.0, 1.45))
+    assert left.centre[0] == pytest.approx((0.25, 1.0))
+    assert overlap_depth(box, ahead).max() == pytest.approx(0.0, abs=1e-9)
+
+
+def test_desks_are_faced_from_behind_and_seats_from_before():
+    follower = Target(id="desk_2", category="desk", request="desk")
+    tie = Tie(kind="facing", anchors=("desk_1",))
+    of_desk, of_sofa = need(follower, tie, of="desk"), need(follower, tie, of="sofa")
+    assert of_desk is not None
+    assert of_sofa is not None
+    assert (of_desk.sides, of_sofa.sides) == (("back",), ("front",))
+
+
+@given(st.lists(st.tuples(st.floats(-1, 7), st.floats(-1, 6), st.floats(0, 360)), min_size=1, max_size=8))
+def test_the_share_outside_a_rectangle_is_the_area_outside(poses):
+    rects = Rects.of([((x, y), (0.8, 0.5), yaw, 0.0, 1.0) for x, y, yaw in poses])
+    plain = rectangle(6.0, 5.0).polygon
+    quick = outside(rects, plain)
+    slow = [1.0 - p.intersection(plain).area / p.area for p in map(_polygon, rects.corners)]
+    assert quick == pytest.approx(slow, abs=1e-6)
+
+
+def _polygon(corners):
+    from shapely import Polygon
+
+    return Polygon(corners)
+
+
+# ---------------------------------------------------------------- rows
+
+
+@given(st.integers(2, 12), st.integers(1, 3))
+def test_every_layout_of_rows_has_a_slot_for_each_and_none_overlap(count: int, rows: int):
+    tie = Tie(kind="in_rows", count=count, rows=min(rows, count))
+    s = situation("chair", tie)
+    for layout in layouts(s, tie, facing=(), mutual=False):
+        assert len(layout.slots) == len(layout.yaws) == count
+        rects = Rects.of([(c, s.size[:2], yaw, 0.0, 1.0) for c, yaw in zip(layout.slots, layout.yaws, strict=True)])
+        depth = overlap_depth(rects, rects)
+        np.fill_diagonal(depth, 0.0)
+        assert depth.max() <= 1e-9
+
+
+def test_rows_of_bookcases_keep_their_aisle_and_the_table_its_way_round():
+    done = room("A bookstore, 8x6 m: rows of bookcases with aisles between them and a display table in the middle.")
+    table, cases = of(done, "display_table")[0], of(done, "bookcase")
+    assert all(gap(table, case) >= 0.6 for case in cases)
+    gaps = [gap(a, b) for a, b in combinations(cases, 2)]
+    assert all(g < 0.05 or g >= 0.85 for g in gaps)
+
+
+def test_seats_in_rows_are_exactly_in_line():
+    chairs = of(room("A waiting room with two rows of five chairs facing each other."), "chair")
+    assert len({round(c.position[0], 2) for c in chairs}) in (2, 5)
+    assert len({round(c.position[1], 2) for c in chairs}) in (2, 5)
+
+
+# ---------------------------------------------------------------- groups
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_a_sofa_looks_at_the_screen_from_a_good_distance(seed: int):
+    done = room("A living room with a sofa facing a TV on a TV stand and a coffee table between them.", seed)
+    sofa, stand, table = (of(done, c)[0] for c in ("sofa", "tv_stand", "coffee_table"))
+    assert 1.7 <= gap(sofa, stand) <= 3.6
+    assert gap(sofa, table) >= 0.3
+    ahead = stand.to_local((sofa.position[0], sofa.position[1]))
+    assert ahead[0] > 0.0
+    assert abs(ahead[1]) < 0.5
+
+
+def test_two_desks_that_face_each_other_stand_back_to_back():
+    one, other = of(room("A small office with two desks facing each other, each with an office chair."), "desk")
+    assert abs((one.yaw - other.yaw) % 360.0 - 180.0) < 1.0
+    assert gap(one, other) < 0.7
+    assert one.to_local((other.position[0], other.position[1]))[0] < 0.0
+
+
+def test_chairs_at_one_table_are_drawn_up_alike():
+    done = room("A dining room with a long table with six chairs around it.")
+    table = of(done, "dining_table")[0]
+    across = [abs(table.to_local((c.position[0], c.position[1]))[0]) for c in of(done, "chair")]
+    assert max(across) - min(across) < 0.02
+
+
+def test_each_seat_has_its_plate_before_it():
+    done = room("A dining room with a table with four chairs around it and four plates on it.")
+    chairs, plates = of(done, "chair"), of(done, "plate")
+    assert len(plates) == 4
+    before = [min(abs(c.to_local(p.position[:2])[1]) for c in chairs) for p in plates]
+    nearest = {min(chairs, key=lambda c: math.dist(c.position[:2], p.position[:2])).id for p in plates}
+    assert len(nearest) == 4
+    assert max(before) < 0.05
+
+
+def test_what_hangs_above_two_things_hangs_between_them():
+    done = room("A laundry room with a washing machine beside a dryer and a shelf above them with two boxes.")
+    shelf = of(done, "wall_shelf")[0]
+    machines = [*of(done, "washing_machine"), *of(done, "dryer")]
+    centre = np.mean([p.position[:2] for p in machines], axis=0)
+    assert math.dist(shelf.position[:2], centre) < 0.5
+    assert {p.support for p in of(done, "box")} == {shelf.id}
+
+
+def test_a_pool_table_in_the_middle_is_played_from_every_side():
+    done = room("A game room with a pool table in the centre, a sofa and two arcade cabinets side by side.")
+    pool = of(done, "pool_table")[0]
+    assert all(gap(pool, p) >= 0.9 for p in done.scene.placements if p.support == "floor" and p.id != pool.id)
+
+
+# ---------------------------------------------------------------- speech
+
+
+def test_the_same_generator_gives_the_same_texts():
+    brief = read_brief("A bedroom with a bed and a wardrobe.")
+    scene = Scene(prompt="", seed=0, room=rectangle(4.0, 4.0))
+    plan = plan_brief(brief, scene.room)
+    target = plan.targets[0]
+    observation = Observation(plan, scene, target, make_asset(target.category, seed=0))
+    one, two = (ExpertPolicy().propose(observation, 8, np.random.default_rng(5)) for _ in range(2))
+    assert one == two
+    assert len(set(one)) == 8
