@@ -197,3 +197,45 @@ def test_the_same_seed_gives_the_same_room() -> None:
     brief = read_brief("A bedroom.")
     assert plan_room(brief, rng=5) == plan_room(brief, rng=5)
     assert plan_room(brief, rng=5) != plan_room(brief, rng=6)
+
+
+def test_walls_are_seen_from_the_door() -> None:
+    plan = plan_of(
+        "A bedroom with a bed against the far wall, a desk along the left wall and a plant in the near right corner."
+    )
+    assert ties_of(plan, "bed_1") == [("against_wall", "north_wall")]
+    assert ties_of(plan, "desk_1") == [("against_wall", "west_wall")]
+    assert ties_of(plan, "plant_1") == [("in_corner", "corner"), ("near", "south_wall"), ("near", "east_wall")]
+    brief = read_brief("A bedroom with a door in the east wall and a bed against the left wall.")
+    room = plan_room(brief, rng=0)
+    assert plan_brief(brief, room).target("bed_1").ties[0].anchors == ("south_wall",)
+
+
+def test_a_tv_on_the_wall_hangs_opposite_the_seat_that_looks_at_it() -> None:
+    plan = plan_of("A living room with a sofa, a coffee table and a TV on the wall.")
+    assert ties_of(plan, "wall_tv_1")[0] == ("opposite", "sofa_1")
+
+
+def test_appliances_stand_side_by_side() -> None:
+    plan = plan_of("A kitchen with a fridge, a stove, an oven and a dishwasher.")
+    found = [ties_of(plan, id) for id in ("stove_1", "oven_1", "dishwasher_1")]
+    assert found == [[("next_to", "fridge_1")], [("next_to", "stove_1")], [("next_to", "oven_1")]]
+
+
+def test_small_things_stay_on_the_floor_where_they_are_said_to_be() -> None:
+    plan = plan_of("A storage room with a shelving unit, a box on the floor and a basket next to the shelving unit.")
+    assert ties_of(plan, "box_1") == [("on", "floor")]
+    assert ties_of(plan, "basket_1") == [("next_to", "shelving_unit_1"), ("on", "floor")]
+
+
+def test_counters_are_long_enough_for_who_sits_at_them() -> None:
+    width = plan_of("A bar counter with six stools.").target("bar_counter_1").size[1]
+    assert width is not None
+    assert width >= 6 * 0.6
+
+
+def test_what_cannot_be_is_said() -> None:
+    brief = read_brief("A 2 m by 3 m room with ten windows in the north wall and a 12 m long sofa.")
+    notes = plan_brief(brief, plan_room(brief, rng=0)).notes
+    assert any("sofa" in note and "12 m" in note for note in notes)
+    assert any("windows in the north wall did not fit" in note for note in notes)

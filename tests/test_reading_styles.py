@@ -3,6 +3,7 @@
 import pytest
 
 from tests.test_reading import counted, related
+from thinkblox.errors import InputError
 from thinkblox.reading import read_brief
 
 # prompt: objects asked for, relations, things that are missing
@@ -289,8 +290,8 @@ PROMPTS = {
     "island in the middle with a bowl, two cups and a kettle on it.": (
         "1 fridge, 1 oven, 1 dishwasher, 1 sink, 1 kitchen_island, 1 bowl, 2 cup, 1 kettle",
         (
-            "oven next_to fridge, dishwasher next_to fridge, kitchen_island in_centre centre, bowl on kitchen_island, cup on "
-            "kitchen_island, kettle on kitchen_island"
+            "oven next_to fridge, dishwasher next_to fridge, kitchen_island in_centre centre, bowl on "
+            "kitchen_island, cup on kitchen_island, kettle on kitchen_island"
         ),
         "",
     ),
@@ -314,6 +315,48 @@ PROMPTS = {
         "chair around dining_table",
         "",
     ),
+    "Una camera da letto con un letto matrimoniale, due comodini con una lampada su ciascuno e un armadio contro "
+    "la parete.": (
+        "1 bed, 2 nightstand, 2 table_lamp, 1 wardrobe",
+        "table_lamp on nightstand, wardrobe against_wall wall",
+        "",
+    ),
+    "Un soggiorno con un divano, un tavolino davanti al divano, due poltrone, una libreria e un tappeto rotondo.": (
+        "1 sofa, 1 coffee_table, 2 armchair, 1 bookcase, 1 rug",
+        "coffee_table in_front_of sofa",
+        "",
+    ),
+    "Una cucina di 4 x 3 m con un tavolo e quattro sedie intorno al tavolo, un frigorifero nell'angolo e un "
+    "lavello sotto la finestra.": (
+        "1 kitchen_table, 4 chair, 1 fridge, 1 sink",
+        "chair around kitchen_table, fridge in_corner corner",
+        "",
+    ),
+    "Um quarto com uma cama de casal, duas mesas de cabeceira e um guarda-roupa.": (
+        "1 bed, 2 nightstand, 1 wardrobe",
+        "",
+        "",
+    ),
+    "Uma sala de estar com um sofá, uma mesa de centro na frente do sofá, uma televisão e um tapete redondo.": (
+        "1 sofa, 1 coffee_table, 1 tv, 1 rug",
+        "coffee_table in_front_of sofa",
+        "",
+    ),
+    "Um escritório com duas escrivaninhas, um computador em cada uma e uma planta no canto.": (
+        "2 desk, 2 computer, 1 plant",
+        "computer on desk, plant in_corner corner",
+        "",
+    ),
+    "Een slaapkamer met een tweepersoonsbed, twee nachtkastjes en een kledingkast.": (
+        "1 bed, 2 nightstand, 1 wardrobe",
+        "",
+        "",
+    ),
+    "Een woonkamer met een bank tegen de muur, een salontafel voor de bank, twee fauteuils en een plant in de hoek.": (
+        "1 sofa, 1 coffee_table, 2 armchair, 1 plant",
+        "sofa against_wall wall, coffee_table in_front_of sofa, plant in_corner corner",
+        "",
+    ),
 }
 
 
@@ -329,3 +372,25 @@ def test_prompts_nobody_has_seen_are_read(prompt: str, expected: tuple[str, str,
 
 def _counts(text: str) -> dict[str, int]:
     return {name: int(number) for number, name in (item.split() for item in text.split(", ") if item)}
+
+
+def test_a_language_we_do_not_read_is_refused() -> None:
+    with pytest.raises(InputError, match="Dutch"):
+        read_brief("Sypialnia z dużym łóżkiem, szafą, biurkiem i krzesłem przy oknie.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "sizes"),
+    [
+        ("A 2 m long sofa and a 65-inch TV.", {"sofa": (None, 2.0, None), "tv": (None, 1.44, 0.869)}),
+        ("A desk, 1.6 m wide and 0.8 m deep.", {"desk": (0.8, 1.6, None)}),
+        (
+            "A bed (1.6 x 2 m) and a 1.2 x 0.8 m coffee table.",
+            {"bed": (2.0, 1.6, None), "coffee_table": (0.8, 1.2, None)},
+        ),
+        ("A bookcase 2 m tall.", {"bookcase": (None, None, 2.0)}),
+        ("A round table 1.2 m in diameter.", {"dining_table": (1.2, 1.2, None)}),
+    ],
+)
+def test_sizes_of_things(prompt: str, sizes: dict[str, tuple[float | None, ...]]) -> None:
+    assert {r.category: r.size for r in read_brief(prompt).requests if any(r.size)} == sizes

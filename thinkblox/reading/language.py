@@ -7,6 +7,8 @@ from thinkblox.reading.phrases import Item
 
 _CLEAR = 0.72
 """Share of known words from which on English is taken without a look at the other languages."""
+_FOREIGN, _SENTENCE = 0.4, 6
+"""A text of so many words of which a smaller share is known is in a language that we do not read."""
 
 
 def read_items(prompt: str) -> tuple[Lexicon, list[Item]]:
@@ -19,9 +21,11 @@ def read_items(prompt: str) -> tuple[Lexicon, list[Item]]:
             best = (share, lexicon, items)
         if best[0] >= _CLEAR:
             break
+    names = ", ".join(LANGUAGES.values())
     if best is None or best[0] <= 0.0:
-        names = ", ".join(LANGUAGES.values())
         raise InputError(f"no word of the prompt was understood; write it in one of: {names}")
+    if best[0] < _FOREIGN and len(prompt.split()) >= _SENTENCE:
+        raise InputError(f"hardly a word of the prompt was understood; write it in one of: {names}")
     return best[1], best[2]
 
 

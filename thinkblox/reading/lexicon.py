@@ -41,7 +41,15 @@ _SORTS: Mapping[str, Sort] = {
     "parts": "part",
     "words": "word",
 }
-LANGUAGES: Mapping[str, str] = {"en": "English", "de": "German", "fr": "French", "es": "Spanish"}
+LANGUAGES: Mapping[str, str] = {
+    "en": "English",
+    "de": "German",
+    "fr": "French",
+    "es": "Spanish",
+    "it": "Italian",
+    "pt": "Portuguese",
+    "nl": "Dutch",
+}
 """The languages that can be read, by code."""
 LONGEST = 6
 """Most words that a phrase of the lexicon has."""
@@ -205,6 +213,12 @@ def _plural_forms(phrase: str, rule: str) -> Iterator[str]:
             first, _, rest = phrase.partition(" ")
             yield f"{_spanish_plural(first)} {rest}".strip()
             yield before + _spanish_plural(last)
+        case "italian":
+            first, _, rest = phrase.partition(" ")
+            yield f"{_italian_plural(first)} {rest}".strip()
+            yield before + _italian_plural(last)
+        case "dutch":
+            yield from (before + form for form in _dutch_plurals(last))
 
 
 def _english_plural(word: str) -> str:
@@ -213,6 +227,22 @@ def _english_plural(word: str) -> str:
     if word.endswith(("s", "x", "ch", "sh", "z")):
         return word + "es"
     return word + "s"
+
+
+def _italian_plural(word: str) -> str:
+    if word.endswith("a"):
+        return word[:-1] + ("he" if word.endswith(("ca", "ga")) else "e")
+    return word[:-1] + "i" if word[-1:] in "oe" else word
+
+
+def _dutch_plurals(word: str) -> Iterator[str]:
+    """Every plural that the spelling allows: "tafels", "stoelen", "bedden", "vazen"."""
+    yield word + "s"
+    yield word + "en"
+    yield word + word[-1] + "en"
+    open_syllable = word[:-2] + word[-1] if word[-3:-2] == word[-2:-1] else word
+    soft = {"f": "v", "s": "z"}.get(word[-1], word[-1])
+    yield open_syllable[:-1] + soft + "en"
 
 
 def _spanish_plural(word: str) -> str:
