@@ -12,7 +12,7 @@ from thinkblox.policies.expert.judge import HOPELESS, placement_of, ranked
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.steps import write_step
 
-DISTINCT = 0.12
+DISTINCT = 0.08
 """Two proposals nearer than this, with the same yaw, are one [m]; a third of the object's size for small things."""
 
 

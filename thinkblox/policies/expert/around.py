@@ -21,6 +21,8 @@ SQUEEZED = 0.5
 TUCKS = {"office_chair": (0.08, 0.0, -0.1), "armchair": (-0.15, -0.3), "bar_stool": (0.08, 0.0, -0.05)}
 """How far a seat goes under the table, the best first [m]; negative leaves a gap."""
 USUAL_TUCKS = (0.15, 0.05, -0.05)
+ROUND_TUCKS = (0.05, -0.05)
+"""The same at a round table for seats that TUCKS does not name: its legs stand between the seats."""
 SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
 """Outward direction of each side in the table's own frame [degrees]."""
 SAME_SEAT = 0.15
@@ -81,7 +83,9 @@ def _seats(
     situation: Situation, anchor: Placement, place: Place, *, cost: float, tucks: tuple[float, ...] = ()
 ) -> Iterator[Idea]:
     """At one place, drawn up as far as those that stand there, or more or less."""
-    usual = TUCKS.get(situation.target.category, USUAL_TUCKS)
+    surfaces = situation.scene.asset_of(anchor).surfaces
+    plain = ROUND_TUCKS if surfaces and surfaces[0].round else USUAL_TUCKS
+    usual = TUCKS.get(situation.target.category, plain)
     for step, tuck in enumerate(sorted(usual, key=lambda t: min((round(abs(t - k), 2) for k in tucks), default=0.0))):
         yield beside_at(
             situation,

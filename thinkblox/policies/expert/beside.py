@@ -136,7 +136,7 @@ def before(situation: Situation, anchor: Placement, *, gaps: tuple[float, ...], 
 
 def behind(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     """Behind the anchor, turned the same way."""
-    for rank, gap in enumerate((0.9, 0.6, 0.3, 0.05)):
+    for rank, gap in enumerate((0.6, 0.3, 0.15, 0.05)):
         local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), 0.0)
         words = (Constraint(kind="beside", anchors=(anchor.id,), side="back", values=(gap,)),)
         yield beside_at(

@@ -45,7 +45,14 @@ def from_ties(situation: Situation) -> list[Idea]:
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and all(tie.kind != "in_rows" for tie in ties):
         ties = mutual
-    return [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
+    ideas = [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
+    return [*ideas, *walls.off_walls(situation)] if ties and _is_staffed(situation) else ideas
+
+
+def _is_staffed(situation: Situation) -> bool:
+    """Whether something will stand behind it."""
+    own = situation.target.id
+    return any(tie.kind == "behind" and own in tie.anchors for later in situation.followers for tie in later.ties)
 
 
 def from_room(situation: Situation) -> list[Idea]:

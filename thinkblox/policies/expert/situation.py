@@ -129,7 +129,8 @@ class Situation:
             if later.id in self.scene or later.request == self.target.request:
                 continue
             for tie in later.ties:
-                for anchor in self.placed(tie.anchors):
+                kin = self.siblings if tie.kind == "in_front_of" else ()
+                for anchor in (p for p in self.placed(tie.anchors) if p not in kin):
                     if anchor.id not in _objects(self.target) and (later.request, anchor.id) not in done:
                         done.add((later.request, anchor.id))
                         zones += _sides_meant(anchor, need(later, tie, of=anchor.category))

@@ -49,6 +49,8 @@ VIEW_RANGE = (1.8, 3.2)
 """Good distances from a seat to the screen, the fire or the seat that it looks at [m]."""
 BESIDE_CORNER = 0.5
 """Left between a seat and its corner for a lamp or a small table [m]."""
+BEHIND = 1.1
+"""Left between a counter and the wall for those who sit or serve behind it [m]."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -103,6 +105,17 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
             for idea in sides_of(situation, p, ("left", "right"), gaps=(0.002,), why=f"it continues the row of {p.id}"):
                 yield replace(idea, cost=idea.cost - 1.0)
     yield from along_walls(situation, named_walls(situation.room, place))
+
+
+def off_walls(situation: Situation) -> Iterator[Idea]:
+    """Parallel to a wall with room behind for whoever sits or serves there."""
+    for wall in situation.room.walls:
+        for idea in along_walls(situation, (wall,)):
+            (x, y), inward = (idea.position[0], idea.position[1]), wall.inward
+            x, y = x + inward[0] * BEHIND, y + inward[1] * BEHIND
+            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
+            why = "somebody stands between it and the wall"
+            yield Idea((x, y, 0.0), idea.yaw, words, why, idea.cost)
 
 
 def run_of(category: str) -> frozenset[str]:
