@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 _TOKEN = re.compile(
     r"(?P<unit>(?<![^\W\d_])(?:sq)?(?:m|ft)\s?(?:²|\^2|2(?!\w)))"
-    r"|(?P<number>(?:(?<![\w.)])[-−])?\d{1,12}(?:[.,]\d{1,6})?)"
+    r"|(?P<number>(?:(?<![\w.)])[-−])?\d{1,40}(?:[.,]\d{1,6})?(?:[eE][-+]?\d{1,3}(?!\w))?)"
     r"|(?P<word>[^\W\d_]+(?:['’`´][^\W\d_]+)*)"
     r"|(?P<mark>[^\w\s])"
 )
