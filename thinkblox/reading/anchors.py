@@ -18,6 +18,8 @@ class Anchors(Memory):
                 return kind, self.antecedent(subject, kind, self._noun_ahead() if waiting.fronted else "")
             case "pronoun" if phrase.value == "each":
                 return kind, self.references.shared(subject)
+            case "other" | "number":
+                return kind, self.references.shared(subject)
             case "pronoun":
                 return kind, self.references.several(subject, kind)
             case "place" if (thing := self._whole(phrase)) is not None:
@@ -62,8 +64,7 @@ class Anchors(Memory):
     def named(self, phrase: Phrase, waiting: Waiting) -> tuple[Thing | str, ...]:
         """The thing an anchor phrase names, and a second one after "between ... and"."""
         kind = waiting.kind
-        bare = phrase.plural and phrase.count is None and not phrase.rows
-        pointing = phrase.definite or phrase.each or phrase.whose or kind == "per" or bare
+        pointing = phrase.definite or phrase.each or phrase.whose or kind == "per" or phrase.bare
         known = self.references.named(phrase, besides=waiting.subject) if pointing else None
         thing = known or self.new_thing(phrase)
         if waiting.shared and known is None and waiting.subject is not None and thing.count == 1:
@@ -121,10 +122,12 @@ class Anchors(Memory):
         if self.opening is not None and place.endswith("_wall") and " " not in place and subject is None:
             self.opening.wall = place
             return
+        if subject is not None and place == "ceiling":
+            subject.attributes.append("hanging")
         meant = place_bond(kind, place)
         if subject is None or meant is None:
             return
-        if places > 1 and subject.count == 1:
+        if places > 1 and subject.count == 1 and kind != "between":
             subject.count = places
         for one in self.everyone or subjects_of(self.draft, subject, meant[0], (place,), self.run, pronoun=False):
             bind(self.draft, Bond(meant[0], one, meant[1], each=each))

@@ -121,6 +121,7 @@ class _NounPhrase:
     def result(self) -> Phrase:
         """The phrase that was read."""
         self.phrase.text = " ".join(self.words)
+        self.phrase.bare = not self.determined
         if self.multiplier > 1:
             self.phrase.count = self.multiplier * (self.phrase.count or 1)
         return self.phrase

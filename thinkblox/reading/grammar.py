@@ -86,6 +86,7 @@ class Walker(Nouns):
         if kind in ("stop", "colon"):
             self.frame = self.front = None
             self.run, self.fresh, self.references.topic = [], True, None
+            self.begun = len(self.draft.things)
             if kind == "colon" and self.current is not None:
                 self.current.general |= self.current.many
             self.current = None if kind == "colon" else self.current
@@ -174,13 +175,22 @@ class Walker(Nouns):
         """Read an adverb that points back: "a nightstand to its left", "to its left a nightstand"."""
         following = self.next_item()
         if isinstance(following, Phrase) and following.kind == "object" and self.separator:
-            self.front = Front(kind, self.antecedent(None, kind, following.value), each=False)
+            self.front = self._side_front(kind) or Front(kind, self.antecedent(None, kind, following.value), each=False)
+            self.separator = ""
             return
         current = self.current
-        if kind in _ROOM_SIDES and current is not None and self.run == [current] and current.owner is None:
+        if kind in _ROOM_SIDES and current is not None and current in self.draft.things[self.begun : self.begun + 1]:
             self.attach_place("along", _ROOM_SIDES[kind], current, each=False)
         else:
             self.attach(kind, self.antecedent(self.current, kind), subject=self.current, pronoun=True)
+
+    def _side_front(self, kind: str) -> Front | None:
+        """Read "on the left a bathtub, on the right a sink" as sides of the room when nothing came before."""
+        side = _ROOM_SIDES.get(kind)
+        if side is None or (self.draft.things and not self.sided):
+            return None
+        self.sided = True
+        return Front("along", (side,), each=False)
 
     def _mutual(self, kind: str) -> None:
         """Read "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""

@@ -51,6 +51,8 @@ class Lists(Anchors):
         usual = self.habits.tie(thing.noun, frame.head.noun)
         small = self.habits.is_in(thing.noun, "small")
         match frame.kind:
+            case "carry" if usual in ("at", "around"):
+                return usual
             case "carry":
                 fits = small or self.habits.is_in(thing.noun, "fitted")
                 return "on" if fits or not frame.members or usual == "on" else None

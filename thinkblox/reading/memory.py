@@ -51,6 +51,8 @@ class Memory:
         run: things that were listed side by side.
         everyone: what "all" of a list means, until its relation has been read.
         parted: several alike of which "one" was put somewhere and "the other" still has to be.
+        begun: how many things there were before this sentence.
+        sided: "on the left" was said of the room.
         chain: the first thing since the last comma or "and".
         fresh: nothing has been mentioned in this sentence.
         separator: what stood just before ("comma", "and", "having", "stop"); empty after a phrase.
@@ -72,6 +74,8 @@ class Memory:
         self.run: list[Thing] = []
         self.everyone: list[Thing] = []
         self.parted: Thing | None = None
+        self.sided = False
+        self.begun = 0
         self.chain: Thing | None = None
         self.fresh = True
         self.separator = "stop"

@@ -2,7 +2,7 @@
 
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import MISSING, Bond, Gap, Thing
-from thinkblox.reading.memory import Front
+from thinkblox.reading.memory import Front, Waiting
 from thinkblox.reading.parts import Parts
 from thinkblox.reading.phrases import Link, Phrase
 from thinkblox.reading.sizes import Size
@@ -112,7 +112,9 @@ class Nouns(Parts):
         following = self.next_item()
         ceiling = isinstance(following, Phrase) and following.value == "ceiling"
         single = len(size.lengths) == 1 and size.area is None
-        if isinstance(following, Phrase) and following.kind == "object" and not following.size:
+        if isinstance(following, Link) and following.kind == "relation":
+            self.draft.unknown.append(size.text)
+        elif isinstance(following, Phrase) and following.kind == "object" and not following.size:
             following.size = size
         elif self.current is not None and not ceiling and (of_thing or (single and size.area is None)):
             self.current.size = self.current.size or size
@@ -140,6 +142,8 @@ class Nouns(Parts):
             self.draft.people = phrase.count
 
     def _adjective(self, phrase: Phrase) -> None:
+        if phrase.count and self._parted_by_looks(phrase):
+            return
         if self.current is None or phrase.attributes == ["L-shaped"]:
             self.draft.room_attributes += phrase.attributes
         else:
@@ -174,11 +178,17 @@ class Nouns(Parts):
             return
         if phrase.kind == "missing" and phrase.definite and (known := self.references.called(phrase)):
             phrase.kind, phrase.value = "object", known.noun
-        if phrase.kind == "missing" and waiting.kind == "for":
-            return
-        if phrase.kind in ("rows", "people", "number", "room", "missing", "adjective"):
-            getattr(self, "_people" if phrase.kind == "number" else f"_{phrase.kind}")(phrase)
-            return
+        one = phrase.kind == "number" and phrase.count == 1 and waiting.kind != "for" and waiting.subject is not None
+        if one or phrase.kind == "other":
+            self._one_of(waiting, phrase)
+        elif phrase.kind in ("rows", "people", "number", "room", "missing", "adjective"):
+            if (phrase.kind, waiting.kind) not in (("missing", "for"), ("rows", "between")):
+                getattr(self, "_people" if phrase.kind == "number" else f"_{phrase.kind}")(phrase)
+        else:
+            self._bind_to(phrase, waiting)
+
+    def _bind_to(self, phrase: Phrase, waiting: Waiting) -> None:
+        """Relate what waits to the thing or place that a phrase names, or keep the place for what follows."""
         kind, anchors = self.resolve(phrase, waiting)
         if not anchors:
             return

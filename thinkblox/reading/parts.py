@@ -5,6 +5,7 @@ from dataclasses import replace
 from thinkblox.reading.attach import FLANKS
 from thinkblox.reading.draft import Thing
 from thinkblox.reading.lists import Lists
+from thinkblox.reading.memory import Waiting
 from thinkblox.reading.phrases import Link, Phrase
 
 
@@ -41,6 +42,23 @@ class Parts(Lists):
             self.mention(whole)
         else:
             self._take(self._copy(whole, 1))
+
+    def _one_of(self, waiting: Waiting, phrase: Phrase) -> None:
+        """Read "a printer on one and a plant on the other": each goes to one of several, not to all of them."""
+        subject = waiting.subject
+        self.draft.bonds = [b for b in self.draft.bonds if b.subject is not subject or not b.implied]
+        kind, anchors = self.resolve(phrase, waiting)
+        self.attach(kind, anchors, subject=subject, pronoun=True)
+
+    def _parted_by_looks(self, phrase: Phrase) -> bool:
+        """Read "one red and three blue"; whether there is something it can be about."""
+        whole = self._whole_of_parts()
+        if whole is None or not phrase.count:
+            return False
+        self._set_apart(whole, phrase.count)
+        if self.current is not None:
+            self.current.attributes += phrase.attributes
+        return True
 
     def _whole_of_parts(self) -> Thing | None:
         """The several things that a number now parts."""

@@ -32,6 +32,7 @@ class Phrase:
         value: category, generic noun ("any_table"), room type, place, part or pronoun, according to `kind`.
         count: as said; None for a bare plural. `vague` when it is only a guess ("several").
         rows: number of rows it is said to stand in; 0 when nothing is said, -1 for "rows" without a number.
+        bare: without an article or number ("next to sink").
         each: "each table", "every corner"; with kind "pronoun": "on each".
         whose: "its foot".
         size: a length said of it.
@@ -45,6 +46,7 @@ class Phrase:
     vague: bool = False
     plural: bool = False
     definite: bool = False
+    bare: bool = False
     each: bool = False
     whose: bool = False
     rows: int = 0

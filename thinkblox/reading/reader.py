@@ -1,5 +1,6 @@
 """Puts the stages of reading together: items, grammar, senses, counts, assumptions, and a Brief of them."""
 
+import math
 from typing import Literal
 
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
@@ -41,6 +42,7 @@ def _finish(draft: Draft) -> None:
     draft.bonds = [
         b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))
     ]
+    _drop_impossible_sizes(draft)
     limit_things(draft)
     _drop_general(draft)
     choose_senses(draft)
@@ -48,6 +50,14 @@ def _finish(draft: Draft) -> None:
     settle_counts(draft)
     stock(draft)
     _fit_tables(draft)
+
+
+def _drop_impossible_sizes(draft: Draft) -> None:
+    """Sizes that are no lengths ("a bed of nan metres") are listed, not used."""
+    for thing in draft.things:
+        if thing.size is not None and not all(0.0 < length.metres < math.inf for length in thing.size.lengths):
+            draft.unknown.append(thing.size.text)
+            thing.size = None
 
 
 def _fit_tables(draft: Draft) -> None:

@@ -167,7 +167,7 @@ def _fits(thing: Thing, kind: str) -> bool:
     habits = load_habits()
     match kind:
         case "on":
-            return habits.is_in(thing.noun, "surfaces", "beds", "lounges", "tops", "covers")
+            return habits.is_in(thing.noun, "surfaces", "beds", "lounges", "tops", "seats", "covers")
         case "at_foot_of":
             return habits.is_in(thing.noun, "beds")
     return True
