@@ -1,11 +1,14 @@
 """What lengths said of a thing mean for it: "a 2 m long sofa", "a 65-inch TV", "a rug of 2 by 3 m"."""
 
 from thinkblox.brief import Measures
+from thinkblox.errors import InputError
 from thinkblox.reading.habits import load_habits
 from thinkblox.reading.sizes import Length, Size
 
 _WIDE, _TALL = 0.872, 0.49
 """Sides of a 16:9 screen as shares of its diagonal."""
+_LONGEST = 50.0
+"""Longest extent that a prompt may give a thing [m]."""
 _STAND = 0.06
 """What the foot of a screen adds to its height [m]."""
 _LENGTHWISE = 1.85
@@ -20,6 +23,8 @@ def object_size(category: str, size: Size | None) -> Measures:
     """
     if size is None or size.area is not None:
         return (None, None, None)
+    if not all(0.0 < length.metres <= _LONGEST for length in size.lengths):
+        raise InputError(f"the size {size.text!r} of a {category} cannot be used: it is not 0 to {_LONGEST:g} m")
     if load_habits().is_in(category, "screens") and len(size.lengths) == 1 and not size.lengths[0].axis:
         diagonal = size.lengths[0].metres
         return (None, round(_WIDE * diagonal, 3), round(_TALL * diagonal + _STAND, 3))

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from thinkblox.asset import Mount
-from thinkblox.places import WORKED_AT
+from thinkblox.places import WORKED_AT, corners
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
 from thinkblox.policies.expert.idea import SEATS, Idea
@@ -116,11 +116,21 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return hung.from_ceiling(situation)
     if not situation.asset.collides or place == "centre":
         return open_floor.grid(situation, step=0.1)
-    if place == "corner":
-        return walls.corners(situation)
+    if tie.kind == "in_corner" or place == "corner":
+        return _in_corner(situation, tie)
+    if place == "floor":
+        return anywhere(situation)
     if place in ("window", "door"):
         return _near_openings(situation, place)
     return walls.in_line(situation, place)
+
+
+def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
+    """In the corners that the tie means: any, those of one wall, or the one where two walls meet."""
+    meant = {corner.name for corner in corners(situation.room, tie.anchors)}
+    for idea in walls.corners(situation):
+        if f"corner of {' and '.join(idea.words[0].anchors)}" in meant:
+            yield idea
 
 
 def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
