@@ -9,6 +9,8 @@ from thinkblox.reading.sizes import Size
 
 _OF = (Link("of"), Link("which"), Link("comma", "("), Link("comma", ""))
 """What can stand between a thing and its size."""
+_ROOMY = 3.0
+"""Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
 
 class Nouns(Parts):
@@ -112,7 +114,10 @@ class Nouns(Parts):
         following = self.next_item()
         ceiling = isinstance(following, Phrase) and following.value == "ceiling"
         single = len(size.lengths) == 1 and size.area is None
-        if isinstance(following, Link) and following.kind == "relation":
+        roomy = not single and min(length.metres for length in size.lengths) > _ROOMY
+        if roomy and not self.draft.sizes:
+            self.draft.sizes.append(size)
+        elif isinstance(following, Link) and following.kind == "relation":
             self.draft.unknown.append(size.text)
         elif isinstance(following, Phrase) and following.kind == "object" and not following.size:
             following.size = size

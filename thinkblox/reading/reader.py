@@ -17,6 +17,8 @@ from thinkblox.reading.sizes import Size, check_area, check_side
 
 MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
+_OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagonal", "triangular", "trapezoidal")
+"""Shapes of a floor that we do not make."""
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
@@ -82,6 +84,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     keys = _keys(draft.things)
     width, depth, area, height = _room_size(draft.sizes)
     shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
+    others = [a for a in draft.room_attributes if a in _OTHER_SHAPES]
     sizes = [a for a in draft.room_attributes if a in _ROOM_SIZES]
     return Brief(
         prompt=prompt,
@@ -97,7 +100,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
         missing=tuple(dict.fromkeys(draft.missing)),
-        unknown=tuple(dict.fromkeys(draft.unknown)),
+        unknown=tuple(dict.fromkeys([*(f"{shape} room" for shape in others), *draft.unknown])),
         empty=draft.empty,
     )
 
