@@ -6,7 +6,7 @@ import numpy as np
 
 from thinkblox.brief import Brief
 from thinkblox.planning.openings import with_openings
-from thinkblox.planning.space import needed_area, wall_needs
+from thinkblox.planning.space import across_need, needed_area, wall_needs
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.sizes import MAX_SIDE
 from thinkblox.room import Room, rectangle
@@ -47,7 +47,7 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.area is not None:
         return width, depth
     least_width, least_depth = wall_needs(brief)
-    return max(width, least_width), max(depth, least_depth)
+    return max(width, least_width, across_need(brief)), max(depth, least_depth)
 
 
 def _proportion(brief: Brief, rng: np.random.Generator) -> float:

@@ -23,6 +23,8 @@ _WAYS = 1.3
 _TYPICAL_SHARE = 0.6
 """A room is not made smaller than this share of its type's usual floor."""
 _EMPTY_AREA = 10.0
+_ACROSS = 1.9
+"""Free floor between things opposite each other, and behind them [m]."""
 _BOARD = 1.8
 """Free depth before a board [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
@@ -71,6 +73,14 @@ def wall_needs(brief: Brief) -> Vec2:
     seen = [max(needs[a], needs[b]) for a, b in (("far_wall", "near_wall"), ("left_wall", "right_wall"))]
     x, y = (round(min(MAX_SIDE, max(pair)), 1) for pair in zip(along, seen, strict=True))
     return x, y
+
+
+def across_need(brief: Brief) -> float:
+    """Least longer side of a room where the prompt puts things opposite each other [m]."""
+    requests = {request.key: request for request in brief.requests}
+    pairs = [(r.subject, r.anchors[0]) for r in brief.relations if r.kind == "opposite" and r.asked and r.anchors]
+    depths = [sum(_size(requests[key])[0] for key in pair if key in requests) for pair in pairs]
+    return round(min(MAX_SIDE, max((depth + _ACROSS for depth in depths), default=0.0)), 1)
 
 
 def _stands(request: Request) -> bool:

@@ -10,6 +10,11 @@ from thinkblox.reading.phrases import Phrase
 class Anchors(Memory):
     """Finds what relations refer to and binds the two."""
 
+    @property
+    def listed(self) -> list[Thing]:
+        """The list that what is said of its last member is said of: "a vase and two candles", not "a rug, a lamp"."""
+        return self.run if self.joined else []
+
     def resolve(self, phrase: Phrase, waiting: Waiting) -> tuple[str, tuple[Thing | str, ...]]:
         """Return the relation and anchors that a noun phrase after a preposition means; no anchors when none."""
         kind, subject = waiting.kind, waiting.subject
@@ -104,7 +109,7 @@ class Anchors(Memory):
         if relation == "between" and self.chain is not None:
             subject = self.chain
         known = pronoun and relation != "between"
-        for one in self.everyone or subjects_of(self.draft, subject, kind, anchors, self.run, pronoun=known):
+        for one in self.everyone or subjects_of(self.draft, subject, kind, anchors, self.listed, pronoun=known):
             bind(self.draft, Bond(relation, one, anchors, each=each))
             if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of"):
                 self.references.pairs.append((one, anchors[0]))
@@ -129,5 +134,5 @@ class Anchors(Memory):
             return
         if places > 1 and subject.count == 1 and kind != "between":
             subject.count = places
-        for one in self.everyone or subjects_of(self.draft, subject, meant[0], (place,), self.run, pronoun=False):
+        for one in self.everyone or subjects_of(self.draft, subject, meant[0], (place,), self.listed, pronoun=False):
             bind(self.draft, Bond(meant[0], one, meant[1], each=each))

@@ -69,6 +69,9 @@ def _settle(draft: Draft, thing: Thing, bonds: list[Bond]) -> None:
     elif shares and any(isinstance(a, Thing) for a in anchors):
         each = thing.count if thing.count is not None else _each(thing, shares.anchors)
         thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Thing))
+    elif thing.count is None and (one_each := _one_each(thing, bonds)):
+        one_each.each = True
+        thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Thing))
     elif thing.count is None:
         thing.count = _bare(thing, bonds)
     _carriers(draft, thing)
@@ -78,6 +81,15 @@ def _each(thing: Thing, anchors: tuple[Thing | str, ...]) -> int:
     """So many of a bare plural belong to each anchor: "tables with chairs", "desks with chairs"."""
     table = any(isinstance(a, Thing) and load_habits().is_in(a.noun, "meal_tables") for a in anchors)
     return 4 if table and thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
+
+
+def _one_each(thing: Thing, bonds: list[Bond]) -> Bond | None:
+    """The bond by which a bare plural is one for each of several: "pendant lamps above the tables"."""
+    lamp = load_habits().is_in(thing.noun, "lamps")
+    several = (
+        b for b in bonds if b.kind in ("above", "on") and any(isinstance(a, Thing) and a.many for a in b.anchors)
+    )
+    return next(several, None) if lamp and thing.plural else None
 
 
 def _bare(thing: Thing, bonds: list[Bond]) -> int:

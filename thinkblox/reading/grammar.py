@@ -168,7 +168,9 @@ class Walker(Nouns):
             self.front = Front("in", ("centre",), each=False)
         elif value == "in_centre":
             self.attach("in", ("centre",), subject=self.current)
-        elif value != "with":
+        elif value.endswith("_wall"):
+            self.attach_place("along", value, self.current, each=False)
+        elif value not in ("with", "ignored"):
             self._beside(value)
 
     def _beside(self, kind: str) -> None:

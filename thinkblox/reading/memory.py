@@ -52,6 +52,7 @@ class Memory:
         everyone: what "all" of a list means, until its relation has been read.
         parted: several alike of which "one" was put somewhere and "the other" still has to be.
         begun: how many things there were before this sentence.
+        joined: "and" stood before the thing mentioned last.
         sided: "on the left" was said of the room.
         chain: the first thing since the last comma or "and".
         fresh: nothing has been mentioned in this sentence.
@@ -75,6 +76,7 @@ class Memory:
         self.everyone: list[Thing] = []
         self.parted: Thing | None = None
         self.sided = False
+        self.joined = False
         self.begun = 0
         self.chain: Thing | None = None
         self.fresh = True

@@ -60,6 +60,7 @@ class Nouns(Parts):
         if self.frame is None and len(self.run) and self.separator == "and":
             self.references.pairs.append((self.run[-1], thing))
         self.run.append(thing)
+        self.joined = self.separator == "and"
         self.mention(thing)
 
     def _is_capacity(self, phrase: Phrase) -> bool:
@@ -157,6 +158,7 @@ class Nouns(Parts):
     def _missing(self, phrase: Phrase) -> None:
         self.draft.missing.append(phrase.text)
         thing = Thing(MISSING, text=phrase.text)
+        self.joined = self.separator == "and"
         self.run.append(thing)
         self.mention(thing)
 

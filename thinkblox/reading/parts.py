@@ -48,7 +48,16 @@ class Parts(Lists):
         subject = waiting.subject
         self.draft.bonds = [b for b in self.draft.bonds if b.subject is not subject or not b.implied]
         kind, anchors = self.resolve(phrase, waiting)
-        self.attach(kind, anchors, subject=subject, pronoun=True)
+        whole = self.parted or next((a for a in anchors if isinstance(a, Thing)), None)
+        if whole is None:
+            return
+        if phrase.kind == "number" and whole.many:
+            self._set_apart(whole, 1)
+        else:
+            self.parted = None
+            self.mention(whole)
+        if self.current is not None:
+            self.attach(kind, (self.current,), subject=subject, pronoun=True)
 
     def _parted_by_looks(self, phrase: Phrase) -> bool:
         """Read "one red and three blue"; whether there is something it can be about."""
