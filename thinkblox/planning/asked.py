@@ -97,6 +97,16 @@ def _is_backing(relation: Relation, subject: Member, anchors: list[Member]) -> b
     return relation.kind == "behind" and shelves and habits.is_in(anchors[0].category, "counters")
 
 
+def _back(shelves: Member, counter: Member) -> None:
+    """Put shelves against the wall with the counter before them; more of them join the first."""
+    first = next((tie.anchors for tie in counter.ties if tie.kind == "in_front_of"), ())
+    if first:
+        shelves.ties.append(Tie(kind="next_to", anchors=first, asked=False))
+    else:
+        shelves.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
+        counter.ties.append(Tie(kind="in_front_of", anchors=(shelves.id,)))
+
+
 def _load(members: Members, anchor: Member, kind: str) -> int:
     """How many things the anchor carries (or has beside it) already."""
     return sum(tie.kind == kind and anchor.id in tie.anchors for member in members.all for tie in member.ties)
@@ -110,8 +120,7 @@ def share(number: int, count: int, anchors: int) -> int:
 def _add(members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int) -> None:
     """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject."""
     if _is_backing(relation, subject, anchors):
-        subject.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
-        anchors[0].ties.append(Tie(kind="in_front_of", anchors=(subject.id,)))
+        _back(subject, anchors[0])
         return
     if relation.kind in ("between", "in_front_of", "opposite") or subject.mount == "floor":
         anchors = [members.support(anchor) or anchor for anchor in anchors]

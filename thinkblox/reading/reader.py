@@ -50,6 +50,7 @@ def _finish(draft: Draft) -> None:
     choose_senses(draft)
     assume(draft)
     settle_counts(draft)
+    draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     stock(draft)
     _fit_tables(draft)
 
