@@ -1,5 +1,6 @@
 """Where the doors and windows of a room go."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
@@ -19,6 +20,8 @@ _FILLED_CORNER = 0.9
 """Least distance of an opening to a corner in which something will stand [m]."""
 _LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
 """An opening is made narrower, down to this, before it is left out [m]."""
+_DOORS_APART = 3.0
+"""Doors that are further apart do not get in each other's way [m]."""
 _WINDOWLESS = frozenset(
     {
         "bathroom",
@@ -194,7 +197,14 @@ class _Openings:
             middle = share if wanted.count > 1 else (start + end) / 2.0
             return round(min(max(middle - width / 2.0, start), end - width), 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
-        return round(corners[int(index == 0)], 3)
+        usual = corners[int(index == 0)]
+        return round(max(corners, key=lambda offset: (self._from_doors(index, offset + width / 2), offset == usual)), 3)
+
+    def _from_doors(self, index: int, along: float) -> float:
+        """Distance of a point of a wall from the nearest door, as far as it matters for their swings [m]."""
+        walls = self.room.walls
+        doors = [walls[o.wall].point(o.offset + o.width / 2) for o in self.openings if o.kind == "door"]
+        return min([_DOORS_APART, *(math.dist(walls[index].point(along), door) for door in doors)])
 
     def _gaps(self, index: int, length: float) -> list[tuple[float, float]]:
         taken = sorted((o.offset, o.offset + o.width) for o in self.openings if o.wall == index)
