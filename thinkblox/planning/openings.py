@@ -198,7 +198,8 @@ class _Openings:
             return round(min(max(middle - width / 2.0, start), end - width), 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
         usual = corners[int(index == 0)]
-        return round(max(corners, key=lambda offset: (self._from_doors(index, offset + width / 2), offset == usual)), 3)
+        apart = {offset: self._from_doors(index, offset + width / 2) for offset in corners}
+        return round(max(corners, key=lambda offset: (apart[offset], offset == usual)), 3)
 
     def _from_doors(self, index: int, along: float) -> float:
         """Distance of a point of a wall from the nearest door, as far as it matters for their swings [m]."""
