@@ -197,9 +197,10 @@ class _Openings:
             middle = share if wanted.count > 1 else (start + end) / 2.0
             return round(min(max(middle - width / 2.0, start), end - width), 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
-        usual = corners[int(index == 0)]
+        usual = corners[1 if index == 0 else 0]
         apart = {offset: self._from_doors(index, offset + width / 2) for offset in corners}
-        return round(max(corners, key=lambda offset: (apart[offset], offset == usual)), 3)
+        best = max(corners, key=lambda offset: (apart[offset], offset == usual))
+        return round(best, 3)
 
     def _from_doors(self, index: int, along: float) -> float:
         """Distance of a point of a wall from the nearest door, as far as it matters for their swings [m]."""

@@ -215,8 +215,9 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if anchor.category in BOARDS and situation.target.category in WORKED_AT:
         yield from open_floor.presenting(situation, anchor)
+    along = 2.0 if situation.target.category in LOUNGE and anchor.category in LOW_TABLES else 0.2
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
-        yield _dearer(idea, 0.2)
+        yield _dearer(idea, along)
     yield from walls.along_walls(situation)
     yield from walls.corners(situation)
 
