@@ -67,7 +67,7 @@ def _numbers(values: Iterable[float]) -> str:
 def _set_view(spec: mujoco.MjSpec, room: Room) -> None:
     """The whole room in the viewer's window, from above one corner, and the same as a camera "overview"."""
     width, depth = room.extent
-    extent = 0.85 * math.hypot(width, depth, room.height)
+    extent = math.hypot(width, depth, room.height)
     centre = (width / 2, depth / 2, room.height / 3)
     spec.stat.center, spec.stat.extent = centre, extent
     view = spec.visual.global_

@@ -26,7 +26,7 @@ ACROSS = 4.0
 """How far in front of and behind reach; SceneEval across ends there."""
 OPPOSITE = 1.5
 """Smallest gap between things across the room from each other; SceneEval across begins there."""
-OPPOSITE_SHARE = 0.4
+OPPOSITE_SHARE = 0.2
 """The same as a share of the room's smaller extent, for rooms where 1.5 m is not to be had."""
 FACING = 30.0
 """Largest angle between a front and the direction to what it faces; SceneEval face_to."""

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import structs
 
 from thinkblox.brief import RelationKind
+from thinkblox.places import corners
 from thinkblox.plan import Plan, Tie
 from thinkblox.relations import measure
 from thinkblox.scene import Scene
@@ -51,9 +52,8 @@ def relations_of(scene: Scene, plan: Plan) -> Iterator[RelationResult]:
                 kind=tie.kind, subject=subject, anchors=tie.anchors, holds=False, measured=f"{names} not placed"
             )
         else:
-            yield measure(
-                scene, tie.kind, here, tie.anchors, rows=tie.rows, each=len(here) > 1 and tie.kind == "in_corner"
-            )
+            filled = tie.kind == "in_corner" and len(here) >= len(corners(scene.room, tie.anchors)) > 1
+            yield measure(scene, tie.kind, here, tie.anchors, rows=tie.rows, each=filled)
 
 
 def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:

@@ -43,7 +43,7 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     z = min(max(0.0, middle - situation.size[2] / 2), situation.room.height - situation.size[2])
     if situation.target.category in AT_WINDOWS:
         yield from at_windows(situation)
-    watched = _is_watched(situation)
+    watched = is_watched(situation)
     for wall in named_walls(situation.room, place):
         short_view = 0.5 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
         half = situation.size[1] / 2
@@ -58,7 +58,7 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
                     yield hang(situation, wall, along, z + lift, why="it hangs where it is seen", cost=cost + abs(lift))
 
 
-def _is_watched(situation: Situation) -> bool:
+def is_watched(situation: Situation) -> bool:
     """Whether something later will face it."""
     return any(tie.kind in ("facing", "opposite") for t in situation.followers for tie in t.ties)
 

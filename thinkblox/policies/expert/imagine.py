@@ -69,10 +69,11 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
     """Along the walls, in the corners and, for what may stand free, on the open floor."""
     free = situation.target.category in STAND_FREE or not situation.asset.collides
     corner = situation.target.category in LIKES_CORNERS
+    watched = hung.is_watched(situation)
     for idea in walls.along_walls(situation):
         yield _dearer(idea, 0.8 if free or corner else 0.0)
     for idea in walls.corners(situation):
-        yield _dearer(idea, 0.8 if free else 0.0 if corner else 0.3)
+        yield _dearer(idea, 3.0 if watched else 0.8 if free else 0.0 if corner else 0.3)
     for idea in open_floor.grid(situation):
         yield _dearer(idea, 0.0 if free else 2.0)
 

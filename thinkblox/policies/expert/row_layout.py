@@ -72,8 +72,14 @@ def _directions(situation: Situation, facing: tuple[str, ...], *, mutual: bool) 
     anchors = situation.placed(facing)
     if anchors:
         away = situation.target.category in WORKED_AT
-        return ((anchors[0].yaw + (0.0 if away else 180.0)) % 360.0,)
+        towards = (anchors[0].yaw + (0.0 if away else 180.0)) % 360.0
+        along_walls = min((wall.yaw for wall in situation.room.walls), key=lambda yaw: _turn(yaw, towards))
+        return (along_walls,)
     return (0.0, 90.0) if mutual or situation.asset.front != "one" else (0.0, 90.0, 180.0, 270.0)
+
+
+def _turn(a: float, b: float) -> float:
+    return abs((a - b + 180.0) % 360.0 - 180.0)
 
 
 def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutual: bool) -> Iterator[_Spacing]:

@@ -17,6 +17,7 @@ FOCAL = frozenset(
     [
         "bed",
         "hospital_bed",
+        "podium",
         "sofa",
         "tv_stand",
         "fireplace",
