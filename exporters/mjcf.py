@@ -16,7 +16,7 @@ from thinkblox.sim.settle import SettledState, add_keyframe, settle
 
 AZIMUTH, ELEVATION = 125.0, -40.0
 """Where the viewer looks to at first [degrees]."""
-_DISTANCE = 0.65
+_DISTANCE = 0.75
 """Distance of the named camera from the room's middle, in extents."""
 
 
