@@ -41,7 +41,7 @@ class Physics(Value, kw_only=True, frozen=True):
         impratio: ratio of frictional to normal constraint impedance, against creep.
         gravity: [m/s2].
         settle_time: longest settle of a candidate [s].
-        least_settle_time: shortest settle before stillness is believed, unless everything sleeps [s].
+        least_settle_time: shortest settle of a candidate before stillness is believed [s].
         rest_time: longest settle of a whole scene before its keyframe is taken [s].
         hold_time: how long a settled scene must stand still [s].
         chunk: steps between two looks at a settling candidate.

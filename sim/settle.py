@@ -69,16 +69,22 @@ def turn(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
 def settle_body(model: mujoco.MjModel, data: mujoco.MjData, address: int, physics: Physics) -> Motion:
     """Let one free body, whose pose is at qpos[address:address + 7], come to rest from the state in `data`.
 
-    It ends early when everything sleeps, and when the body is lost or toppled.
+    It is kept awake for `physics.least_settle_time`, for what topples may begin slowly. Afterwards it ends early when
+    everything sleeps, and at any time when the body is lost or toppled.
     """
     start = data.qpos[address : address + 7].copy()
     motion = Motion()
-    for _ in range(math.ceil(physics.settle_time / (physics.timestep * physics.chunk))):
+    tolerance, seconds = model.opt.sleep_tolerance, physics.timestep * physics.chunk
+    model.opt.sleep_tolerance = 0.0
+    for chunk in range(math.ceil(physics.settle_time / seconds)):
+        if chunk * seconds >= physics.least_settle_time:
+            model.opt.sleep_tolerance = tolerance
         mujoco.mj_step(model, data, nstep=physics.chunk)
         motion = motion_between(start, data.qpos[address : address + 7], unstable=diverged(data))
         gone = max(motion.drift, motion.drop) > physics.lost or motion.tilt > physics.toppled
-        if gone or motion.unstable or bool(np.all(data.tree_asleep >= 0)):
+        if gone or motion.unstable or _asleep(data):
             break
+    model.opt.sleep_tolerance = tolerance
     return motion
 
 

@@ -1,9 +1,11 @@
+import mujoco
 import pytest
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
 from thinkblox.asset import Asset, Shape
 from thinkblox.room import Opening, Room, rectangle
 from thinkblox.scene import Placement, Scene
+from thinkblox.sim.settings import Physics
 from thinkblox.sim.world import World
 from thinkblox.verdict import Verdict
 
@@ -237,3 +239,17 @@ def test_a_wardrobe_among_neighbours_keeps_its_doors_to_itself() -> None:
     kind = wardrobe()
     verdict = check(scene(), put(kind, 0.3, 2.0), kind)
     assert verdict.valid, str(verdict)
+
+
+def test_a_candidate_is_kept_awake_for_the_least_settle_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    steps: list[int] = []
+    step = mujoco.mj_step
+
+    def counted(model: mujoco.MjModel, data: mujoco.MjData, nstep: int = 1) -> None:
+        steps.append(nstep)
+        step(model, data, nstep=nstep)
+
+    monkeypatch.setattr(mujoco, "mj_step", counted)
+    verdict = check(scene(), put(CRATE, 2.0, 2.0), CRATE)
+    assert verdict.valid
+    assert sum(steps) * Physics().timestep >= Physics().least_settle_time - 1e-9
