@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 
 from thinkblox.phrases import Constraint, Kind
-from thinkblox.room import Room, Wall
+from thinkblox.room import Room, Wall, turn_between
 from thinkblox.scene import Placement, Scene
 from thinkblox.value import Vec2
 
@@ -21,10 +21,6 @@ def residual(constraint: Constraint, scene: Scene, placement: Placement) -> floa
     if any(anchor not in scene and anchor not in walls for anchor in constraint.anchors):
         return None
     return _RESIDUALS[constraint.kind](constraint, scene, placement)
-
-
-def _turn(a: float, b: float) -> float:
-    return abs((a - b + 180.0) % 360.0 - 180.0)
 
 
 def wall_gap(wall: Wall, placement: Placement) -> float:
@@ -44,7 +40,7 @@ def side_gap(anchor: Placement, placement: Placement, side: str) -> float:
 def direction_error(placement: Placement, target: Vec2) -> float:
     """Angle between the front and the direction to a point [degrees]."""
     dx, dy = target[0] - placement.position[0], target[1] - placement.position[1]
-    return 0.0 if math.hypot(dx, dy) < 1e-9 else _turn(placement.yaw, math.degrees(math.atan2(dy, dx)))
+    return 0.0 if math.hypot(dx, dy) < 1e-9 else turn_between(placement.yaw, math.degrees(math.atan2(dy, dx)))
 
 
 def _beside(c: Constraint, scene: Scene, p: Placement) -> float:
@@ -108,11 +104,11 @@ def _facing(c: Constraint, scene: Scene, p: Placement) -> float:
     if anchor in scene:
         return direction_error(p, scene[anchor].position[:2])
     inward = scene.room.wall(anchor).inward
-    return _turn(p.yaw, math.degrees(math.atan2(-inward[1], -inward[0])))
+    return turn_between(p.yaw, math.degrees(math.atan2(-inward[1], -inward[0])))
 
 
 def _turned(c: Constraint, scene: Scene, p: Placement) -> float:
-    return _turn(p.yaw, c.values[0])
+    return turn_between(p.yaw, c.values[0])
 
 
 def _above(c: Constraint, scene: Scene, p: Placement) -> float:

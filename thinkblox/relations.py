@@ -14,6 +14,7 @@ from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
 from thinkblox.places import Thing, corners, things
+from thinkblox.room import turn_between
 from thinkblox.scene import Scene
 from thinkblox.value import Vec2
 from thinkblox.verdict import RelationResult
@@ -234,7 +235,7 @@ def _across(scene: Scene) -> Callable[[Thing, Thing], _Finding]:
 
     def pair(subject: Thing, anchor: Thing) -> _Finding:
         ahead, _ = in_front(subject, anchor)
-        turn = _turn(subject.gaze, anchor.gaze + 180.0)
+        turn = turn_between(subject.gaze, anchor.gaze + 180.0)
         if "any" in (subject.front, anchor.front):
             turn = 0.0 if subject.front == "any" else _angle_to(subject, anchor)
         elif "two" in (subject.front, anchor.front):
@@ -287,7 +288,7 @@ def _in_rows(members: list[Thing], rows: int) -> _Finding:
     """Some direction, of a member's frame or to its neighbour, splits all into straight, evenly spaced lines."""
     if len(members) < 2:
         return False, "one thing makes no row"
-    turned = max(_turn(a.yaw, b.yaw, 180.0) for a, b in combinations(members, 2))
+    turned = max(turn_between(a.yaw, b.yaw, period=180.0) for a, b in combinations(members, 2))
     if turned > ROW_YAW and members[0].front != "any":
         return False, f"turned by {turned:.0f} degrees against each other"
     nearest = min(members[1:], key=lambda m: math.dist(m.centre, members[0].centre))
@@ -381,14 +382,8 @@ def _angle_of(subject: Thing, yaw: float, anchor: Thing, target: BaseGeometry) -
     bearings = [_bearing(subject.centre, spot) for spot in spots if math.dist(spot, subject.centre) > CONTACT]
     if anchor.hung and anchor.to_local(subject.centre)[0] > 0.0:
         bearings.append(anchor.yaw + 180.0)
-    return min((_turn(yaw, bearing) for bearing in bearings), default=0.0)
+    return min((turn_between(yaw, bearing) for bearing in bearings), default=0.0)
 
 
 def _bearing(start: Vec2, end: Vec2) -> float:
     return math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))
-
-
-def _turn(a: float, b: float, period: float = 360.0) -> float:
-    """Smallest turn between two yaws that repeat every `period` [degrees]."""
-    turn = (a - b) % period
-    return min(turn, period - turn)

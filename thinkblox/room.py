@@ -195,6 +195,12 @@ def _overlap(a: Opening, b: Opening) -> bool:
     return across > 1e-6 and up > 1e-6
 
 
+def turn_between(a: float, b: float, *, period: float = 360.0) -> float:
+    """Smallest turn between two yaws that repeat every `period` [degrees]."""
+    turn = (a - b) % period
+    return min(turn, period - turn)
+
+
 def rectangle(width: float, depth: float, *, height: float = 2.6, openings: tuple[Opening, ...] = ()) -> Room:
     """A rectangular room, `width` along x and `depth` along y [m]; wall 0 is the south wall."""
     return Room(floor=((0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)), height=height, openings=openings)

@@ -6,7 +6,7 @@ from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import named_walls
-from thinkblox.room import Opening, Room, Wall
+from thinkblox.room import Opening, Room, Wall, turn_between
 from thinkblox.scene import Placement
 
 CENTRES = {
@@ -156,7 +156,7 @@ def _nearest_walls(situation: Situation, anchor: Placement) -> list[Wall]:
 
     def badness(wall: Wall) -> float:
         along, inward = wall.coordinates(centre)
-        behind = 0.0 if abs((wall.yaw - anchor.yaw + 180.0) % 360.0 - 180.0) < 10.0 else 0.5
+        behind = 0.0 if turn_between(wall.yaw, anchor.yaw) < 10.0 else 0.5
         past = max(0.0, -along, along - wall.length)
         return abs(inward) + behind + 5.0 * past
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from thinkblox.consistency import wall_gap
 from thinkblox.phrases import Constraint
-from thinkblox.room import Room, Wall
+from thinkblox.room import Room
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2, Vec3
 
@@ -55,8 +55,3 @@ def _dot(a: Vec2, b: Vec2) -> float:
 def turned(yaw: float) -> Constraint:
     """The words for a yaw."""
     return Constraint(kind="turned", values=(round(yaw % 360.0, 2) % 360.0,))
-
-
-def opposite_yaw(wall: Wall) -> float:
-    """Yaw of an object that faces a wall [degrees]."""
-    return (wall.yaw + 180.0) % 360.0

@@ -9,6 +9,7 @@ from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import SEATS, Idea, turned
 from thinkblox.policies.expert.needs import BEFORE_BOARD
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.room import turn_between
 from thinkblox.scene import Placement
 from thinkblox.value import Vec2
 
@@ -87,7 +88,7 @@ def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     has_front = situation.scene.asset_of(anchor).front == "one"
     floats = FLOATING if situation.target.category in SEATS and anchor.category not in SEATS else 0.0
     for turn in range(0, 360, 15):
-        away = abs((turn - seen + 180.0) % 360.0 - 180.0) if has_front else 0.0
+        away = turn_between(turn, seen) if has_front else 0.0
         for rank, distance in enumerate(_distances(situation, anchor)):
             cost = 0.02 * away + 0.25 * rank + (0.3 if turn % 90 else 0.0) + floats
             yield _looking(situation, anchor, float(turn), distance, cost)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.room import turn_between
 from thinkblox.value import Vec2
 
 BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5, 0.2, 0.02), "bookcase": (0.005,), "locker": (0.005,)}
@@ -27,8 +28,8 @@ FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
 """Free distance between two rows that look at each other [m]."""
 WITH_SEATS = (1.6, 1.4, 1.2)
 """Free distance between tables that people sit around, each way [m]."""
-WIDEST_AISLE, WIDEST_WITH_SEATS = 3.6, 2.4
-"""How far rows are drawn apart to use a large floor [m]."""
+WIDEST_WITH_SEATS = 2.4
+"""How far tables are drawn apart to use a large floor [m]."""
 FROM_AISLES = frozenset(("bookcase", "shelving_unit", "server_rack", "locker", "clothes_rack"))
 """What is used from the aisle between its rows, so that two rows may open towards each other."""
 
@@ -73,13 +74,9 @@ def _directions(situation: Situation, facing: tuple[str, ...], *, mutual: bool) 
     if anchors:
         away = situation.target.category in WORKED_AT
         towards = (anchors[0].yaw + (0.0 if away else 180.0)) % 360.0
-        along_walls = min((wall.yaw for wall in situation.room.walls), key=lambda yaw: _turn(yaw, towards))
+        along_walls = min((wall.yaw for wall in situation.room.walls), key=lambda yaw: turn_between(yaw, towards))
         return (along_walls,)
     return (0.0, 90.0) if mutual or situation.asset.front != "one" else (0.0, 90.0, 180.0, 270.0)
-
-
-def _turn(a: float, b: float) -> float:
-    return abs((a - b + 180.0) % 360.0 - 180.0)
 
 
 def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutual: bool) -> Iterator[_Spacing]:
