@@ -11,22 +11,10 @@ from thinkblox.scene import Placement, Scene
 from thinkblox.sim.openings import STANDING, door_zone
 from thinkblox.sim.settings import Walking
 from thinkblox.sim.solid import Solid, on_floor, solid_of
-from thinkblox.value import Value
+from thinkblox.verdict import Access
 
 ROUNDNESS = 3
 """Segments of a quarter circle where an outline is widened."""
-
-
-class Access(Value, kw_only=True, frozen=True):
-    """What can be walked to.
-
-    Attributes:
-        reach: share of the floor on which a walker's middle can be that hangs together with the doors.
-        unreachable: ids of large objects and doors with no way from the main door.
-    """
-
-    reach: float
-    unreachable: tuple[str, ...] = ()
 
 
 class FreeFloor:
@@ -59,10 +47,11 @@ class FreeFloor:
         """How much hangs together with a door, and what does not; without doors, with the largest free part."""
         parts = [part for part in shapely.get_parts(self._free) if part.area > 1e-4]
         if not parts:
-            return Access(reach=0.0, unreachable=tuple(self._goals))
+            return Access(width=self._walking.width, reach=0.0, unreachable=tuple(self._goals))
         main = max(parts, key=lambda part: (self._touches_door(part), part.area))
         far = [id for id, goal in self._goals.items() if not self._within_reach(main, id, goal)]
-        return Access(reach=round(main.area / sum(part.area for part in parts), 4), unreachable=tuple(far))
+        share = main.area / sum(part.area for part in parts)
+        return Access(width=self._walking.width, reach=round(share, 4), unreachable=tuple(far))
 
     def _touches_door(self, part: BaseGeometry) -> bool:
         return any(shapely.intersects(part, self._goals[door]) for door in self._doors)

@@ -115,7 +115,7 @@ def verdict(
         reasons=reasons,
         depth=max((c.depth for c in static.collisions), default=0.0),
         overlap=round(sum(c.overlap for c in static.collisions), 6),
-        outside=static.outside,
+        boundary=static.outside,
         collisions=static.collisions,
         supports=supports,
         settled=motion is not None,

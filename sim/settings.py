@@ -14,6 +14,8 @@ class Tolerances(Value, kw_only=True, frozen=True):
         drift: horizontal motion while settling [m].
         drop: sinking while settling, beyond `clearance` [m].
         tilt: change of orientation while settling [degrees].
+        pushed: how far it may move another object while settling [m].
+        opens: least share of its range that a door or drawer must open.
         carried: least share of its weight that must be borne by something once it has settled.
         hold_drift, hold_tilt: motion of a settled scene's objects in `Physics.hold_time` [m, degrees].
         size: by how much a placement's size may differ from its asset's [m].
@@ -26,6 +28,8 @@ class Tolerances(Value, kw_only=True, frozen=True):
     drift: float = 0.005
     drop: float = 0.010
     tilt: float = 2.0
+    pushed: float = 0.005
+    opens: float = 0.6
     carried: float = 0.5
     hold_drift: float = 0.010
     hold_tilt: float = 2.0
@@ -71,6 +75,7 @@ class Walking(Value, kw_only=True, frozen=True):
 
     Attributes:
         width: of the walker [m].
+        robot: of the robot that must be able to drive wherever the walker can walk [m].
         headroom: what hangs higher than this is walked under [m].
         step: what is flatter than this is walked over [m].
         reach: arm's length, from the walker's middle to an object [m].
@@ -84,6 +89,7 @@ class Walking(Value, kw_only=True, frozen=True):
     """
 
     width: float = 0.5
+    robot: float = 0.2
     headroom: float = 1.9
     step: float = 0.03
     reach: float = 0.6

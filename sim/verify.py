@@ -5,9 +5,10 @@ from functools import partial
 
 import mujoco
 import numpy as np
+from msgspec import structs
 
 from thinkblox.scene import Placement, Scene
-from thinkblox.sim.access import Access, access
+from thinkblox.sim.access import access
 from thinkblox.sim.build import build_spec, compiled, package_version
 from thinkblox.sim.contacts import Contacts
 from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
@@ -17,7 +18,7 @@ from thinkblox.sim.settle import SettledState, diverged, free_addresses, motion_
 from thinkblox.sim.stage import Stage, settled_verdict
 from thinkblox.sim.world import World
 from thinkblox.value import Value
-from thinkblox.verdict import Report, Verdict
+from thinkblox.verdict import Access, Report, Verdict
 
 
 class Hold(Value, kw_only=True, frozen=True):
@@ -75,10 +76,9 @@ def verify(
         drift=held.drift,
         tilt=held.tilt,
         simulated=held.seconds,
-        way=walking.width,
-        reach=walkable.reach,
-        unreachable=walkable.unreachable,
-        notes=(*_motion_notes(state, held, tolerances, physics), *_way_notes(walkable, walking)),
+        walker=walkable,
+        robot=access(scene, structs.replace(walking, width=walking.robot)),
+        notes=(*_motion_notes(state, held, tolerances, physics), *_way_notes(walkable)),
     )
 
 
@@ -177,7 +177,7 @@ def _motion_notes(state: SettledState, held: Hold, tolerances: Tolerances, physi
     return (moved, f"It still moved after {physics.rest_time:g} s; its keyframe is the state at that time.")
 
 
-def _way_notes(walkable: Access, walking: Walking) -> tuple[str, ...]:
+def _way_notes(walkable: Access) -> tuple[str, ...]:
     if not walkable.unreachable:
         return ()
-    return (f"There is no way {walking.width:g} m wide from the door to {', '.join(walkable.unreachable)}.",)
+    return (f"There is no way {walkable.width:g} m wide from the door to {', '.join(walkable.unreachable)}.",)

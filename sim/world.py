@@ -7,13 +7,13 @@ import mujoco
 
 from thinkblox.asset import Asset
 from thinkblox.scene import Placement, Scene
-from thinkblox.sim.access import Access, FreeFloor, free_floor
+from thinkblox.sim.access import FreeFloor, free_floor
 from thinkblox.sim.build import add_placement, build_spec
 from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.solid import solid_of
 from thinkblox.sim.stage import Stage, settled_verdict
-from thinkblox.verdict import Verdict
+from thinkblox.verdict import Access, Verdict
 
 CANDIDATE = "//candidate"
 """Name of the candidate's body; no placement can be called so by the step language."""

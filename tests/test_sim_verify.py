@@ -37,7 +37,8 @@ def test_a_good_scene_is_valid_as_a_whole() -> None:
     assert report.drift < 0.001
     assert report.tilt < 0.1
     assert report.simulated >= 5.0
-    assert report.reach == 1.0
+    assert report.walker is not None
+    assert report.walker.reach == 1.0
     assert report.versions["mujoco"] == mujoco.__version__
 
 
@@ -133,7 +134,8 @@ def test_unreachable_objects_are_reported_and_blamed() -> None:
     barrier = asset("sideboard", (0.4, 1.8, 0.8), mass=35.0)
     room = scene(narrow, (put(bed, 0.5, 5.0, yaw=270.0), bed), (put(barrier, 1.0, 3.0, yaw=90.0), barrier))
     report = verify(room)
-    assert report.unreachable == ("bed_1",)
+    assert report.walker is not None
+    assert report.walker.unreachable == ("bed_1",)
     assert {v.id: v.reasons for v in report.objects} == {"bed_1": ("blocks_way",), "sideboard_1": ("blocks_way",)}
     without_blame = verify(room, way=False)
     assert without_blame.valid

@@ -262,8 +262,8 @@ def _summary(report: "Report", placed: int, *, outcome: str) -> str:
     lines += [
         f"  not so: {r.subject} {_words(r.kind, r.anchors)}: {r.measured}" for r in report.relations if not r.holds
     ]
-    if report.unreachable:
-        lines.append(f"no walkable way to: {', '.join(report.unreachable)}")
+    if report.walker is not None and report.walker.unreachable:
+        lines.append(f"no walkable way to: {', '.join(report.walker.unreachable)}")
     if report.unknown:
         lines.append(f"words not understood: {', '.join(report.unknown)}")
     lines += report.notes

@@ -1,7 +1,9 @@
 """What physics measured: a Verdict on one placement, a Report on a whole scene. Metres, degrees, seconds."""
 
+import math
 from typing import Literal
 
+from thinkblox.suite import SuiteResult
 from thinkblox.value import Value
 
 Reason = Literal[
@@ -11,11 +13,14 @@ Reason = Literal[
     "drift",  # slid while settling
     "drop",  # fell further than its clearance
     "tilt",  # leaned or toppled
+    "pushes",  # moved something else while settling
     "blocks_door",  # stands in a door's swing or way
     "blocks_window",  # stands higher than the sill right in front of a window
+    "blocks_opening",  # keeps a door or drawer of furniture shut, its own or another's
     "blocks_way",  # leaves no walkable way from a door to a large object
     "size",  # asks for a size that the asset cannot have
     "unstable",  # the simulation itself failed
+    "error",  # no verdict could be had; `message` says why
 ]
 
 
@@ -34,6 +39,29 @@ class Support(Value, frozen=True, kw_only=True):
     share: float
 
 
+class Push(Value, frozen=True, kw_only=True):
+    """How far another object was moved by this one's settling [m]."""
+
+    other: str
+    distance: float
+
+
+class Swing(Value, frozen=True, kw_only=True):
+    """How far a door or drawer opens.
+
+    Attributes:
+        of: id of the object it belongs to.
+        link: its name in the asset.
+        opens: share of its range that is free, 0 to 1.
+        hits: what ends it, or is pushed aside on the way: ids and names of walls.
+    """
+
+    of: str
+    link: str
+    opens: float
+    hits: tuple[str, ...] = ()
+
+
 class Verdict(Value, frozen=True, kw_only=True):
     """What physics measured about one placement.
 
@@ -42,13 +70,18 @@ class Verdict(Value, frozen=True, kw_only=True):
         reasons: every tolerance that was exceeded, in the order of `Reason`.
         depth: deepest contact with anything that it does not merely rest on [m]; 0 when free.
         overlap: sum of the overlap ratios over `collisions`.
-        outside: how far its footprint or top reaches out of the room [m]; 0 when inside.
+        boundary: signed distance to walls, floor and ceiling, all that is outside being solid [m]: the least
+            distance it must be moved to be inside, or, less than 0, the free distance to the nearest wall.
         supports: what carries it, largest share first.
         settled: whether a settle was run; it is not after a failed collision or boundary gate.
         drift: horizontal distance moved in the settle [m].
         drop: distance sunk in the settle [m].
         tilt: change of orientation in the settle [degrees].
+        rest: when it came to rest in the settle [s]; None when it did not, or no settle was run.
+        pushed: what it moved while settling, furthest first.
+        swings: doors and drawers that do not open through all of their range, its own and those it is in the way of.
         blocked: ids of the openings it stands in the way of, or of the objects it cuts off.
+        message: why there is no verdict.
     """
 
     id: str
@@ -56,14 +89,33 @@ class Verdict(Value, frozen=True, kw_only=True):
     reasons: tuple[Reason, ...] = ()
     depth: float = 0.0
     overlap: float = 0.0
-    outside: float = 0.0
+    boundary: float = 0.0
     collisions: tuple[Collision, ...] = ()
     supports: tuple[Support, ...] = ()
     settled: bool = False
     drift: float = 0.0
     drop: float = 0.0
     tilt: float = 0.0
+    rest: float | None = None
+    pushed: tuple[Push, ...] = ()
+    swings: tuple[Swing, ...] = ()
     blocked: tuple[str, ...] = ()
+    message: str = ""
+
+    @property
+    def outside(self) -> float:
+        """How far it reaches out of the room [m]; 0 when inside."""
+        return max(0.0, self.boundary)
+
+    @property
+    def r_coll(self) -> float:
+        """Collision reward of the ThinkBLOX paper, -tanh(5 sum rho), rho being the overlap ratios; -1 to 0."""
+        return -math.tanh(5.0 * self.overlap)
+
+    @property
+    def r_layout(self) -> float:
+        """Boundary reward of the ThinkBLOX paper, -tanh of the distance outside in metres; -1 to 0."""
+        return -math.tanh(self.outside)
 
     def __str__(self) -> str:
         """One line a person or a policy can act on: every failed measure with its number and its counterpart."""
@@ -74,6 +126,7 @@ class Verdict(Value, frozen=True, kw_only=True):
 
     def _explain(self, reason: Reason) -> str:
         blocked = ", ".join(self.blocked)
+        shut = ", ".join(f"{s.link} of {s.of} ({s.opens:.0%}, hits {', '.join(s.hits)})" for s in self.swings)
         texts: dict[Reason, str] = {
             "collision": "collides with "
             + ", ".join(
@@ -84,11 +137,14 @@ class Verdict(Value, frozen=True, kw_only=True):
             "drift": f"slid {self.drift * 1000:.1f} mm while settling",
             "drop": f"fell {self.drop * 1000:.1f} mm while settling",
             "tilt": f"tilted {self.tilt:.1f} degrees while settling",
+            "pushes": "pushed " + ", ".join(f"{p.other} ({p.distance * 1000:.1f} mm)" for p in self.pushed),
             "blocks_door": f"stands in the way of {blocked}",
             "blocks_window": f"stands in front of {blocked}",
+            "blocks_opening": f"does not let open: {shut}",
             "blocks_way": f"leaves no way to {blocked}",
             "size": "asks for a size that it cannot have",
             "unstable": "the simulation failed",
+            "error": self.message or "it could not be measured",
         }
         return texts[reason]
 
@@ -112,6 +168,39 @@ class RelationResult(Value, frozen=True, kw_only=True):
     measured: str
 
 
+class Access(Value, frozen=True, kw_only=True):
+    """What can be walked to, or driven to by a robot.
+
+    Attributes:
+        width: of the walker or robot [m].
+        reach: share of the floor on which its middle can be that hangs together with the doors, 0 to 1.
+        unreachable: ids of large objects and doors to which there is no way from a door.
+    """
+
+    width: float
+    reach: float
+    unreachable: tuple[str, ...] = ()
+
+
+class Move(Value, frozen=True, kw_only=True):
+    """How an object was moved to mend a fault.
+
+    Attributes:
+        by: where it went [m].
+        turn: by how much it was turned [degrees].
+        distance: length of `by` [m].
+        why: the reasons it was moved for.
+        mended: whether they are gone.
+    """
+
+    id: str
+    by: tuple[float, float, float]
+    turn: float
+    distance: float
+    why: tuple[Reason, ...]
+    mended: bool
+
+
 class Report(Value, frozen=True, kw_only=True):
     """The verdict on a whole scene.
 
@@ -120,8 +209,12 @@ class Report(Value, frozen=True, kw_only=True):
         complete: besides, everything asked for is there, and stands as it was asked to. That is what a prompt wants.
         depth: deepest contact between any two bodies [m].
         drift, tilt: the largest motion of any free object over `simulated` seconds, everything free [m, degrees].
-        reach: share of the free floor that hangs together with the doors, for a walker of `way` metres.
-        unreachable: large objects with no walkable way from a door.
+        walker, robot: what can be walked to, and driven to by a robot 0.2 m wide; None where no floor is known.
+        source: what was read: "thinkblox", "mjcf", "urdf", or a generator whose layout it is.
+        unusual: options of a foreign model that make it stand better than it would, in sentences.
+        substituted: ids that are measured as boxes, for want of a mesh.
+        suites: the published criteria that were asked for.
+        moves: what was moved to mend faults.
         absent: what could not be placed, with reasons; `unknown` the words of the prompt that mean nothing to us.
         notes: what a reader should know besides, in sentences.
     """
@@ -139,7 +232,11 @@ class Report(Value, frozen=True, kw_only=True):
     drift: float = 0.0
     tilt: float = 0.0
     simulated: float = 0.0
-    way: float = 0.0
-    reach: float = 1.0
-    unreachable: tuple[str, ...] = ()
+    walker: Access | None = None
+    robot: Access | None = None
+    source: str = "thinkblox"
+    unusual: tuple[str, ...] = ()
+    substituted: tuple[str, ...] = ()
+    suites: tuple[SuiteResult, ...] = ()
+    moves: tuple[Move, ...] = ()
     notes: tuple[str, ...] = ()

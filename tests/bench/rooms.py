@@ -59,7 +59,8 @@ def run(job: tuple[str, int, Path]) -> Row | str:
     faults = [f"absent {a.id}: {a.reason}" for a in result.report.absent]
     faults += [str(v) for v in result.report.objects if not v.valid]
     faults += [f"{r.subject} {r.kind} {r.anchors}: {r.measured}" for r in result.report.relations if not r.holds]
-    faults += [f"unreachable {id}" for id in result.report.unreachable]
+    if result.report.walker is not None:
+        faults += [f"unreachable {id}" for id in result.report.walker.unreachable]
     return Row(
         prompt,
         seed,

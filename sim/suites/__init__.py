@@ -1,0 +1,1 @@
+"""Suites of published criteria, each named after its source."""

@@ -1,0 +1,1 @@
+"""Layouts of other generators as scenes: every convention is converted here and nowhere else."""

@@ -1,0 +1,1 @@
+"""Moving what fails by the least that mends it."""
