@@ -1,6 +1,5 @@
 import math
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -11,7 +10,6 @@ from thinkblox.asset import Asset, Shape
 from thinkblox.room import Opening, Room, rectangle
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.access import access
-from thinkblox.sim.boundary import distance_outside
 from thinkblox.sim.overlap import overlap_ratio, overlap_volume
 from thinkblox.sim.solid import solid_of
 from thinkblox.sim.world import World
@@ -59,23 +57,6 @@ def test_overlap_is_symmetric(x: float, y: float, yaw: float, other_yaw: float) 
         overlap_ratio(solid_of(crate), b, solid_of(desk), a),
     ]
     assert ratios[0] * solid_of(desk).volume == pytest.approx(ratios[1] * solid_of(crate).volume, abs=1e-9)
-
-
-@settings(max_examples=60, deadline=None)
-@given(st.floats(-1.0, 5.0), st.floats(-1.0, 6.0), angle)
-def test_distance_outside_a_rectangle_in_closed_form(x: float, y: float, yaw: float) -> None:
-    placement = put(CRATE, x, y, yaw=yaw)
-    corners = np.array(placement.footprint.exterior.coords)
-    past = np.maximum(np.maximum(-corners, corners - (4.0, 5.0)), 0.0)
-    expected = float(np.hypot(past[:, 0], past[:, 1]).max())
-    assert distance_outside(rectangle(4.0, 5.0), placement, solid_of(CRATE)) == pytest.approx(expected, abs=1e-6)
-
-
-def test_an_object_across_a_thin_spur_of_wall_is_outside() -> None:
-    spur = Room(floor=((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.1, 3.0), (2.1, 1.0), (1.9, 1.0), (1.9, 3.0), (0.0, 3.0)))
-    plank = asset("plank", (1.0, 0.1, 0.1))
-    assert distance_outside(spur, put(plank, 2.0, 2.0), solid_of(plank)) == pytest.approx(0.1, abs=0.01)
-    assert distance_outside(spur, put(plank, 2.0, 0.5), solid_of(plank)) == 0.0
 
 
 def turned(point: tuple[float, float], about: float, by: tuple[float, float]) -> tuple[float, float]:
