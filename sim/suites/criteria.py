@@ -71,6 +71,11 @@ def result(suite: str, source: str, criteria: Sequence[Criterion], notes: Iterab
     return SuiteResult(suite=suite, source=source, passed=bool(passed), criteria=tuple(criteria), notes=tuple(notes))
 
 
+def paragraphs(text: str) -> tuple[str, ...]:
+    """Notes written as paragraphs, each on one line."""
+    return tuple(" ".join(part.split()) for part in text.split("\n\n"))
+
+
 def _together(verdicts: Sequence[bool | None]) -> bool | None:
     if any(verdict is False for verdict in verdicts):
         return False

@@ -5,7 +5,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.subject import Subject
-from thinkblox.sim.suites.criteria import above, criterion, exempt, result
+from thinkblox.sim.suites.criteria import above, criterion, exempt, paragraphs, result
 from thinkblox.sim.suites.running import Run
 from thinkblox.sim.suites.touching import Owners
 from thinkblox.suite import Criterion, Finding, SuiteResult
@@ -16,14 +16,19 @@ SOURCE = (
 )
 SECONDS, RESETS, NUDGE = 30.0, 8, 0.02
 DEPTH, ESCAPE, ACCELERATION = 0.010, 1.0, 5000.0
-NOTES = (
-    "The scene is simulated from its start and from 7 resets, in each of which every free object is displaced by up to "
-    "2 cm along x, y and z, evenly; the seed decides how.",
-    "A simulation ends early when everything sleeps, for then nothing can move any more; the source simulates all 30 s. "
-    "Nothing may sleep in its first 0.5 s.",
-    "The source means 0 mm at the start and fails a scene above 10 mm; the second is the limit here, and the depth is "
-    "reported.",
-    "Any kind of engine warning fails, as in the source.",
+NOTES = paragraphs(
+    """
+    The scene is simulated from its start and from 7 resets, in each of which every free object is displaced by
+    up to 2 cm along x, y and z, evenly; the seed decides how.
+
+    A simulation ends early when everything sleeps, for then nothing can move any more; the source simulates all
+    30 s. Nothing may sleep in its first 0.5 s.
+
+    The source means 0 mm at the start and fails a scene above 10 mm; the second is the limit here, and the
+    depth is reported.
+
+    Any kind of engine warning fails, as in the source.
+    """
 )
 
 

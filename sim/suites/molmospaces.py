@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.subject import Subject, Thing
-from thinkblox.sim.suites.criteria import above, criterion, exempt, result
+from thinkblox.sim.suites.criteria import above, criterion, exempt, paragraphs, result
 from thinkblox.sim.suites.forces import lifted, opened
 from thinkblox.sim.suites.joints import Hinged, hinged
 from thinkblox.sim.suites.running import Run
@@ -20,18 +20,26 @@ SOURCE = (
 )
 TIMESTEP, SETTLE, MONITOR = 0.002, 1.0, 3.0
 DRIFT, JITTER, OPENING, DEPTH = 0.05, 0.1, 0.1, 0.01
-NOTES = (
-    "Simulated in a copy with the source's step of 2 ms and, as there, with sleep enabled; each simulation ends early "
-    "when everything sleeps.",
-    "Nothing may sleep in the first 0.5 s of the stability test, so that a slow beginning is not missed; the source has "
-    "no such rule.",
-    "Contacts are read after 1 s with everything awake; the source reads them with sleepers' contacts missing.",
-    "The source lifts what its list of household categories calls pickupable, with at most 30 N; here that is every "
-    "free object that 30 N can lift.",
-    "As in the source all objects are lifted at once, and all joints pushed at once; what fails is then tried alone, "
-    "which the source offers as its other mode, and passes if it passes there.",
-    "20 N is a generalised force: newton metres on a hinge.",
-    "The source lists engine warnings without failing a scene for them; here one fails it.",
+NOTES = paragraphs(
+    """
+    Simulated in a copy with the source's step of 2 ms and, as there, with sleep enabled; each simulation ends
+    early when everything sleeps.
+
+    Nothing may sleep in the first 0.5 s of the stability test, so that a slow beginning is not missed; the
+    source has no such rule.
+
+    Contacts are read after 1 s with everything awake; the source reads them with sleepers' contacts missing.
+
+    The source lifts what its list of household categories calls pickupable, with at most 30 N; here that is
+    every free object that 30 N can lift.
+
+    As in the source all objects are lifted at once, and all joints pushed at once; what fails is then tried
+    alone, which the source offers as its other mode, and passes if it passes there.
+
+    20 N is a generalised force: newton metres on a hinge.
+
+    The source lists engine warnings without failing a scene for them; here one fails it.
+    """
 )
 
 

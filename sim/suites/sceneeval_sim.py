@@ -1,7 +1,7 @@
 """SceneEval's simulation fork: penetration between objects and with the room, and static equilibrium."""
 
 from thinkblox.sim.subject import Subject
-from thinkblox.sim.suites.criteria import above, criterion, result
+from thinkblox.sim.suites.criteria import above, criterion, paragraphs, result
 from thinkblox.sim.suites.equilibrium import MOVED, TURNED, fixed, motions
 from thinkblox.sim.suites.overlaps import DEPTH, Overlaps
 from thinkblox.sim.suites.running import Run
@@ -12,13 +12,18 @@ SOURCE = (
     "StaticEquilibrium, configs/metrics.yaml)"
 )
 SECONDS = 5.0
-NOTES = (
-    "The source simulates in Drake, with a step of 1 ms and point contacts, on its own convex pieces; here it is MuJoCo, "
-    "the model's own options and colliding geometry.",
-    "The source welds what hangs on walls and ceilings; here everything that the model fixes is fixed. Things without "
-    "colliding geometry are left out, as the source leaves carpets out.",
-    "Its variants that weld what penetrates before they simulate are not part of this suite.",
-    "A simulation ends early when everything sleeps, which nothing may in its first 0.5 s.",
+NOTES = paragraphs(
+    """
+    The source simulates in Drake, with a step of 1 ms and point contacts, on its own convex pieces; here it is
+    MuJoCo, the model's own options and colliding geometry.
+
+    The source welds what hangs on walls and ceilings; here everything that the model fixes is fixed. Things
+    without colliding geometry are left out, as the source leaves carpets out.
+
+    Its variants that weld what penetrates before they simulate are not part of this suite.
+
+    A simulation ends early when everything sleeps, which nothing may in its first 0.5 s.
+    """
 )
 
 

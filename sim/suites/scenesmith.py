@@ -1,7 +1,7 @@
 """SceneSmith: the collision rate and the stability that it reports of its own scenes, as bars."""
 
 from thinkblox.sim.subject import Subject
-from thinkblox.sim.suites.criteria import criterion, number, result
+from thinkblox.sim.suites.criteria import criterion, number, paragraphs, result
 from thinkblox.sim.suites.equilibrium import Motion, fixed, motions
 from thinkblox.sim.suites.overlaps import Overlaps
 from thinkblox.sim.suites.running import Run
@@ -14,14 +14,19 @@ SOURCE = (
 )
 SECONDS = 15.0
 COLLIDING, STABLE = 0.02, 0.96
-NOTES = (
-    "The bars are what the paper reports of its scenes: under 2 % of the objects in collision and 96 % stable, averages "
-    "over many rooms that are asked of a single one here.",
-    "Collision is a contact between objects deeper than 1 mm at the start. Stable is what ends within 1 cm and 0.1 rad of "
-    "its start: the thresholds of the evaluation fork.",
-    "Simulated for 15 s, as the generator lets its own scenes settle; its evaluation simulates 5 s.",
-    "The source simulates in Drake with a step of 1 ms; here it is MuJoCo with the model's own options. A simulation ends "
-    "early when everything sleeps, which nothing may in its first 0.5 s.",
+NOTES = paragraphs(
+    """
+    The bars are what the paper reports of its scenes: under 2 % of the objects in collision and 96 % stable,
+    averages over many rooms that are asked of a single one here.
+
+    Collision is a contact between objects deeper than 1 mm at the start. Stable is what ends within 1 cm and
+    0.1 rad of its start: the thresholds of the evaluation fork.
+
+    Simulated for 15 s, as the generator lets its own scenes settle; its evaluation simulates 5 s.
+
+    The source simulates in Drake with a step of 1 ms; here it is MuJoCo with the model's own options. A
+    simulation ends early when everything sleeps, which nothing may in its first 0.5 s.
+    """
 )
 
 
