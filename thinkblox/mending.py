@@ -1,6 +1,6 @@
 """Moving what fails by the least that mends it: shifted, never turned, and measured like any other placement."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import get_args
@@ -8,6 +8,7 @@ from typing import get_args
 import numpy as np
 from msgspec import structs
 
+from thinkblox.riders import apart, carriers, group_mass, riders, to_micrometres, with_shifted, without
 from thinkblox.scene import Placement, Scene
 from thinkblox.shifts import Shift, shifts
 from thinkblox.sim.settings import Physics, Tolerances, Walking
@@ -23,13 +24,13 @@ STILL = 0.1
 """What was moved tilts less than this while settling [degrees]: nothing is left on the brink."""
 CLOSE = 0.05
 """Whatever is nearer than this to something that moves is measured again [m]."""
-ROUNDS: tuple[frozenset[Reason], ...] = (
-    frozenset({"outside", "unsupported"}),
-    frozenset({"collision"}),
-    frozenset(get_args(Reason)),
-    frozenset(get_args(Reason)),
-)
-"""Which faults are mended when: those against the room, then those that would burst apart in a settle, then all."""
+ANY: frozenset[Reason] = frozenset(get_args(Reason))
+SEATING: frozenset[Reason] = frozenset({"outside", "unsupported", "drop"})
+"""Faults against the room and the floor: mended first, and then the collisions, which burst apart in a settle."""
+ROUNDS = 2
+"""How often all that fails yet is tried."""
+ACCEPTED = 4
+"""How many valid poses are tried for one that spoils nothing else."""
 
 
 def mend(
@@ -102,72 +103,76 @@ class _Mending:
 
     def run(self) -> tuple[Scene, tuple[Move, ...]]:
         """Mend what can be mended."""
-        for number, reasons in enumerate(ROUNDS):
-            count = len(self.steps)
-            for id in self._order(reasons, early=number == 0):
-                if not self._verdict(id).valid:
-                    self._mend(id, early=number == 0)
-            if len(self.steps) > count:
-                self.now = self._verdicts(self.scene)
+        self._mend_all(self._carriers_first(), self._stuck, SEATING)
+        self._mend_all(self._lighter_first(frozenset({"collision"})), lambda id: set())
+        for _ in range(ROUNDS):
+            self._mend_all(self._lighter_first(), lambda id: set())
         self._take_back_what_broke()
         self._put_back_what_failed()
         return self.scene, tuple(self._moves())
+
+    def _mend_all(
+        self, order: Sequence[str], past: Callable[[str], set[str]], reasons: frozenset[Reason] = ANY
+    ) -> None:
+        """Mend some objects one after the other, where what they fail for is among `reasons`.
+
+        `past` gives ids that are looked past while one of them is mended: they will be moved away from it.
+        """
+        count = len(self.steps)
+        for id in order:
+            looked_past = past(id)
+            if reasons.intersection(self._verdict(id, looked_past).reasons):
+                self._mend(id, looked_past)
+        if len(self.steps) > count:
+            self.now = self._verdicts(self.scene)
 
     def _verdicts(self, scene: Scene) -> dict[str, Verdict]:
         world = self.rules.world(scene)
         return {p.id: world.check([p], scene.asset_of(p))[0] for p in scene.placements}
 
-    def _verdict(self, id: str) -> Verdict:
-        placement = self.scene[id]
-        return self.rules.world(self.scene).check([placement], self.scene.asset_of(placement))[0]
+    def _verdict(self, id: str, past: set[str]) -> Verdict:
+        """The verdict on an object now, without what is looked past, and then without what rests on it either."""
+        gone = past | {p.id for p in riders(self.scene, id)} if past else set()
+        return self.rules.world(without(self.scene, gone)).check([self.scene[id]], self.scene.asset_of(self.scene[id]))[
+            0
+        ]
 
-    def _order(self, reasons: frozenset[Reason], *, early: bool) -> list[str]:
-        """Ids that fail so: carriers before what they carry when the room is concerned, else the lighter ones first."""
-        failing = [v for v in self.now.values() if reasons.intersection(v.reasons)]
-        order = sorted((self._mass(v.id), v.id) for v in failing)
-        return [id for _, id in (sorted(order, key=lambda item: self._depth(item[1])) if early else order)]
+    def _carriers_first(self) -> list[str]:
+        order = self._lighter_first()
+        return sorted(order, key=lambda id: len(carriers(self.scene, id)))
 
-    def _mass(self, id: str) -> float:
-        """Mass of an object with all that rests on it [kg]."""
-        group = [self.scene[id], *_riders(self.scene, id)]
-        return sum(self.scene.asset_of(p).mass for p in group)
+    def _lighter_first(self, reasons: frozenset[Reason] = ANY) -> list[str]:
+        failing = [v.id for v in self.now.values() if reasons.intersection(v.reasons)]
+        return sorted(failing, key=lambda id: (group_mass(self.scene, id), id))
 
-    def _depth(self, id: str) -> int:
-        """How many objects are below it."""
-        below, seen = self.scene[id].support, {id}
-        while below in self.scene and below not in seen:
-            seen.add(below)
-            below = self.scene[below].support
-        return len(seen)
+    def _stuck(self, id: str) -> set[str]:
+        """What will be moved away from the others it collides with, save the object itself and what carries it."""
+        failing = [v for v in self.now.values() if v.collisions and v.id not in (id, *carriers(self.scene, id))]
+        stuck = {v.id for v in failing if any(self._lighter(v.id, c.other) for c in v.collisions)}
+        return stuck | {rider.id for other in stuck for rider in riders(self.scene, other)} - {id}
 
-    def _mend(self, id: str, *, early: bool) -> None:
+    def _lighter(self, id: str, other: str) -> bool:
+        return other in self.scene and group_mass(self.scene, id) <= group_mass(self.scene, other)
+
+    def _mend(self, id: str, past: set[str]) -> None:
         """Move one object to the nearest pose that is valid and spoils nothing, if one is found."""
-        later = self._mended_later(id) if early else set()
-        for moved in self._poses(id, later):
-            shifted = _shifted(self.scene, id, moved)
-            after = self._after(shifted, id, later)
+        for moved in self._poses(id, past):
+            shifted = with_shifted(self.scene, moved)
+            after = self._after(shifted, id, past)
             if after is not None:
                 self.steps.append(self.scene)
                 self.scene, self.now = shifted, self.now | after
                 return
 
-    def _mended_later(self, id: str) -> set[str]:
-        """Lighter objects that it collides with: they will be moved away from it."""
-        return {
-            c.other
-            for c in self.now[id].collisions
-            if not self.now[c.other].valid and self._mass(c.other) < self._mass(id)
-        }
-
-    def _poses(self, id: str, later: set[str]) -> Iterator[Placement]:
+    def _poses(self, id: str, past: set[str]) -> Iterator[Placement]:
         """Valid poses among what stays where it is, nearest first, each brought as near as it gets."""
-        placement, riders = self.scene[id], _riders(self.scene, id)
-        rest = _without(self.scene, {p.id for p in riders} | later)
-        near = shifts(self.scene, placement, riders, self.rules.walking, past=later)[: self.rules.tries]
+        placement, group = self.scene[id], riders(self.scene, id)
+        rest = without(self.scene, {p.id for p in group} | past)
+        near = shifts(self.scene, placement, group, self.rules.walking, past=past)[: self.rules.tries]
         for strictness in ((self.rules.tight, self.rules.still), (self.rules.tolerances,)):
             worlds = [self.rules.world(rest, tolerances) for tolerances in strictness]
             found = (self._nearest(world, placement, shift) for shift in near for world in worlds)
-            yield from islice((pose for pose in found if pose is not None), 4)
+            yield from islice((pose for pose in found if pose is not None), ACCEPTED)
 
     def _nearest(self, world: World, placement: Placement, shift: Shift) -> Placement | None:
         """The valid pose next to the failing one on the way to a shifted one; None when that one fails too."""
@@ -184,20 +189,20 @@ class _Mending:
         fails = np.add(placement.position, shift.across)
         while np.linalg.norm(best.position - fails) > FINE:
             middle = (fails + best.position) / 2
-            nearer = check(_rounded(middle))
+            nearer = check(to_micrometres(middle))
             fails, best = (middle, best) if nearer is None else (fails, nearer)
         return best
 
-    def _after(self, shifted: Scene, id: str, later: set[str]) -> dict[str, Verdict] | None:
+    def _after(self, shifted: Scene, id: str, past: set[str]) -> dict[str, Verdict] | None:
         """The new verdicts of all that a move may concern, or None when it spoils something or does not mend."""
-        world = self.rules.world(shifted)
+        world = self.rules.world(without(shifted, past))
         found: dict[str, Verdict] = {}
         for placement in _concerned(self.scene, shifted, id):
-            verdict = world.check([placement], shifted.asset_of(placement))[0]
-            mended = placement.id == id and {c.other for c in verdict.collisions} <= later
-            if not verdict.valid and (self.now[placement.id].valid or (placement.id == id and not (later and mended))):
-                return None
-            found[placement.id] = verdict
+            if placement.id not in past:
+                verdict = world.check([placement], shifted.asset_of(placement))[0]
+                if not verdict.valid and (placement.id == id or self.now[placement.id].valid):
+                    return None
+                found[placement.id] = verdict
         return found
 
     def _take_back_what_broke(self) -> None:
@@ -223,46 +228,16 @@ class _Mending:
             dx, dy, dz = (round(b - a, 6) for a, b in zip(old.position, new.position, strict=True))
             if new.position != old.position or not self.now[old.id].valid:
                 distance = round(float(np.linalg.norm((dx, dy, dz))), 6)
-                why = self.before[old.id].reasons or self._reasons_below(old)
+                why = self.before[old.id].reasons or self._reasons_below(old.id)
                 yield Move(
                     id=old.id, by=(dx, dy, dz), turn=0.0, distance=distance, why=why, mended=self.now[old.id].valid
                 )
 
-    def _reasons_below(self, placement: Placement) -> tuple[Reason, ...]:
+    def _reasons_below(self, id: str) -> tuple[Reason, ...]:
         """Why what carries an object was moved."""
-        seen: set[str] = set()
-        while placement.support in self.start and placement.support not in seen:
-            seen.add(placement.support)
-            placement = self.start[placement.support]
-            if self.before[placement.id].reasons:
-                return self.before[placement.id].reasons
-        return ()
-
-
-def _riders(scene: Scene, id: str) -> tuple[Placement, ...]:
-    """What rests on an object, and on that."""
-    found: dict[str, Placement] = {}
-    todo = [id]
-    while todo:
-        for placement in scene.resting_on(todo.pop()):
-            if placement.id not in found and placement.id != id:
-                found[placement.id] = placement
-                todo.append(placement.id)
-    return tuple(found.values())
-
-
-def _without(scene: Scene, ids: Iterable[str]) -> Scene:
-    for id in sorted(ids):
-        scene = scene.without(id)
-    return scene
-
-
-def _shifted(scene: Scene, id: str, moved: Placement) -> Scene:
-    """The scene with one object at another pose, and what rests on it shifted alike."""
-    by = np.subtract(moved.position, scene[id].position)
-    for rider in _riders(scene, id):
-        scene = scene.moved(rider.id, position=_rounded(rider.position + by))
-    return scene.with_placement(moved, scene.asset_of(moved))
+        return next(
+            (self.before[below].reasons for below in carriers(self.start, id) if self.before[below].reasons), ()
+        )
 
 
 def _carried(candidate: Placement, verdict: Verdict, scene: Scene) -> Placement:
@@ -275,21 +250,7 @@ def _carried(candidate: Placement, verdict: Verdict, scene: Scene) -> Placement:
 
 def _concerned(scene: Scene, shifted: Scene, id: str) -> list[Placement]:
     """The moved object and its riders, and whatever is near to where one of them was or is."""
-    group = {id, *(p.id for p in _riders(scene, id))}
+    group = {id, *(p.id for p in riders(scene, id))}
     places = [where[member] for where in (scene, shifted) for member in sorted(group)]
-    return [shifted[id]] + [
-        p
-        for p in shifted.placements
-        if p.id != id and (p.id in group or any(_gap(p, place) < CLOSE for place in places))
-    ]
-
-
-def _gap(a: Placement, b: Placement) -> float:
-    """Least distance between the circles round two footprints [m]."""
-    radii = (np.hypot(*a.size[:2]) + np.hypot(*b.size[:2])) / 2
-    return float(np.hypot(a.position[0] - b.position[0], a.position[1] - b.position[1]) - radii)
-
-
-def _rounded(position: np.ndarray) -> Vec3:
-    x, y, z = (round(float(c), 6) for c in position)
-    return (x, y, z)
+    near = [p for p in shifted.placements if p.id in group or any(apart(p, place) < CLOSE for place in places)]
+    return [shifted[id], *(p for p in near if p.id != id)]

@@ -11,6 +11,7 @@ from shapely.geometry.base import BaseGeometry
 
 from thinkblox.asset import Asset
 from thinkblox.resting import ON_FLOOR
+from thinkblox.riders import apart, to_micrometres
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.free_space import (
     Piece,
@@ -69,12 +70,12 @@ def shifts(
     mine = [piece for p in group if scene.asset_of(p).collides for piece in pieces_of(plane, p, scene.asset_of(p))]
     gone = {p.id for p in group} | set(past)
     others = [p for p in scene.placements if p.id not in gone and asset.collides and scene.asset_of(p).collides]
-    near = [p for p in others if _apart(p, placement) < REACH]
+    near = [p for p in others if apart(p, placement) < REACH]
     obstacles = [piece for p in near for piece in pieces_of(plane, p, scene.asset_of(p))]
     zones = zone_pieces(scene.room, walking, windows=asset.mount == "floor") if plane.upright and asset.collides else ()
     own = pieces_of(plane, placement, asset)
     found: list[Shift] = []
-    for step in _steps(scene, plane, own, asset, obstacles):
+    for step in _steps(scene, plane, placement, own, obstacles):
         found += _at_level(plane, placement, asset, own, mine or own, obstacles, zones, step)
     return sorted(found, key=lambda shift: (round(shift.distance, 5), shift.placement.position))
 
@@ -86,19 +87,18 @@ def _plane(scene: Scene, placement: Placement, asset: Asset) -> Plane:
     return floor_plane(scene.room)
 
 
-def _apart(a: Placement, b: Placement) -> float:
-    """Least horizontal distance between two objects, were each as large as its circle [m]."""
-    radii = (np.hypot(*a.size[:2]) + np.hypot(*b.size[:2])) / 2
-    return float(np.hypot(a.position[0] - b.position[0], a.position[1] - b.position[1]) - radii)
-
-
 def _steps(
-    scene: Scene, plane: Plane, own: Sequence[Piece], asset: Asset, obstacles: Iterable[Piece]
+    scene: Scene, plane: Plane, placement: Placement, own: Sequence[Piece], obstacles: Iterable[Piece]
 ) -> tuple[float, ...]:
-    """By how much it is shifted across the plane: onto the wall, the ceiling, the floor, or tops that are near [m]."""
-    low, high = min(piece.low for piece in own), max(piece.high for piece in own)
+    """By how much it is shifted across the plane: onto the wall, the ceiling, the floor, or tops that are near [m].
+
+    What belongs on the floor is not put on top of other things.
+    """
+    asset, low, high = scene.asset_of(placement), min(piece.low for piece in own), max(piece.high for piece in own)
     if not plane.upright or not asset.free:
         return (scene.room.height - high if asset.mount == "ceiling" else -low,)
+    if asset.mount == "floor" and placement.support not in scene:
+        return (0.0, -low)
     footprint = shapely.MultiPoint(np.vstack([piece.corners for piece in own])).convex_hull
     near = [p for p in obstacles if shapely.dwithin(shapely.MultiPoint(p.corners).convex_hull, footprint, NEAR)]
     tops = {round(piece.high - low, 6) for piece in near}
@@ -126,7 +126,7 @@ def _at_level(
     places = [plane.point(np.array([*at, w + step])) for at in _places(space, np.array([u, v]))]
     found = [(place, float(np.linalg.norm(place - placement.position))) for place in places]
     return [
-        Shift(_at(placement, place), distance, (across[0], across[1], across[2]))
+        Shift(structs.replace(placement, position=to_micrometres(place)), distance, (across[0], across[1], across[2]))
         for place, distance in found
         if distance > LEAST
     ]
@@ -141,11 +141,6 @@ def _places(space: BaseGeometry, at: Array) -> Array:
     spokes = np.stack([np.cos(turns), np.sin(turns)], 1)
     rings = (at + RADII[:, None, None] * spokes[None]).reshape(-1, 2)
     return np.concatenate([nearest, rings[shapely.contains_xy(space, rings)]])
-
-
-def _at(placement: Placement, place: Array) -> Placement:
-    x, y, z = (round(float(c), 6) for c in place)
-    return structs.replace(placement, position=(x, y, z))
 
 
 __all__ = ["REACH", "Shift", "shifts"]
