@@ -2,6 +2,8 @@
 
 import hashlib
 import math
+from collections.abc import Container
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 
 import mujoco
@@ -38,7 +40,12 @@ DRAWER_FRICTION, DRAWER_DAMPING = 2.0, 5.0
 
 
 def build_spec(
-    scene: Scene, *, visuals: bool = False, physics: Physics | None = None, sleeping: bool = False, loose: bool = False
+    scene: Scene,
+    *,
+    visuals: bool = False,
+    physics: Physics | None = None,
+    sleeping: bool = False,
+    only: Container[str] | None = None,
 ) -> mujoco.MjSpec:
     """The model of a scene: one body per placement, named by its id, in the order of the placements.
 
@@ -50,15 +57,14 @@ def build_spec(
         physics: the engine's options.
         visuals: with colours, sites on support surfaces, a light, and the shapes that are only looked at.
         sleeping: every body starts asleep and sleep is enabled: for checks of one object against a still room.
-        loose: mounted things are free as well, so that contacts between any two objects are found.
+        only: ids of the objects that are built; the others are left out.
     """
     physics = physics or Physics()
     spec = new_spec(physics, visuals=visuals)
     add_room(spec, scene.room, physics, visuals=visuals)
     for placement in scene.placements:
-        asset = scene.asset_of(placement)
-        free = asset.free or (loose and asset.collides)
-        add_placement(spec, placement, asset, visuals=visuals, free=free, asleep=sleeping)
+        if only is None or placement.id in only:
+            add_placement(spec, placement, scene.asset_of(placement), visuals=visuals, asleep=sleeping)
     if sleeping:
         spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     return spec
@@ -84,6 +90,7 @@ def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
     option.timestep, option.gravity, option.impratio = physics.timestep, physics.gravity, physics.impratio
     option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.compiler.usethread = False
     spec.default.geom.solref[:] = physics.solref
     visual = spec.add_default("visual", spec.default)
     visual.geom.contype, visual.geom.conaffinity, visual.geom.group = 0, 0, 2
@@ -95,6 +102,7 @@ def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
     return spec
 
 
+@cache
 def package_version() -> str:
     """The installed version of this package, or "0+unknown" when it runs from a bare source tree."""
     try:
@@ -208,17 +216,19 @@ def _add_shapes(
     for shape in link.shapes:
         mass = mass_of.get(id(shape), 0.0)
         if visuals or shape.collide or mass:
-            geom = _add_geom(spec, body, shape, asset.friction)
+            geom = add_geom(spec, body, shape)
             geom.mass = mass
+            if shape.collide:
+                geom.friction = (asset.friction, TORSION, ROLL)
             if visuals:
                 geom.rgba = (*shape.colour, 1.0)
 
 
-def _add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape, friction: float) -> mujoco.MjsGeom:
+def add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> mujoco.MjsGeom:
+    """Add one shape to a body, in the body's frame."""
     kind = "solid" if shape.collide else "visual"
     geom = body.add_geom(spec.find_default(kind), type=GEOM_TYPES[shape.kind], pos=shape.position, quat=shape.quat_wxyz)
     if shape.collide:
-        geom.friction = (friction, TORSION, ROLL)
         geom.condim = 6 if shape.kind in ROLLING else 3
     if shape.kind == "hull":
         geom.meshname = _mesh(spec, shape)

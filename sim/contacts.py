@@ -15,7 +15,9 @@ class Contacts:
     """Names every contact of a model by the objects that touch: placement ids, "floor" and the walls' names."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
-        names = [_owner(model, geom) for geom in range(model.ngeom)]
+        of_body = [str(model.body(int(root)).name) for root in model.body_rootid]
+        world = {geom: _part_of_room(model, geom) for geom in np.flatnonzero(model.geom_bodyid == 0).tolist()}
+        names = [world.get(geom) or of_body[body] for geom, body in enumerate(model.geom_bodyid.tolist())]
         self.names = tuple(dict.fromkeys(names))
         self._number = {name: number for number, name in enumerate(self.names)}
         self._of_geom = np.array([self._number[name] for name in names], dtype=np.int64)
@@ -29,15 +31,6 @@ class Contacts:
             first, second = sorted(pairs[index])
             key = (self.names[first], self.names[second])
             found[key] = max(found.get(key, 0.0), float(depth[index]))
-        return found
-
-    def depths_of(self, data: mujoco.MjData, id: str) -> dict[str, float]:
-        """Deepest contact of one object with each other thing [m]; gaps are left out."""
-        found: dict[str, float] = {}
-        depth = -data.contact.dist
-        for index, other in self._contacts_of(data, id):
-            if depth[index] > 0.0:
-                found[other] = max(found.get(other, 0.0), float(depth[index]))
         return found
 
     def carriers_of(self, data: mujoco.MjData, id: str) -> dict[str, float]:
@@ -77,9 +70,6 @@ def shares(forces: dict[str, float], weight: float) -> tuple[Support, ...]:
     return tuple(sorted((s for s in found if s.share >= LEAST_SHARE), key=lambda s: (-s.share, s.by)))
 
 
-def _owner(model: mujoco.MjModel, geom: int) -> str:
-    body = int(model.geom_bodyid[geom])
-    if body:
-        return str(model.body(int(model.body_rootid[body])).name)
+def _part_of_room(model: mujoco.MjModel, geom: int) -> str:
     name = str(model.geom(geom).name)
     return GROUND if name == GROUND else name.split("/")[0]

@@ -1,18 +1,17 @@
 """From what was measured to a Verdict: every tolerance that was exceeded becomes a reason."""
 
-from collections.abc import Mapping
 from typing import get_args
 
 from thinkblox.asset import Asset
-from thinkblox.scene import Placement, Scene
-from thinkblox.sim.boundary import distance_outside
+from thinkblox.room import Room
+from thinkblox.scene import Placement
+from thinkblox.sim.boundary import boundary_distance
 from thinkblox.sim.mounting import hangs
 from thinkblox.sim.openings import blocked_openings
-from thinkblox.sim.overlap import overlap_ratio
 from thinkblox.sim.settings import Tolerances, Walking
 from thinkblox.sim.solid import solid_of
 from thinkblox.value import Value
-from thinkblox.verdict import Collision, Reason, Support, Verdict
+from thinkblox.verdict import Collision, Push, Reason, Support, Swing, Verdict
 
 ORDER: tuple[Reason, ...] = get_args(Reason)
 GATE = frozenset({"collision", "outside", "size"})
@@ -20,11 +19,19 @@ GATE = frozenset({"collision", "outside", "size"})
 
 
 class Motion(Value, kw_only=True, frozen=True):
-    """What an object did while settling [m, degrees]; `unstable` when the engine gave up."""
+    """What an object did while settling [m, degrees].
+
+    Attributes:
+        rest: when it came to rest [s]; None when it did not.
+        pushed: what else it moved, furthest first.
+        unstable: the engine gave up, and the numbers mean nothing.
+    """
 
     drift: float = 0.0
     drop: float = 0.0
     tilt: float = 0.0
+    rest: float | None = None
+    pushed: tuple[Push, ...] = ()
     unstable: bool = False
 
 
@@ -33,8 +40,9 @@ class Static(Value, kw_only=True, frozen=True):
 
     reasons: frozenset[Reason]
     collisions: tuple[Collision, ...]
-    outside: float
+    boundary: float
     blocked: tuple[str, ...]
+    swings: tuple[Swing, ...] = ()
 
     @property
     def gated(self) -> bool:
@@ -43,43 +51,30 @@ class Static(Value, kw_only=True, frozen=True):
 
 
 def judge_pose(
-    scene: Scene,
+    room: Room,
     placement: Placement,
     asset: Asset,
-    depths: Mapping[str, float],
     tolerances: Tolerances,
     walking: Walking,
+    *,
+    collisions: tuple[Collision, ...] = (),
+    swings: tuple[Swing, ...] = (),
 ) -> Static:
-    """Collision, boundary, openings and size of one placement against the others of a scene.
-
-    `depths` are the deepest contacts with each other object [m].
-    """
+    """Boundary, openings and size of one placement, beside the collisions and swings that were measured of it."""
     solid = solid_of(asset)
-    collisions = _collisions(scene, placement, asset, depths, tolerances)
-    outside = round(distance_outside(scene.room, placement, solid), 6)
-    doors, windows = blocked_openings(scene.room, placement, asset, solid, walking)
+    boundary = round(boundary_distance(room, placement, solid), 6)
+    doors, windows = blocked_openings(room, placement, asset, solid, walking)
     found: dict[Reason, bool] = {
         "collision": bool(collisions),
-        "outside": outside > tolerances.outside,
-        "unsupported": not asset.free and not hangs(scene.room, placement, solid, tolerances.touching),
+        "outside": boundary > tolerances.outside,
+        "unsupported": not asset.free and not hangs(room, placement, solid, tolerances.touching),
         "blocks_door": bool(doors),
         "blocks_window": bool(windows),
+        "blocks_opening": any(swing.opens < tolerances.opens for swing in swings),
         "size": any(abs(a - b) > tolerances.size for a, b in zip(placement.size, asset.size, strict=True)),
     }
     reasons = frozenset(reason for reason, holds in found.items() if holds)
-    return Static(reasons=reasons, collisions=collisions, outside=outside, blocked=doors + windows)
-
-
-def _collisions(
-    scene: Scene, placement: Placement, asset: Asset, depths: Mapping[str, float], tolerances: Tolerances
-) -> tuple[Collision, ...]:
-    found = []
-    for other, depth in depths.items():
-        if depth > tolerances.penetration and other in scene:
-            theirs = scene[other]
-            ratio = overlap_ratio(solid_of(asset), placement, solid_of(scene.asset_of(theirs)), theirs)
-            found.append(Collision(other=other, depth=round(depth, 6), overlap=round(ratio, 6)))
-    return tuple(sorted(found, key=lambda c: (-c.depth, c.other)))
+    return Static(reasons=reasons, collisions=collisions, boundary=boundary, blocked=doors + windows, swings=swings)
 
 
 def judge_motion(motion: Motion, tolerances: Tolerances) -> frozenset[Reason]:
@@ -88,6 +83,7 @@ def judge_motion(motion: Motion, tolerances: Tolerances) -> frozenset[Reason]:
         "drift": motion.drift > tolerances.drift,
         "drop": motion.drop > tolerances.drop + tolerances.clearance,
         "tilt": motion.tilt > tolerances.tilt,
+        "pushes": any(push.distance > tolerances.pushed for push in motion.pushed),
         "unstable": motion.unstable,
     }
     return frozenset(reason for reason, holds in found.items() if holds)
@@ -115,13 +111,16 @@ def verdict(
         reasons=reasons,
         depth=max((c.depth for c in static.collisions), default=0.0),
         overlap=round(sum(c.overlap for c in static.collisions), 6),
-        boundary=static.outside,
+        boundary=static.boundary,
         collisions=static.collisions,
         supports=supports,
         settled=motion is not None,
         drift=moved.drift,
         drop=moved.drop,
         tilt=moved.tilt,
+        rest=moved.rest,
+        pushed=moved.pushed,
+        swings=static.swings,
         blocked=static.blocked + cut_off,
     )
 

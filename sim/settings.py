@@ -45,10 +45,11 @@ class Physics(Value, kw_only=True, frozen=True):
         impratio: ratio of frictional to normal constraint impedance, against creep.
         gravity: [m/s2].
         settle_time: longest settle of a candidate [s].
-        least_settle_time: shortest settle of a candidate before stillness is believed [s].
+        least_settle_time: shortest settle of a candidate before stillness is believed [s]; what stands squarely on the
+            room's floor is believed at once.
         rest_time: longest settle of a whole scene before its keyframe is taken [s].
         hold_time: how long a settled scene must stand still [s].
-        chunk: steps between two looks at a settling candidate.
+        chunk: steps between two looks at what settles.
         lost, toppled: motion [m] and rotation [degrees] past which a settle is given up.
         ground_friction: of floor and walls; below any object's, as the engine takes the larger of the two.
         wall_thickness, floor_thickness: of the slabs round and under the room [m].
@@ -62,7 +63,7 @@ class Physics(Value, kw_only=True, frozen=True):
     least_settle_time: float = 0.5
     rest_time: float = 2.0
     hold_time: float = 5.0
-    chunk: int = 25
+    chunk: int = 10
     lost: float = 0.1
     toppled: float = 15.0
     ground_friction: float = 0.2

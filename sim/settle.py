@@ -65,29 +65,6 @@ def turn(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
     return math.degrees(float(np.linalg.norm(difference)))
 
 
-@quiet_engine()
-def settle_body(model: mujoco.MjModel, data: mujoco.MjData, address: int, physics: Physics) -> Motion:
-    """Let one free body, whose pose is at qpos[address:address + 7], come to rest from the state in `data`.
-
-    It is kept awake for `physics.least_settle_time`, for what topples may begin slowly. Afterwards it ends early when
-    everything sleeps, and at any time when the body is lost or toppled.
-    """
-    start = data.qpos[address : address + 7].copy()
-    motion = Motion()
-    tolerance, seconds = model.opt.sleep_tolerance, physics.timestep * physics.chunk
-    model.opt.sleep_tolerance = 0.0
-    for chunk in range(math.ceil(physics.settle_time / seconds)):
-        if chunk * seconds >= physics.least_settle_time:
-            model.opt.sleep_tolerance = tolerance
-        mujoco.mj_step(model, data, nstep=physics.chunk)
-        motion = motion_between(start, data.qpos[address : address + 7], unstable=diverged(data))
-        gone = max(motion.drift, motion.drop) > physics.lost or motion.tilt > physics.toppled
-        if gone or motion.unstable or _asleep(data):
-            break
-    model.opt.sleep_tolerance = tolerance
-    return motion
-
-
 def settle(scene: Scene, *, physics: Physics | None = None) -> SettledState:
     """Let a whole scene come to rest, everything free, from the poses that it proposes."""
     physics = physics or Physics()
@@ -100,11 +77,11 @@ def rest(model: mujoco.MjModel, physics: Physics) -> SettledState:
     model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     data = mujoco.MjData(model)
     steps = 0
-    while steps * physics.timestep < physics.rest_time and not diverged(data) and not _asleep(data):
+    while steps * physics.timestep < physics.rest_time and not diverged(data) and not asleep(data):
         mujoco.mj_step(model, data, nstep=physics.chunk)
         steps += physics.chunk
     model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
-    rested = _asleep(data) and not diverged(data)
+    rested = asleep(data) and not diverged(data)
     poses = {name: _pose(data, name) for name in _moving(model)}
     return SettledState(
         qpos=tuple(map(float, data.qpos)), poses=poses, seconds=round(steps * physics.timestep, 6), rested=rested
@@ -122,7 +99,8 @@ def free_addresses(model: mujoco.MjModel) -> dict[str, int]:
     return {str(model.joint(int(j)).name).removesuffix(FREE_SUFFIX): int(model.jnt_qposadr[j]) for j in free}
 
 
-def _asleep(data: mujoco.MjData) -> bool:
+def asleep(data: mujoco.MjData) -> bool:
+    """Whether everything that can move sleeps."""
     return bool(np.all(data.tree_asleep >= 0))
 
 

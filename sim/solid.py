@@ -105,8 +105,39 @@ class Solid:
     def __init__(self, asset: Asset) -> None:
         self.asset = asset
         self._shapes = [shape for link in asset.links for shape in link.shapes]
-        self._points = [shape_points(shape) for shape in self._shapes]
         self._outlines: dict[tuple[float, float], BaseGeometry] = {}
+
+    @cached_property
+    def _points(self) -> list[Array]:
+        return [shape_points(shape) for shape in self._shapes]
+
+    @cached_property
+    def colliders(self) -> tuple[Shape, ...]:
+        """The shapes that collide, link by link: its pieces."""
+        return tuple(shape for shape in self._shapes if shape.collide)
+
+    @cached_property
+    def cloud(self) -> tuple[Array, NDArray[np.intp]]:
+        """Points of the pieces one after the other [m], shape (n, 3), and the index at which each piece begins."""
+        points = [p for shape, p in zip(self._shapes, self._points, strict=True) if shape.collide]
+        return np.vstack(points), np.cumsum([0, *map(len, points[:-1])])
+
+    @cached_property
+    def low(self) -> Array:
+        """Lowest corner of the box round its pieces [m]."""
+        corner: Array = self.cloud[0].min(axis=0)
+        return corner
+
+    @cached_property
+    def high(self) -> Array:
+        """Highest corner of the box round its pieces [m]."""
+        corner: Array = self.cloud[0].max(axis=0)
+        return corner
+
+    @cached_property
+    def pieces(self) -> tuple[Manifold, ...]:
+        """Each piece as a polyhedron of its volume."""
+        return tuple(_hull(shape) for shape in self.colliders)
 
     @cached_property
     def masses(self) -> tuple[tuple[float, ...], ...]:
@@ -118,7 +149,7 @@ class Solid:
     @cached_property
     def manifold(self) -> Manifold:
         """Union of the colliding shapes; round ones keep their volume."""
-        return Manifold.batch_boolean([_hull(shape) for shape in self._shapes if shape.collide], OpType.Add)
+        return Manifold.batch_boolean(list(self.pieces), OpType.Add)
 
     @cached_property
     def volume(self) -> float:

@@ -1,24 +1,21 @@
 """The verdict on a whole scene: every object by itself, and then everything free at once."""
 
 import math
-from functools import partial
 
 import mujoco
 import numpy as np
 from msgspec import structs
 
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene import Scene
 from thinkblox.sim.access import access
 from thinkblox.sim.build import build_spec, compiled, package_version
 from thinkblox.sim.contacts import Contacts
-from thinkblox.sim.judge import fixed_supports, judge_pose, verdict
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.settle import SettledState, diverged, free_addresses, motion_between, rest
-from thinkblox.sim.stage import Stage, settled_verdict
 from thinkblox.sim.world import World
 from thinkblox.value import Value
-from thinkblox.verdict import Access, Report, Verdict
+from thinkblox.verdict import Access, Report
 
 
 class Hold(Value, kw_only=True, frozen=True):
@@ -62,8 +59,9 @@ def verify(
     state = state or rest(model, physics)
     held = hold(model, state, physics)
     walkable = access(scene, walking)
-    blockers = _blockers(scene, walking) if way and walkable.unreachable else {}
-    objects = _objects(scene, tolerances, physics, walking, blockers)
+    world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
+    way = way and bool(walkable.unreachable)
+    objects = tuple(world.check([p], scene.asset_of(p), way=way)[0] for p in scene.placements)
     valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
     return Report(
         valid=valid,
@@ -113,54 +111,6 @@ def _stands_still(held: Hold, tolerances: Tolerances) -> bool:
         and held.drift <= tolerances.hold_drift
         and held.tilt <= tolerances.hold_tilt
     )
-
-
-def _objects(
-    scene: Scene, tolerances: Tolerances, physics: Physics, walking: Walking, blockers: dict[str, tuple[str, ...]]
-) -> tuple[Verdict, ...]:
-    touching = _touching(scene, physics)
-    stage = Stage(build_spec(scene, physics=physics, sleeping=True), physics)
-    one = partial(_object, scene, stage, touching, tolerances, walking)
-    return tuple(one(placement, blockers.get(placement.id, ())) for placement in scene.placements)
-
-
-def _object(
-    scene: Scene,
-    stage: Stage,
-    touching: dict[str, dict[str, float]],
-    tolerances: Tolerances,
-    walking: Walking,
-    placement: Placement,
-    cut_off: tuple[str, ...],
-) -> Verdict:
-    asset = scene.asset_of(placement)
-    static = judge_pose(scene, placement, asset, touching.get(placement.id, {}), tolerances, walking)
-    if not asset.free:
-        supports = fixed_supports(placement, asset, static)
-        return verdict(placement, static, supports=supports, cut_off=cut_off)
-    stage.wake(placement.id)
-    return settled_verdict(stage, placement.id, placement, static, tolerances, cut_off=cut_off)
-
-
-def _touching(scene: Scene, physics: Physics) -> dict[str, dict[str, float]]:
-    """Deepest contact of every object with each other thing, mounted things among themselves included [m]."""
-    model = compiled(build_spec(scene, physics=physics, loose=True))
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    found: dict[str, dict[str, float]] = {}
-    for (first, second), depth in Contacts(model).depths(data).items():
-        found.setdefault(first, {})[second] = depth
-        found.setdefault(second, {})[first] = depth
-    return found
-
-
-def _blockers(scene: Scene, walking: Walking) -> dict[str, tuple[str, ...]]:
-    """For each object what would have a walkable way if it alone were not there."""
-    found = {}
-    for placement in scene.placements:
-        world = World(scene.without(placement.id), walking=walking)
-        found[placement.id] = world.cut_off(placement, scene.asset_of(placement))
-    return found
 
 
 def _motion_notes(state: SettledState, held: Hold, tolerances: Tolerances, physics: Physics) -> tuple[str, ...]:

@@ -114,7 +114,7 @@ class Surface(Value, frozen=True, kw_only=True, omit_defaults=True):
     round: bool = False
 
 
-class Asset(Value, frozen=True, kw_only=True, omit_defaults=True):
+class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True):
     """Something placeable, made of convex shapes: what is seen is what collides.
 
     Attributes:

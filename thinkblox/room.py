@@ -84,7 +84,7 @@ class Wall(Value, frozen=True, kw_only=True):
         return (dx * ax + dy * ay, dx * nx + dy * ny)
 
 
-class Room(Value, frozen=True, kw_only=True):
+class Room(Value, frozen=True, kw_only=True, cache_hash=True):
     """Floor polygon (simple, counter-clockwise, its bounding box starting at the origin), height [m] and openings.
 
     Raises:
