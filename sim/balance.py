@@ -53,4 +53,6 @@ def stands_squarely(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> bo
 def _inside(centre: NDArray[np.float64], points: NDArray[np.float64]) -> bool:
     polygon = shapely.convex_hull(shapely.multipoints(points))
     middle = shapely.points(centre)
-    return bool(shapely.contains(polygon, middle)) and float(polygon.exterior.distance(middle)) >= MARGIN
+    if not isinstance(polygon, shapely.Polygon) or not shapely.contains(polygon, middle):
+        return False
+    return bool(shapely.distance(polygon.exterior, middle) >= MARGIN)

@@ -7,7 +7,6 @@ import numpy as np
 import shapely
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
-from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.asset import Asset, Link, Shape
@@ -176,9 +175,17 @@ class Solid:
         key = (above, below)
         if key not in self._outlines:
             reaching = [p for p in self._points if p[:, 2].min() < below and p[:, 2].max() > above]
-            hulls = [MultiPoint(points[:, :2]).convex_hull for points in reaching]
-            self._outlines[key] = shapely.union_all(hulls)
+            self._outlines[key] = _union([shapely.convex_hull(shapely.multipoints(p[:, :2])) for p in reaching])
         return self._outlines[key]
+
+
+def _union(hulls: list[BaseGeometry]) -> BaseGeometry:
+    """The union of areas, most of which the largest is likely to cover."""
+    if not hulls:
+        return shapely.Polygon()
+    largest = max(hulls, key=shapely.area)
+    rest = [hull for hull in hulls if not shapely.covers(largest, hull)]
+    return shapely.union_all([largest, *rest]) if rest else largest
 
 
 @lru_cache(maxsize=512)
