@@ -42,6 +42,8 @@ class Subject:
         source: "thinkblox", "mjcf", "urdf", or the generator whose layout it is.
         unusual: options that make it stand better than it would, in sentences.
         substituted: ids of things that are boxes for want of a mesh.
+        notes: what a reader should know of how it was read, in sentences.
+        keyframe: whose controls and mocap poses hold at the start, None for the model's own.
     """
 
     model: mujoco.MjModel
@@ -53,10 +55,14 @@ class Subject:
     unusual: tuple[str, ...] = ()
     substituted: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=())
+    keyframe: int | None = None
 
     def data(self) -> mujoco.MjData:
-        """A fresh state at the start, with everything computed that depends on it."""
+        """A fresh state at the start, nothing moving, with everything computed that depends on it."""
         data = mujoco.MjData(self.model)
+        if self.keyframe is not None:
+            mujoco.mj_resetDataKeyframe(self.model, data, self.keyframe)
+            data.qvel[:], data.time = 0.0, 0.0
         data.qpos[:] = self.start
         mujoco.mj_forward(self.model, data)
         return data

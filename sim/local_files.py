@@ -1,0 +1,62 @@
+"""Files that a model names: found where the engine would look for them, and never outside the model's own folder."""
+
+import os
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from thinkblox.errors import InputError
+
+_LISTED = 5
+_ABSOLUTE = re.compile(r"^(/|[A-Za-z][A-Za-z0-9+.-]*:)")
+
+
+def is_absolute(text: str) -> bool:
+    """Whether a path, of any system, starts at a root, a drive or a scheme such as "http:"."""
+    return bool(_ABSOLUTE.match(text.replace("\\", "/")))
+
+
+def locate(text: str, where: object, *, bases: Iterable[Path], folder: Path) -> Path:
+    """The file that a relative path names.
+
+    Links are followed; only what the paths themselves say is judged.
+
+    Args:
+        text: the path as written.
+        where: the element that names it, for messages.
+        bases: folders to look in, in order.
+        folder: what it must not leave.
+
+    Raises:
+        InputError: the path is absolute or leaves `folder`, or no such file exists; names the element.
+    """
+    if is_absolute(text):
+        raise InputError(f'{where} names the absolute path "{text}": only paths inside {folder} are read.')
+    bases = tuple(dict.fromkeys(bases))
+    candidates = [Path(os.path.normpath(base / text.replace("\\", "/"))) for base in bases]
+    inside = [candidate for candidate in candidates if candidate.is_relative_to(folder)]
+    if not inside or any(path.is_file() for path in candidates if path not in inside):
+        raise InputError(
+            f'{where} names "{text}", which leaves the folder {folder}: only files inside it are read. Move the'
+            " file in, or the model up."
+        )
+    for candidate in inside:
+        if candidate.is_file():
+            return candidate
+    raise InputError(f'{where} names "{text}", which is not in {_folders(inside)}.{_instead(inside)}')
+
+
+def _folders(candidates: list[Path]) -> str:
+    return " or ".join(dict.fromkeys(str(candidate.parent) for candidate in candidates))
+
+
+def _instead(candidates: list[Path]) -> str:
+    """What is there of the same kind."""
+    found: list[str] = []
+    for candidate in candidates:
+        if candidate.parent.is_dir():
+            found += sorted(p.name for p in candidate.parent.iterdir() if p.suffix.lower() == candidate.suffix.lower())
+    if not found:
+        return ""
+    more = f" and {len(found) - _LISTED} more" if len(found) > _LISTED else ""
+    return f" There are {', '.join(found[:_LISTED])}{more}."
