@@ -1,0 +1,115 @@
+"""A foreign JSON file, read with limits: every fault is an InputError that names the file and the place in it."""
+
+import json
+from codecs import BOM_UTF8
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, NoReturn, TypeVar
+
+import msgspec
+from msgspec import Meta
+
+from thinkblox.errors import InputError
+
+MAX_BYTES = 64_000_000
+"""Largest layout file that is read."""
+MAX_DIGITS = 18
+"""Longest whole number that is read."""
+MAX_NAME = 200
+"""Longest name that is kept."""
+
+Metres = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
+Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
+"""Of an object [m]; more is taken for centimetres or millimetres, and refused."""
+Degrees = Annotated[float, Meta(ge=-1e6, le=1e6)]
+
+
+class Foreign(msgspec.Struct, frozen=True, kw_only=True):
+    """A record of somebody else's format: unknown keys are passed over, the ones it names are checked."""
+
+
+F = TypeVar("F")
+
+
+@dataclass(frozen=True)
+class Document:
+    """A file and the JSON value in it."""
+
+    path: Path
+    raw: Any
+
+    def typed(self, kind: type[F], raw: Any = None, at: str = "$") -> F:
+        """The whole of it, or a part that stands at the JSON path `at`, as a typed value; raises InputError."""
+        try:
+            return msgspec.convert(self.raw if raw is None else raw, type=kind)
+        except (msgspec.ValidationError, OverflowError, RecursionError) as error:
+            raise InputError(f"{self.path}: {_placed(str(error), at)}") from error
+
+    def fail(self, at: str, what: str) -> NoReturn:
+        """Raise the InputError that names the file and the JSON path `at`."""
+        raise InputError(f"{self.path}: {what} - at `{at}`")
+
+
+def _placed(message: str, at: str) -> str:
+    return message.replace("`$", f"`{at}", 1) if "`$" in message else f"{message} - at `{at}`"
+
+
+def read_document(path: Path) -> Document:
+    """Read a JSON file.
+
+    Raises:
+        InputError: it cannot be read, is too large, is not JSON, nests too deep, holds NaN or an infinite number, or a
+            key twice in one object.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"{path}: is larger than {MAX_BYTES // 1_000_000} MB; that is no layout of one room")
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+    return Document(path, _parsed(path, data.removeprefix(BOM_UTF8)))
+
+
+def _parsed(path: Path, data: bytes) -> Any:
+    try:
+        return json.loads(
+            data, object_pairs_hook=_distinct, parse_constant=_not_a_number, parse_int=_whole, parse_float=_finite
+        )
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+    except RecursionError as error:
+        raise InputError(f"{path}: is nested too deeply to be a layout") from error
+    except ValueError as error:
+        raise InputError(f"{path}: is not JSON: {error}") from error
+
+
+def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        keys = [key for key, _ in pairs]
+        twice = next(key for key in keys if keys.count(key) > 1)
+        raise InputError(f"the key {plain(twice)!r} stands twice in one object; ids and keys must differ")
+    return found
+
+
+def _not_a_number(token: str) -> NoReturn:
+    raise InputError(f"{token} is not a number that JSON or a layout can hold")
+
+
+def _whole(token: str) -> int:
+    if len(token) > MAX_DIGITS:
+        raise InputError(f"a whole number of {len(token)} digits is no length, angle or count")
+    return int(token)
+
+
+def _finite(token: str) -> float:
+    value = float(token)
+    if abs(value) > 1e18:
+        raise InputError(f"the number {token[:30]} is no length, angle or count")
+    return value
+
+
+def plain(text: str) -> str:
+    """A name or description fit to be shown and written: one line, printable, not endless."""
+    line = " ".join("".join(c if c.isprintable() else " " for c in text[: 4 * MAX_NAME]).split())
+    return line[:MAX_NAME]

@@ -1,0 +1,179 @@
+"""A layout of another generator as one of our scenes."""
+
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from msgspec import structs
+
+from thinkblox.asset import Mount
+from thinkblox.errors import InputError
+from thinkblox.importing.body import Body, body_of
+from thinkblox.importing.detect import FORMATS, detect
+from thinkblox.importing.document import Document, plain, read_document
+from thinkblox.importing.draft import Draft, Item
+from thinkblox.importing.holodeck import read_holodeck
+from thinkblox.importing.idesign import read_idesign
+from thinkblox.importing.il3d import read_il3d
+from thinkblox.importing.layoutgpt import read_layoutgpt
+from thinkblox.importing.layoutvlm import read_layoutvlm
+from thinkblox.importing.library import Library
+from thinkblox.importing.mounting import mounts_of
+from thinkblox.importing.outline import room_of
+from thinkblox.importing.sceneeval import read_sceneeval
+from thinkblox.resting import support_of
+from thinkblox.room import Room
+from thinkblox.scene import MAX_PLACEMENTS, Placement, Scene
+from thinkblox.value import Value, Vec3
+
+HEIGHT = 2.6
+"""Of a room where the layout has none [m]."""
+
+
+class Layout(Value, frozen=True, kw_only=True):
+    """What was read.
+
+    Attributes:
+        scene: the room with its objects, at the poses of the layout.
+        format: whose layout it is, one of FORMATS.
+        substituted: ids of objects that are measured as boxes, for want of a mesh.
+        unplaced: names of objects that the layout lists without a pose.
+        notes: what a reader should know besides, in sentences.
+    """
+
+    scene: Scene
+    format: str
+    substituted: tuple[str, ...] = ()
+    unplaced: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def read_layout(
+    path: str | Path,
+    *,
+    format: str | None = None,
+    assets: str | Path | None = None,
+    height: float = HEIGHT,
+    room: str | None = None,
+    short_side: float | None = None,
+) -> Layout:
+    """Read a layout of another generator.
+
+    Args:
+        path: its JSON file.
+        format: one of FORMATS; None to tell by its keys.
+        assets: the folder with the meshes and annotations that it names; those beside the file are found without.
+        height: of the room where the layout has none [m].
+        room: which one, of a file that holds several: a room's id, or LayoutGPT's query_id.
+        short_side: of the room, for a layout in pixels [m].
+
+    Raises:
+        InputError: the file is not such a layout, or what it says cannot be; names file and JSON path.
+    """
+    path = Path(path)
+    document = read_document(path)
+    name = _format_of(document, format)
+    _check_options(path, assets, height, short_side)
+    library = Library(roots=((Path(assets),) if assets is not None else ()) + (path.absolute().parent,))
+    draft = _draft(document, name, library, room, short_side)
+    return _layout(document, draft, name, height)
+
+
+def _format_of(document: Document, format: str | None) -> str:
+    if format is None:
+        try:
+            return detect(document.raw)
+        except InputError as error:
+            raise InputError(f"{document.path}: {error}") from error
+    if format not in FORMATS:
+        raise InputError(f"no layout format {format!r}; there are {', '.join(FORMATS)}")
+    return format
+
+
+def _check_options(path: Path, assets: str | Path | None, height: float, short_side: float | None) -> None:
+    if assets is not None and not Path(assets).is_dir():
+        raise InputError(f"{assets}: is no folder; name the one that holds the meshes of {path.name}")
+    if not 1.5 <= height <= 50.0:
+        raise InputError(f"a room {height:g} m high; it must be 1.5 to 50 m")
+    if short_side is not None and not 0.5 <= short_side <= 100.0:
+        raise InputError(f"a room whose short side is {short_side:g} m; it must be 0.5 to 100 m")
+
+
+def _draft(document: Document, format: str, library: Library, room: str | None, short_side: float | None) -> Draft:
+    if format == "layoutgpt":
+        return read_layoutgpt(document, room=room, short_side=short_side)
+    if format == "holodeck":
+        return read_holodeck(document, library, room=room)
+    if format == "sceneeval":
+        return read_sceneeval(document, library, room=room)
+    if format == "il3d":
+        return read_il3d(document, library)
+    return read_layoutvlm(document, library) if format == "layoutvlm" else read_idesign(document, library)
+
+
+def _layout(document: Document, draft: Draft, format: str, height: float) -> Layout:
+    _check_items(document, draft.items)
+    room, (dx, dy), notes = room_of(document, draft.outline, height=height)
+    shift = (dx, dy, -draft.outline.level)
+    bodies = [body_of(document, _shifted(item, shift)) for item in draft.items]
+    ids = _ids(room, draft.items)
+    scene = _scene(room, bodies, ids, mounts_of(room, bodies), plain(draft.prompt))
+    said = [*draft.notes, *notes, *(note for body in bodies for note in body.notes)]
+    return Layout(
+        scene=scene,
+        format=format,
+        substituted=tuple(id for id, body in zip(ids, bodies, strict=True) if body.boxed),
+        unplaced=tuple(plain(name) for name in draft.unplaced),
+        notes=tuple(said),
+    )
+
+
+def _check_items(document: Document, items: Sequence[Item]) -> None:
+    if len(items) > MAX_PLACEMENTS:
+        document.fail("$", f"{len(items)} objects; at most {MAX_PLACEMENTS} are read")
+    seen: dict[str, str] = {}
+    for item in items:
+        if item.name in seen:
+            document.fail(item.at, f"a second object {plain(item.name)!r}, as at `{seen[item.name]}`; ids must differ")
+        seen[item.name] = item.at
+
+
+def _shifted(item: Item, shift: Vec3) -> Item:
+    x, y, z = (p + s for p, s in zip(item.position, shift, strict=True))
+    values: dict[str, Any] = {**item.__dict__, "position": (x, y, z)}
+    return Item(**values)
+
+
+def _ids(room: Room, items: Iterable[Item]) -> list[str]:
+    """Ids for the names: letters, digits, dots and dashes kept, the rest underscores; all different."""
+    taken = {"floor", "ceiling"} | {wall.name for wall in room.walls} | {opening.id for opening in room.openings}
+    ids = []
+    for item in items:
+        stem = re.sub(r"[^A-Za-z0-9_.-]+", "_", item.name[:100]).strip("_.-")
+        stem = stem if stem[:1].isalpha() else f"object_{stem}".rstrip("_")
+        id, number = stem, 2
+        while id in taken:
+            id, number = f"{stem}_{number}", number + 1
+        taken.add(id)
+        ids.append(id)
+    return ids
+
+
+def _scene(room: Room, bodies: Sequence[Body], ids: Sequence[str], mounts: Sequence[Mount], prompt: str) -> Scene:
+    assets = [body.asset(mount) for body, mount in zip(bodies, mounts, strict=True)]
+    placements = tuple(
+        Placement(
+            id=id,
+            category=asset.category,
+            asset=asset.id,
+            position=body.position,
+            yaw=body.yaw,
+            size=asset.size,
+            support="floor",
+        )
+        for id, body, asset in zip(ids, bodies, assets, strict=True)
+    )
+    scene = Scene(room=room, prompt=prompt, placements=placements, assets={asset.id: asset for asset in assets})
+    rested = tuple(structs.replace(p, support=support_of(scene, scene.asset_of(p), p)) for p in placements)
+    return structs.replace(scene, placements=rested)
