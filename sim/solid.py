@@ -7,6 +7,7 @@ import numpy as np
 import shapely
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
+from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.asset import Asset, Link, Shape
@@ -175,7 +176,7 @@ class Solid:
         key = (above, below)
         if key not in self._outlines:
             reaching = [p for p in self._points if p[:, 2].min() < below and p[:, 2].max() > above]
-            self._outlines[key] = _union([shapely.convex_hull(shapely.multipoints(p[:, :2])) for p in reaching])
+            self._outlines[key] = _union([MultiPoint(points[:, :2]).convex_hull for points in reaching])
         return self._outlines[key]
 
 

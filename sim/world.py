@@ -15,6 +15,7 @@ from thinkblox.sim.judge import Static, fixed_supports, judge_motion, judge_pose
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.solid import solid_of
 from thinkblox.sim.stage import Settled, Stage
+from thinkblox.sim.swings import Surroundings, surroundings
 from thinkblox.verdict import Reason, Verdict
 
 CANDIDATE = "//candidate"
@@ -91,6 +92,7 @@ class World:
         if placement.id not in self.scene:
             grown._neighbours = self._neighbours.with_object(placement, solid_of(asset))
             grown._floor = self._floor.with_object(placement, solid_of(asset))
+            grown._surroundings = self._surroundings.with_objects([(placement, asset)])
         return grown
 
     def cut_off(self, candidate: Placement, asset: Asset) -> tuple[str, ...]:
@@ -102,7 +104,7 @@ class World:
             return self
         if id not in self._without:
             world = self._like(self.scene.without(id))
-            world._neighbours = self._neighbours.without(id)
+            world._neighbours, world._surroundings = self._neighbours.without(id), self._surroundings
             self._without = {id: world}
         return self._without[id]
 
@@ -159,6 +161,10 @@ class World:
     @cached_property
     def _neighbours(self) -> Neighbours:
         return Neighbours(self.scene)
+
+    @cached_property
+    def _surroundings(self) -> Surroundings:
+        return surroundings(self.scene, self._walking)
 
     @cached_property
     def _floor(self) -> FreeFloor:

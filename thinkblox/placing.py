@@ -24,7 +24,7 @@ from thinkblox.steps import Rejection, Step, parse
 from thinkblox.trace import Round, Try
 from thinkblox.verdict import Reason, Verdict
 
-SOFT: frozenset[Reason] = frozenset({"blocks_way", "blocks_window"})
+SOFT: frozenset[Reason] = frozenset({"blocks_way", "blocks_window", "blocks_opening"})
 """What a crowded room may have to give up, and the report then says."""
 SAME_SIZE = 0.002
 """Sizes nearer than this are the same [m]."""
