@@ -13,7 +13,7 @@ import os
 import threading
 import weakref
 from collections import deque
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import Future
 from types import TracebackType
 from typing import NamedTuple, Self
@@ -152,7 +152,7 @@ class VerdictPool:
         finally:
             _drop(answers)
 
-    def stream(self, jobs: Iterable[Job], *, ahead: int | None = None) -> Iterator[list[Verdict]]:
+    def stream(self, jobs: Iterable[Job], *, ahead: int | None = None) -> Generator[list[Verdict]]:
         """As `check`, one job's verdicts after the other, as soon as those before it are there.
 
         Between two of them the workers go on with the jobs after; with at most `ahead` jobs that were read from
@@ -238,13 +238,11 @@ def _check(workers: int, timeout: float, worlds: int, memory: float) -> None:
 
 
 def _parcel(keys: Keys, job: Job) -> Parcel:
-    try:
-        return Parcel(keys, *job)
-    except (AttributeError, TypeError, KeyError) as error:
-        kinds = ", ".join(type(part).__name__ for part in job)
-        raise InputError(
-            f"a job of ({kinds}) cannot be read ({error}); give a Scene, an Asset and Placements"
-        ) from error
+    parts = ((job.scene, Scene), (job.asset, Asset), *((candidate, Placement) for candidate in job.candidates))
+    for part, kind in parts:
+        if not isinstance(part, kind):
+            raise InputError(f"a job (scene, asset, candidates) has a {type(part).__name__} for its {kind.__name__}")
+    return Parcel(keys, *job)
 
 
 def _drop(answers: Iterable[Future[list[Verdict]]]) -> None:

@@ -19,11 +19,13 @@ STARTS = 3
 PAUSE = 0.2
 """Between two such attempts [s]."""
 GUILTY = 2
-"""Once so many candidates of a job have each cost a worker, and none was measured, its scene is to blame."""
+"""When so many candidates of a job each cost a worker, and none was measured, the rest is not tried."""
+OWNED = 10_000
+"""Scenes of which it is remembered who has them."""
 
 
 class Line:
-    """Jobs that wait. A scene goes to the hand that knows it, but none is idle while anything waits.
+    """Jobs that wait. A scene goes to the hand that was given it before, but none is idle while anything waits.
 
     At most `length` jobs wait: then `put` does, so that jobs are made no faster than they are done.
     """
@@ -35,6 +37,7 @@ class Line:
         self._waiting: deque[Parcel] = deque()
         self._hands: list[Hand] = []
         self._idle: list[Hand] = []
+        self._owners: dict[bytes, Hand] = {}
         self._over: ThinkBloxError | None = None
 
     def join(self, hand: "Hand") -> None:
@@ -56,18 +59,20 @@ class Line:
     def work_for(self, hand: "Hand") -> Parcel | None:
         """The next job of a hand, for which it may have to wait; None when there will be none."""
         with self._lock:
-            parcel = None if self._over else self._chosen(hand)
-            hand.current = parcel
-            if self._over or parcel:
+            over, parcel = self._over, self._chosen(hand)
+            if parcel is not None:
                 self._room.notify()
-                return parcel
-            self._idle.append(hand)
-        return hand.mail.get()
+            elif over is None:
+                self._idle.append(hand)
+        # Only now, so that a job that follows from the answer finds the hand that knows its scene.
+        hand.deliver()
+        return parcel if parcel is not None or over is not None else hand.mail.get()
 
     def leave(self, hand: "Hand", why: ThinkBloxError, unfinished: Parcel | None = None) -> None:
         """Count a hand out; what it could not finish goes to another, and the last one to leave closes the line."""
         with self._lock:
             self._hands.remove(hand)
+            self._owners = {key: owner for key, owner in self._owners.items() if owner is not hand}
             if not self._hands:
                 self.close(why)
             if unfinished is not None:
@@ -91,9 +96,10 @@ class Line:
 
     def _place(self, parcel: Parcel, *, first: bool = False) -> None:
         if self._idle and not self._over:
-            hand = next((idle for idle in self._idle if idle.knows(parcel)), self._idle[0])
+            owner = self._owner(parcel)
+            hand = owner if owner in self._idle else self._idle[0]
             self._idle.remove(hand)
-            hand.current = parcel
+            self._own(hand, parcel)
             hand.mail.put(parcel)
         elif first:
             self._waiting.appendleft(parcel)
@@ -101,17 +107,29 @@ class Line:
             self._waiting.append(parcel)
 
     def _chosen(self, hand: "Hand") -> Parcel | None:
-        """What a hand does next: a scene that it knows, else one that nobody knows, else the latest of another's."""
-        if not self._waiting:
+        """What a hand does next: a scene of its own, else one of nobody's, else the latest of another's."""
+        if not self._waiting or self._over:
             return None
-        known = (parcel for parcel in self._waiting if hand.knows(parcel))
-        new = (parcel for parcel in self._waiting if not any(other.knows(parcel) for other in self._hands))
-        first = self._waiting[0]
+        # However busy a hand is with scenes of its own, the first job in the line gets its turn.
+        chosen = first = self._waiting[0]
         first.passed += 1
-        # However busy the scenes that are known, the first one in the line gets its turn.
-        chosen = first if first.passed > self._length else next(known, None) or next(new, None) or self._waiting[-1]
+        if first.passed <= self._length:
+            owned = [(parcel, self._owner(parcel)) for parcel in self._waiting]
+            mine = (parcel for parcel, owner in owned if owner is hand)
+            new = (parcel for parcel, owner in owned if owner is None)
+            chosen = next(mine, None) or next(new, None) or self._waiting[-1]
         self._waiting.remove(chosen)
+        self._own(hand, chosen)
         return chosen
+
+    def _owner(self, parcel: Parcel) -> "Hand | None":
+        """Who was first given this scene or, if nobody was, the scene without its last object."""
+        return next((self._owners[key] for key in reversed(parcel.keys[-2:]) if key in self._owners), None)
+
+    def _own(self, hand: "Hand", parcel: Parcel) -> None:
+        self._owners.setdefault(parcel.keys[-1], hand)
+        if len(self._owners) > OWNED:
+            del self._owners[next(iter(self._owners))]
 
 
 class Hand:
@@ -119,18 +137,17 @@ class Hand:
 
     Attributes:
         mail: the job it gets while it is idle; None to go home.
-        current: what it does now.
     """
 
     def __init__(self, line: Line, settings: WorkerSettings) -> None:
         """Start the process; raises StartError when the system refuses."""
         self.mail: SimpleQueue[Parcel | None] = SimpleQueue()
-        self.current: Parcel | None = None
         self._line = line
         self._settings = settings
         self._answers = msgspec.msgpack.Decoder(Answer)
         self._lock = threading.RLock()
         self._stopped = False
+        self._done: tuple[Parcel, list[Verdict]] | None = None
         self._process = WorkerProcess(settings)
         self._thread = threading.Thread(target=self._work, name=f"verdicts of {self._process.pid}", daemon=True)
 
@@ -139,12 +156,6 @@ class Hand:
         """Process id of its worker; None when that was lost and is not yet replaced."""
         process = self._process
         return process.pid if process.alive else None
-
-    def knows(self, parcel: Parcel) -> bool:
-        """Whether its worker has, or will soon have, a job's scene or the one before its last object."""
-        if parcel.known_to(self._process.known):
-            return True
-        return self.current is not None and parcel.known_to({self.current.keys[-1]})
 
     def start(self) -> None:
         """Start the thread."""
@@ -163,6 +174,13 @@ class Hand:
         elif self._thread is not threading.current_thread():
             self._thread.join(10.0)
 
+    def deliver(self) -> None:
+        """Let whoever waits for what was done last have it."""
+        if self._done is not None:
+            parcel, verdicts = self._done
+            self._done = None
+            parcel.answer.set_result(verdicts)
+
     def _work(self) -> None:
         why, parcel = ThinkBloxError("the pool is closed"), None
         try:
@@ -170,10 +188,13 @@ class Hand:
             while (parcel := self._line.work_for(self)) is not None:
                 self._do(parcel)
                 parcel = None
-                self._live()
+                if not self._process.alive:
+                    self.deliver()
+                    self._live()
         except StartError as error:
             why = error
         finally:
+            self.deliver()
             self._line.leave(self, why, parcel)
             self._process.end()
 
@@ -181,7 +202,7 @@ class Hand:
         if not parcel.begin():
             return
         try:
-            parcel.answer.set_result(self._verdicts(parcel))
+            self._done = parcel, self._verdicts(parcel)
         except StartError:
             raise
         except Exception as error:  # whoever waits for the answer is told of anything
@@ -198,9 +219,10 @@ class Hand:
     def _one_by_one(self, parcel: Parcel) -> list[Verdict]:
         """Try the candidates each by itself, so that only those that cost a worker once more go without a verdict."""
         verdicts: list[Verdict] = []
-        lost = 0
+        lost, hopeless = 0, False
         for place, id in enumerate(parcel.ids):
-            if lost == place and lost >= GUILTY:
+            hopeless = hopeless or lost == place == GUILTY
+            if hopeless:
                 verdicts.append(unmeasured(id, f"{id} was not tried: every candidate before it cost a worker process"))
                 continue
             try:

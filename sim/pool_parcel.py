@@ -84,10 +84,6 @@ class Parcel:
         if self.begin():
             self.answer.set_exception(error)
 
-    def known_to(self, known: set[bytes]) -> bool:
-        """Whether the scene, or the scene without its last object, is among the `known`."""
-        return not known.isdisjoint(self.keys[-2:])
-
     def task(self, known: set[bytes], chosen: Sequence[int]) -> bytes:
         """The message to a worker that has the `known` scenes and assets, for the candidates at the `chosen` places."""
         start = next((n for n in reversed(range(len(self.keys))) if self.keys[n] in known), None)
