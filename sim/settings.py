@@ -45,8 +45,7 @@ class Physics(Value, kw_only=True, frozen=True):
         impratio: ratio of frictional to normal constraint impedance, against creep.
         gravity: [m/s2].
         settle_time: longest settle of a candidate [s].
-        least_settle_time: shortest settle of a candidate before stillness is believed [s]; what stands squarely on the
-            room's floor is believed at once.
+        least_settle_time: shortest settle of a candidate before stillness is believed [s], unless it stands squarely.
         rest_time: longest settle of a whole scene before its keyframe is taken [s].
         hold_time: how long a settled scene must stand still [s].
         chunk: steps between two looks at what settles.

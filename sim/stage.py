@@ -56,8 +56,8 @@ class Stage:
     def settle(self, id: str, placement: Placement) -> Settled:
         """Put the free body called `id` where a placement says, and let it come to rest.
 
-        It is kept awake for `physics.least_settle_time`, for what topples may begin slowly, unless it stands squarely
-        on the room's own floor before. It ends early when everything sleeps, and when the body is lost or toppled.
+        It is kept awake for `physics.least_settle_time`, for what topples may begin slowly, unless everything that is
+        awake stands squarely before. It ends early when all sleeps, and when the body is lost or toppled.
         """
         mine, tolerance = self._ids.index(id), self._model.opt.sleep_tolerance
         self._put(mine, placement)
@@ -91,7 +91,7 @@ class Stage:
                 return motion
             if not at_rest(model, data, body):
                 moving = look * interval
-            elif stands_squarely(model, data, body) or asleep(data):
+            elif stands_squarely(model, data) or asleep(data):
                 break
         rested = moving < look * interval
         return structs.replace(motion, rest=round(moving + interval, 6) if rested else None)
