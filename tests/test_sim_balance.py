@@ -1,0 +1,47 @@
+"""What is believed at once is what a second of simulation says."""
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from tests.sim_rooms import asset, put, scene, table, vase
+from tests.test_sim_cut import crowded
+from thinkblox.asset import Asset
+from thinkblox.scene import Placement, Scene
+from thinkblox.sim import stage
+from thinkblox.sim.world import World
+
+CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
+
+
+def test_what_stands_squarely_rests_within_a_tenth_of_a_second() -> None:
+    verdict = World(scene()).check([put(CRATE, 2.0, 2.0)], CRATE)[0]
+    assert verdict.valid
+    assert verdict.rest is not None
+    assert verdict.rest < 0.1
+
+
+def test_a_stack_is_believed_when_each_thing_in_it_stands_squarely() -> None:
+    room = scene(None, (put(table(), 2.0, 2.0), table()))
+    middle = World(room).check([put(vase(), 2.0, 2.0, 0.75, on="table_1")], vase())[0]
+    assert middle.rest is not None
+    assert middle.rest < 0.2
+
+
+@pytest.mark.parametrize("over", [-0.004, 0.004])
+def test_near_an_edge_nothing_is_believed(over: float) -> None:
+    """Within millimetres of falling over the edge a settle is run for long enough to see it begin."""
+    room = scene(None, (put(table(), 2.0, 2.0), table()))
+    verdict = World(room).check([put(vase(), 2.6 + over, 2.0, 0.75, on="table_1")], vase())[0]
+    assert verdict.valid == (over < 0)
+    assert verdict.rest is None or verdict.rest > 0.04 or verdict.tilt < 0.01
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(crowded())
+def test_any_room_gives_the_same_reasons_without_it(case: tuple[Scene, Placement, Asset]) -> None:
+    room, placement, kind = case
+    quick = World(room).check([placement], kind)[0]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(stage, "stands_squarely", lambda model, data: False)
+        slow = World(room).check([placement], kind)[0]
+    assert quick.reasons == slow.reasons, f"{quick}\n{slow}"
