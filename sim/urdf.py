@@ -219,4 +219,5 @@ def _said(text: str, meshes: dict[str, Path]) -> str:
     """What the engine said, on one line, with the files' own names."""
     for name, file in meshes.items():
         text = text.replace(f"'{name}'", f"'{file}'").replace(f"'{Path(name).stem}'", f"'{file}'")
-    return " ".join(text.split())
+    hint = ": a link that moves needs a mass and an inertia above 0" if "mjMINVAL" in text else ""
+    return " ".join(text.split()) + hint
