@@ -21,7 +21,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 MEMORY = 8 * 2**30
 """What a child may ask for unless told otherwise [bytes]."""
-START_TIME = 30.0
+START_TIME = 120.0
 """What a child may take to start up and load its modules before its seconds count [s]."""
 _STARTED, _DONE, _FAILED, _OUT_OF_MEMORY = "started", "done", "failed", "out of memory"
 
@@ -46,17 +46,18 @@ def guarded(
     """
     doing = doing or _activity(function, args)
     payload = pickle.dumps((function, args))
-    with _child(payload, memory, own_main=function.__module__ == "__main__") as (process, channel):
-        answer = _receive(process, channel, START_TIME)
-        if answer == (_STARTED, None):
-            answer = _receive(process, channel, seconds)
-        if answer is None and process.is_alive():
+    with _child(payload, memory, own_main=getattr(function, "__module__", "") == "__main__") as (process, channel):
+        try:
+            answer = _receive(process, channel, START_TIME)
+            if answer == (_STARTED, None):
+                answer = _receive(process, channel, seconds)
+        except TimeoutError as error:
             raise InputError(
                 f"It took longer than {seconds:g} s and was stopped while {doing}: make it smaller, or allow more time."
-            )
-        if answer is None:
-            process.join()
-            raise InputError(_death(process.exitcode or 0, doing, memory))
+            ) from error
+        except EOFError as error:
+            process.join(START_TIME)
+            raise InputError(_death(process.exitcode or 0, doing, memory)) from error
     result: T = _outcome(answer, doing, memory)
     return result
 
@@ -89,14 +90,17 @@ def _death(code: int, doing: str, memory: int | None) -> str:
     return f"MuJoCo crashed (signal {-code}, {name}) while {doing}: the file breaks the engine.{hint}"
 
 
-def _receive(process: SpawnProcess, channel: Connection, seconds: float) -> tuple[str, Any] | None:
-    """The child's next message; None when it died or the time is over."""
-    wait([channel, process.sentinel], timeout=seconds)
+def _receive(process: SpawnProcess, channel: Connection, seconds: float) -> tuple[str, Any]:
+    """The child's next message; raises EOFError when it died and TimeoutError when the time is over."""
+    if not wait([channel, process.sentinel], timeout=seconds):
+        raise TimeoutError
+    if not channel.poll():
+        raise EOFError
     try:
-        return pickle.loads(channel.recv_bytes()) if channel.poll() else None
-    except (EOFError, OSError):
-        process.join(1.0)
-        return None
+        message: tuple[str, Any] = pickle.loads(channel.recv_bytes())
+    except ConnectionError as error:
+        raise EOFError from error
+    return message
 
 
 @contextmanager

@@ -129,8 +129,7 @@ def _leave(scan: _Scan, element: Element) -> None:
 def _count(scan: _Scan, element: Element) -> None:
     copies, tag = scan.copies[-1], element.tag
     if tag == "replicate":
-        copies *= _product(element, "count", 1)
-        scan.copies.append(copies)
+        scan.copies.append(copies * _product(element, "count", 1))
     elif tag == "body":
         scan.bodies += copies
     elif tag in ("composite", "flexcomp"):

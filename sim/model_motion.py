@@ -21,6 +21,7 @@ RESTED = 0.2
 """How long it must have stayed there [s]."""
 MOST_WORK = 2e10
 """Of a simulation, in steps times (degrees of freedom + constraints + 1) to the power 1.5: some minutes of one core."""
+MOST_STEPS = 200_000
 _STATE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 
 
@@ -79,7 +80,8 @@ def let_go(subject: Subject, seconds: float) -> Motions:
     step = float(model.opt.timestep)
     chunk, left = max(1, round(LOOK / step)), max(1, round(seconds / step))
     places, turns, times, work, unstable = [data.xipos[roots]], [data.xquat[roots]], [0.0], 0.0, warned(data)
-    while left > 0 and work <= MOST_WORK and not unstable:
+    few_enough = left <= MOST_STEPS
+    while few_enough and left > 0 and work <= MOST_WORK and not unstable:
         steps = min(chunk, left)
         mujoco.mj_step(model, data, nstep=steps)
         left, work = left - steps, work + steps * float(model.nv + data.nefc + 1) ** 1.5
@@ -88,7 +90,7 @@ def let_go(subject: Subject, seconds: float) -> Motions:
             places.append(data.xipos[roots])
             turns.append(data.xquat[roots])
             times.append(times[-1] + steps * step)
-    broken = "" if unstable or left <= 0 else f"The model is too large to be simulated for {seconds:g} s."
+    broken = "" if unstable or left <= 0 else _too_much(seconds, step, few_enough)
     moved = _moved(np.array(places), upwards(model))
     turned = _turned(np.array(turns))
     return Motions(
@@ -102,6 +104,12 @@ def let_go(subject: Subject, seconds: float) -> Motions:
         unstable=unstable,
         data=_everything_awake(model, data),
     )
+
+
+def _too_much(seconds: float, step: float, few_enough: bool) -> str:
+    if few_enough:
+        return f"The model is too large to be simulated for {seconds:g} s."
+    return f"With a time step of {step:g} s there are more than {MOST_STEPS} steps in {seconds:g} s, which is too many."
 
 
 def warned(data: mujoco.MjData) -> tuple[str, ...]:

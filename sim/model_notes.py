@@ -35,7 +35,7 @@ def model_notes(facts: ModelFacts) -> tuple[str, ...]:
     return (
         *facts.subject.notes,
         *facts.unstable,
-        *((f"{broken} It was broken off after {facts.motions.seconds:.3g} s.",) if broken else ()),
+        *((f"{broken} It was let go for {facts.motions.seconds:.3g} s.",) if broken else ()),
         *_masked(facts),
         *_within(facts),
         *_swung(facts),
