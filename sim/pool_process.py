@@ -14,7 +14,11 @@ from thinkblox.sim.pool_wire import WorkerSettings, encode, receive_frame, send_
 
 START = 120.0
 """How long a worker may take to load the engine [s]."""
-_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+_SURROUNDINGS = {
+    **dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1"),
+    "MUJOCO_GL": "disable",
+}
+"""One thread for each worker; and nothing is drawn, so no display need be looked for."""
 
 
 class LostError(ThinkBloxError):
@@ -112,7 +116,7 @@ def _started(descriptor: int) -> subprocess.Popen[bytes]:
     return subprocess.Popen(
         _command(str(descriptor)),
         stdin=subprocess.DEVNULL,
-        env={**os.environ, **_ONE_THREAD, "PYTHONPATH": paths},
+        env={**os.environ, **_SURROUNDINGS, "PYTHONPATH": paths},
         pass_fds=(descriptor,),
         process_group=0,
     )
