@@ -68,8 +68,10 @@ class Subject:
         return data
 
 
-def subject_of(scene: Scene, *, physics: Physics | None = None) -> Subject:
-    """A scene as a subject, at its proposed poses."""
+def subject_of(
+    scene: Scene, *, physics: Physics | None = None, source: str = "thinkblox", substituted: tuple[str, ...] = ()
+) -> Subject:
+    """A scene as a subject, at its proposed poses; `source` and `substituted` as for `Subject`."""
     model = compiled(build_spec(scene, physics=physics))
     return Subject(
         model=model,
@@ -77,6 +79,8 @@ def subject_of(scene: Scene, *, physics: Physics | None = None) -> Subject:
         things=tuple(thing_of(model, int(model.body(placement.id).id)) for placement in scene.placements),
         room=scene.room,
         scene=scene,
+        source=source,
+        substituted=substituted,
     )
 
 

@@ -41,6 +41,8 @@ class Cut(NamedTuple):
 
 
 NARROW, WHOLE = Cut(0.01, 0.01), Cut(math.inf, math.inf)
+KEPT = 32
+"""Compiled parts of a room that a world keeps."""
 WIDER = 0.05
 """How much wider than the way that the candidate went the second cut is [m]."""
 
@@ -153,6 +155,8 @@ class World:
 
     def _stage(self, asset: Asset, there: frozenset[str]) -> Stage:
         if (asset, there) not in self._stages:
+            if len(self._stages) >= KEPT:
+                del self._stages[next(iter(self._stages))]
             spec = build_spec(self.scene, physics=self._physics, sleeping=True, only=there)
             add_placement(spec, _parked(asset, self.scene.room.height + PARKED), asset, free=True)
             self._stages[asset, there] = Stage(spec, self._physics)

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from thinkblox.generate import Progress
-    from thinkblox.verdict import Report
 
 EXAMPLE = 'thinkblox generate "A calm bedroom, 4 m by 5 m, with a double bed and two nightstands" --out out/bedroom'
 
@@ -90,8 +89,21 @@ def _add_generate(commands: "argparse._SubParsersAction[argparse.ArgumentParser]
 
 
 def _add_verify(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
-    parser = commands.add_parser("verify", help="measure a scene again, object by object")
-    parser.add_argument("scene", metavar="SCENE", type=Path, help="an output folder or a scene.json")
+    parser = commands.add_parser("verify", help="measure a scene, ours or anybody's, object by object")
+    parser.add_argument(
+        "scene", metavar="PATH", type=Path, help="an output folder, a scene.json, MJCF, URDF, or somebody's layout"
+    )
+    parser.add_argument("--suite", metavar="A,B", type=_names, default=(), help="published criteria; 'all' for all")
+    parser.add_argument("--html", metavar="FILE", type=Path, help="write a page with pictures and the faults in them")
+    parser.add_argument("--fix", action="store_true", help="move what fails by the least that mends it")
+    parser.add_argument("--out", metavar="FILE", type=Path, help="write the (mended) scene as a scene.json")
+    parser.add_argument("--format", metavar="NAME", help="of a layout whose keys do not tell whose it is")
+    parser.add_argument("--assets", metavar="DIR", type=Path, help="folder with the meshes that a layout names")
+    parser.add_argument("--height", metavar="M", type=float, help="of the room, where a layout has none (2.6)")
+    parser.add_argument("--room", metavar="ID", help="which room of a file that holds several")
+    parser.add_argument("--short-side", metavar="M", type=float, help="of the room, for a layout in pixels")
+    parser.add_argument("--seed", metavar="N", type=_natural, default=0, help="of what suites sample (0)")
+    parser.add_argument("--timeout", metavar="S", type=_seconds, default=600.0, help="for a foreign file (600)")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.set_defaults(run=_verify)
 
@@ -129,11 +141,29 @@ def _positive(text: str) -> int:
     return _whole(text, 1, 256)
 
 
+def _names(text: str) -> tuple[str, ...]:
+    from thinkblox.sim.suites import SUITES
+
+    names = tuple(dict.fromkeys(name.strip() for name in text.split(",") if name.strip()))
+    return SUITES if names == ("all",) else names
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of seconds") from None
+    if not 0.0 < seconds <= 86400.0:
+        raise argparse.ArgumentTypeError(f"{text} is not between 0 and 86400 seconds")
+    return seconds
+
+
 def _picture_size(text: str) -> int:
     return _whole(text, 64, 8192)
 
 
 def _generate(arguments: argparse.Namespace) -> int:
+    from thinkblox import printing
     from thinkblox.exporters.folder import check_folder, save_room
     from thinkblox.generate import generate_room
     from thinkblox.placing import Effort
@@ -154,23 +184,45 @@ def _generate(arguments: argparse.Namespace) -> int:
     if arguments.json:
         sys.stdout.write(to_json(result.report).decode())
     else:
-        print(_summary(result.report, len(result.scene.placements), outcome=_outcome(result.report)))
+        print(printing.summary(result.report, placed=len(result.scene.placements)))
+        print(printing.outcome(result.report))
         print(f"written to {arguments.out}")
     return 0 if result.report.complete else 1
 
 
 def _verify(arguments: argparse.Namespace) -> int:
-    from thinkblox.scene import load_scene
-    from thinkblox.sim.verify import verify
+    from thinkblox import printing
+    from thinkblox.checking import Reading, verify_file
     from thinkblox.value import to_json
 
-    scene = load_scene(arguments.scene)
-    report = verify(scene)
+    reading = Reading(
+        format=arguments.format,
+        assets=_text(arguments.assets),
+        height=arguments.height,
+        room=arguments.room,
+        short_side=arguments.short_side,
+        suites=arguments.suite,
+        seed=arguments.seed,
+        fix=arguments.fix,
+        out=_text(arguments.out),
+        page=_text(arguments.html),
+    )
+    report = verify_file(arguments.scene, reading, timeout=arguments.timeout)
+    passed = report.valid and all(suite.passed for suite in report.suites)
     if arguments.json:
         sys.stdout.write(to_json(report).decode())
-    else:
-        print(_summary(report, len(scene.placements), outcome="all passed" if report.valid else "not all passed"))
-    return 0 if report.valid else 1
+        return 0 if passed else 1
+    print(printing.summary(report, placed=len(report.objects)))
+    if arguments.fix:
+        print(f"\n{printing.moves(report)}")
+    for result in report.suites:
+        print(f"\n{printing.suite(result)}")
+    print("all passed" if passed else "not all passed")
+    return 0 if passed else 1
+
+
+def _text(path: Path | None) -> str | None:
+    return None if path is None else str(path)
 
 
 def _render(arguments: argparse.Namespace) -> int:
@@ -241,34 +293,3 @@ class _Progress:
             print(f"not all as asked; begun anew ({progress.attempt})", file=sys.stderr)
         else:
             self._bar.reset()
-
-
-def _outcome(report: "Report") -> str:
-    if report.complete:
-        return "all as asked"
-    return "passed, but not all as asked" if report.valid else "not all passed"
-
-
-def _summary(report: "Report", placed: int, *, outcome: str) -> str:
-    """The report as a person reads it: the outcome first, then every fault with its numbers."""
-    still = f"in {report.simulated:g} s with everything free: {report.drift * 1000:.2f} mm, {report.tilt:.2f} degrees"
-    counts = f"{placed} object{'' if placed == 1 else 's'} placed, {len(report.absent)} not"
-    lines = [f"{counts}; deepest contact {report.depth * 1000:.2f} mm; {still}"]
-    lines += [f"  not placed: {a.id}{'' if a.asked else ' (assumed)'}: {a.reason}" for a in report.absent]
-    lines += [f"  {verdict}" for verdict in report.objects if not verdict.valid]
-    held = [r for r in report.relations if r.holds]
-    if report.relations:
-        lines.append(f"relations asked for: {len(held)} of {len(report.relations)} hold")
-    lines += [
-        f"  not so: {r.subject} {_words(r.kind, r.anchors)}: {r.measured}" for r in report.relations if not r.holds
-    ]
-    if report.walker is not None and report.walker.unreachable:
-        lines.append(f"no walkable way to: {', '.join(report.walker.unreachable)}")
-    if report.unknown:
-        lines.append(f"words not understood: {', '.join(report.unknown)}")
-    lines += report.notes
-    return "\n".join([*lines, outcome])
-
-
-def _words(kind: str, anchors: tuple[str, ...]) -> str:
-    return " ".join([kind.replace("_", " "), ", ".join(anchors)]).strip()

@@ -1,0 +1,108 @@
+"""A report as a person reads it on a terminal: the outcome, every fault with its numbers, and tables of suites."""
+
+from collections.abc import Iterator, Sequence
+
+from thinkblox.suite import Criterion, SuiteResult
+from thinkblox.verdict import Move, Report
+
+MARKS = {True: "passed", False: "FAILED", None: "-"}
+UNITS = {"m": ("mm", 1000.0)}
+"""What is printed in other units than it is measured in."""
+
+
+def outcome(report: Report) -> str:
+    """In a few words how a prompt was met."""
+    if report.complete:
+        return "all as asked"
+    return "passed, but not all as asked" if report.valid else "not all passed"
+
+
+def summary(report: Report, *, placed: int) -> str:
+    """The measures of the whole, and every fault with its numbers, a line each."""
+    return "\n".join([_whole(report, placed), *_faults(report), *report.notes])
+
+
+def _whole(report: Report, placed: int) -> str:
+    still = f"in {report.simulated:g} s with everything free: {report.drift * 1000:.2f} mm, {report.tilt:.2f} degrees"
+    counts = f"{placed} object{'' if placed == 1 else 's'} placed, {len(report.absent)} not"
+    return f"{counts}; deepest contact {report.depth * 1000:.2f} mm; {still}"
+
+
+def _faults(report: Report) -> Iterator[str]:
+    yield from (f"  not placed: {a.id}{'' if a.asked else ' (assumed)'}: {a.reason}" for a in report.absent)
+    yield from (f"  {verdict}" for verdict in report.objects if not verdict.valid)
+    held = [r for r in report.relations if r.holds]
+    if report.relations:
+        yield f"relations asked for: {len(held)} of {len(report.relations)} hold"
+    yield from (
+        f"  not so: {r.subject} {_words(r.kind, r.anchors)}: {r.measured}" for r in report.relations if not r.holds
+    )
+    if report.walker is not None and report.walker.unreachable:
+        yield f"no walkable way to: {', '.join(report.walker.unreachable)}"
+    if report.unknown:
+        yield f"words not understood: {', '.join(report.unknown)}"
+    if report.substituted:
+        yield f"measured as boxes, for want of a mesh: {', '.join(report.substituted)}"
+    yield from (f"unusual: {sentence}" for sentence in report.unusual)
+
+
+def _words(kind: str, anchors: tuple[str, ...]) -> str:
+    return " ".join([kind.replace("_", " "), ", ".join(anchors)]).strip()
+
+
+def moves(report: Report) -> str:
+    """What was moved to mend faults, a line each."""
+    if not report.moves:
+        return "nothing had to be moved"
+    return "\n".join(_move(move) for move in report.moves)
+
+
+def _move(move: Move) -> str:
+    why = ", ".join(move.why) or "for what it rests on"
+    if not move.mended:
+        return f"{move.id}: not mended ({why})"
+    x, y, z = (1000 * part for part in move.by)
+    return f"{move.id}: moved {move.distance * 1000:.1f} mm ({x:+.1f}, {y:+.1f}, {z:+.1f}) ({why})"
+
+
+def suite(result: SuiteResult) -> str:
+    """A table of the criteria of one suite, and one of its objects."""
+    heading = f"{result.suite}: {MARKS[result.passed]} ({result.source})"
+    criteria = [("criterion", "worst", "limit", ""), *(_criterion_row(c) for c in result.criteria)]
+    notes = [f"  {criterion.name}: {criterion.note}" for criterion in result.criteria if criterion.note]
+    return "\n".join([heading, _table(criteria), *notes, _table(_object_rows(result)), *result.notes])
+
+
+def _criterion_row(criterion: Criterion) -> tuple[str, ...]:
+    worst, limit = (_number(value, criterion.unit) for value in (criterion.value, criterion.limit))
+    return (criterion.name, worst, limit, MARKS[criterion.passed])
+
+
+def _object_rows(result: SuiteResult) -> list[tuple[str, ...]]:
+    """For each object how many criteria it passed, and which ones it did not with the value."""
+    passed: dict[str, int] = {}
+    failed: dict[str, list[str]] = {}
+    for criterion in result.criteria:
+        for finding in criterion.findings:
+            passed.setdefault(finding.object, 0)
+            if finding.passed is False:
+                value = _number(finding.value, criterion.unit)
+                failed.setdefault(finding.object, []).append(f"{criterion.name} {value}".strip())
+            elif finding.passed:
+                passed[finding.object] += 1
+    rows = [(id, str(count), "; ".join(failed.get(id, []))) for id, count in passed.items()]
+    return [("object", "passed", "failed"), *rows] if rows else []
+
+
+def _number(value: float | None, unit: str) -> str:
+    if value is None:
+        return "-"
+    shown, factor = UNITS.get(unit, (unit, 1.0))
+    return f"{value * factor:.4g} {shown}".strip()
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    if not rows:
+        return ""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join("  " + "  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)).rstrip() for row in rows)
