@@ -19,8 +19,8 @@ from thinkblox.value import Quat
 from thinkblox.verdict import Verdict
 
 Array = NDArray[np.float64]
-SIDES = 120
-"""Of the polygon that stands for a circle: 0.07 mm are lost of a radius of 0.2 m."""
+SIDES = 96
+"""Of the polygon that stands for a circle: 0.11 mm are lost of a radius of 0.2 m."""
 KINDS = ("box", "cylinder", "hull")
 LEVEL: Quat = (1.0, 0.0, 0.0, 0.0)
 
@@ -116,6 +116,39 @@ def test_depth_within_half_a_millimetre(
 ) -> None:
     verdict = check(scene(None, (there, other)), here, one)
     assert verdict.depth == pytest.approx(depth, abs=0.0005)
+
+
+CUBE = tuple((x, y, z) for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1))
+ALIGNED = (
+    Shape(kind="box", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.1)),
+    Shape(kind="cylinder", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.1)),
+    Shape(kind="hull", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.1), points=CUBE),
+)
+
+
+MISSED = pytest.mark.xfail(
+    reason="MuJoCo finds no contact, or a shallow one, in some poses that are aligned", strict=True
+)
+ON_A_GRID = [
+    pytest.param(a, b, id=f"{a.kind}-{b.kind}", marks=() if a.kind == b.kind == "box" else MISSED)
+    for a, b in itertools.combinations_with_replacement(ALIGNED, 2)
+]
+
+
+@pytest.mark.parametrize(("first", "second"), ON_A_GRID)
+def test_depth_of_shapes_on_a_grid(first: Shape, second: Shape) -> None:
+    """Things are placed at round numbers: beside, over and in each other, with faces and axes in line."""
+    steps = (-0.15, -0.125, -0.1, 0.0, 0.025, 0.1)
+    one, other = one_shape("one", first), one_shape("other", second)
+    there = put(other, 2.0, 2.0, 1.0)
+    world, wrong = World(scene(None, (there, other))), []
+    for x, y, z in itertools.product(steps, steps, (-0.15, -0.1, 0.0, 0.075)):
+        here = put(one, 2.0 + x, 2.0 + y, 1.0 + z)
+        depth = penetration(in_room(one, here), in_room(other, there))
+        found = world.check([here], one, way=False)[0] if depth > 0.002 else None
+        if found is not None and abs(found.depth - depth) > 0.0005:
+            wrong.append((x, y, z, depth, found.depth))
+    assert not wrong
 
 
 @pytest.mark.parametrize("shift", [0.005, 0.05, 0.2, 0.39])
