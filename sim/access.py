@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
+from thinkblox.asset import Asset
 from thinkblox.room import Room
 from thinkblox.scene import Placement, Scene
 from thinkblox.sim.openings import STANDING, door_zone
@@ -131,11 +132,15 @@ class FreeFloor:
         return bool(shapely.dwithin(floor, self._goals[id], reach))
 
 
+def stands_on_floor(placement: Placement, asset: Asset) -> bool:
+    """Whether it is a solid thing that stands on the floor."""
+    return asset.mount == "floor" and asset.collides and placement.position[2] < STANDING
+
+
 def is_large(placement: Placement, solid: Solid, walking: Walking) -> bool:
     """Whether the object must be reachable: it stands on the floor and covers more than `walking.large`."""
-    asset = solid.asset
-    on_ground = asset.mount == "floor" and placement.position[2] < STANDING
-    return on_ground and asset.collides and asset.size[0] * asset.size[1] > walking.large
+    size = solid.asset.size
+    return stands_on_floor(placement, solid.asset) and size[0] * size[1] > walking.large
 
 
 def bars_way(placement: Placement, solid: Solid, walking: Walking) -> bool:

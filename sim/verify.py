@@ -6,8 +6,8 @@ import mujoco
 import numpy as np
 from msgspec import structs
 
-from thinkblox.scene import Scene
-from thinkblox.sim.access import access
+from thinkblox.scene import Placement, Scene
+from thinkblox.sim.access import access, stands_on_floor
 from thinkblox.sim.build import build_spec, compiled, package_version
 from thinkblox.sim.contacts import Contacts
 from thinkblox.sim.quiet import quiet_engine
@@ -15,7 +15,7 @@ from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.settle import SettledState, diverged, free_addresses, motion_between, rest
 from thinkblox.sim.world import World
 from thinkblox.value import Value
-from thinkblox.verdict import Access, Report
+from thinkblox.verdict import Access, Report, Verdict
 
 
 class Hold(Value, kw_only=True, frozen=True):
@@ -61,7 +61,8 @@ def verify(
     walkable = access(scene, walking)
     world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
     way = way and bool(walkable.unreachable)
-    objects = tuple(world.check([p], scene.asset_of(p), way=way)[0] for p in scene.placements)
+    robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
+    objects = tuple(_verdict(world, placement, way, robot) for placement in scene.placements)
     valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
     return Report(
         valid=valid,
@@ -75,9 +76,16 @@ def verify(
         tilt=held.tilt,
         simulated=held.seconds,
         walker=walkable,
-        robot=access(scene, structs.replace(walking, width=walking.robot)),
+        robot=robot,
         notes=(*_motion_notes(state, held, tolerances, physics), *_way_notes(walkable)),
     )
+
+
+def _verdict(world: World, placement: Placement, way: bool, robot: Access) -> Verdict:
+    asset = world.scene.asset_of(placement)
+    verdict = world.check([placement], asset, way=way)[0]
+    driven_to = stands_on_floor(placement, asset)
+    return structs.replace(verdict, reachable=placement.id not in robot.unreachable) if driven_to else verdict
 
 
 @quiet_engine()

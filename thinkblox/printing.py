@@ -39,6 +39,8 @@ def _faults(report: Report) -> Iterator[str]:
     )
     if report.walker is not None and report.walker.unreachable:
         yield f"no walkable way to: {', '.join(report.walker.unreachable)}"
+    if report.robot is not None and report.robot.unreachable:
+        yield f"out of a robot's reach, {report.robot.width:g} m wide: {', '.join(report.robot.unreachable)}"
     if report.unknown:
         yield f"words not understood: {', '.join(report.unknown)}"
     if report.substituted:

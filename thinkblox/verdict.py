@@ -81,6 +81,8 @@ class Verdict(Value, frozen=True, kw_only=True):
         pushed: what it moved while settling, furthest first.
         swings: doors and drawers that do not open through all of their range, its own and those it is in the way of.
         blocked: ids of the openings it stands in the way of, or of the objects it cuts off.
+        reachable: whether the robot of `Report.robot` comes within reach of it from a door; None where that was not
+            measured, or for what does not stand on the floor.
         message: why there is no verdict.
     """
 
@@ -100,6 +102,7 @@ class Verdict(Value, frozen=True, kw_only=True):
     pushed: tuple[Push, ...] = ()
     swings: tuple[Swing, ...] = ()
     blocked: tuple[str, ...] = ()
+    reachable: bool | None = None
     message: str = ""
 
     @property
@@ -209,7 +212,8 @@ class Report(Value, frozen=True, kw_only=True):
         complete: besides, everything asked for is there, and stands as it was asked to. That is what a prompt wants.
         depth: deepest contact between any two bodies [m].
         drift, tilt: the largest motion of any free object over `simulated` seconds, everything free [m, degrees].
-        walker, robot: what can be walked to, and driven to by a robot 0.2 m wide; None where no floor is known.
+        walker: what can be walked to, light things being pushed aside; None where no floor is known.
+        robot: what a robot can drive to, 0.2 m wide, that pushes nothing aside; every object on the floor counts.
         source: what was read: "thinkblox", "mjcf", "urdf", or a generator whose layout it is.
         unusual: options of a foreign model that make it stand better than it would, in sentences.
         substituted: ids that are measured as boxes, for want of a mesh.
