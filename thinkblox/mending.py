@@ -20,6 +20,8 @@ FINE = 0.00025
 """How finely the least shift is found [m]."""
 TIGHT = 0.0005
 """What was moved is left within this of touching what it rests on or hangs on [m]."""
+TIGHTER = 0.02
+"""How much further something is moved to leave it so [m]."""
 STILL = 0.1
 """What was moved tilts less than this while settling [degrees]: nothing is left on the brink."""
 CLOSE = 0.05
@@ -104,7 +106,7 @@ class _Mending:
     def run(self) -> tuple[Scene, tuple[Move, ...]]:
         """Mend what can be mended."""
         self._mend_all(self._carriers_first(), self._stuck, SEATING)
-        self._mend_all(self._lighter_first(frozenset({"collision"})), lambda id: set())
+        self._mend_all(self._lighter_first(frozenset({"collision"})), self._stuck)
         for _ in range(ROUNDS):
             self._mend_all(self._lighter_first(), lambda id: set())
         self._take_back_what_broke()
@@ -169,10 +171,25 @@ class _Mending:
         placement, group = self.scene[id], riders(self.scene, id)
         rest = without(self.scene, {p.id for p in group} | past)
         near = shifts(self.scene, placement, group, self.rules.walking, past=past)[: self.rules.tries]
-        for strictness in ((self.rules.tight, self.rules.still), (self.rules.tolerances,)):
-            worlds = [self.rules.world(rest, tolerances) for tolerances in strictness]
-            found = (self._nearest(world, placement, shift) for shift in near for world in worlds)
-            yield from islice((pose for pose in found if pose is not None), ACCEPTED)
+        usual = self.rules.world(rest)
+        yield from islice(self._seated_first(rest, placement, near), ACCEPTED)
+        yield from islice((pose for shift in near if (pose := self._nearest(usual, placement, shift))), ACCEPTED)
+
+    def _seated_first(self, rest: Scene, placement: Placement, near: Sequence[Shift]) -> Iterator[Placement]:
+        """Poses that are still, nearest first; one that is tight goes before one that is a little nearer and is not."""
+        tight, still = self.rules.world(rest, self.rules.tight), self.rules.world(rest, self.rules.still)
+        waiting: tuple[float, Placement] | None = None
+        for shift in near:
+            if waiting is not None and shift.distance > waiting[0] + TIGHTER:
+                yield waiting[1]
+                waiting = None
+            pose = self._nearest(tight, placement, shift)
+            if pose is not None:
+                yield pose
+            elif waiting is None and (loose := self._nearest(still, placement, shift)) is not None:
+                waiting = (shift.distance, loose)
+        if waiting is not None:
+            yield waiting[1]
 
     def _nearest(self, world: World, placement: Placement, shift: Shift) -> Placement | None:
         """The valid pose next to the failing one on the way to a shifted one; None when that one fails too."""

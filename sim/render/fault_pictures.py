@@ -1,0 +1,275 @@
+"""Pictures of a scene with the faults of its report: what is drawn where, in pixels, for any way of drawing it."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPoint
+from shapely.geometry.base import BaseGeometry
+
+from thinkblox.sim.render.faults import Fault, Kind, faults_of
+from thinkblox.sim.render.labels import Box, Thing, laid_out
+from thinkblox.sim.render.lighting import lights
+from thinkblox.sim.render.materials import linear
+from thinkblox.sim.render.picture import Settings, paint
+from thinkblox.sim.render.plan_marks import Marks, mark_openings
+from thinkblox.sim.render.sights import Body, Scenery, Sight, from_above, scenery_of, three_quarter
+from thinkblox.sim.render.tessellate import Ints
+from thinkblox.sim.settings import Walking
+from thinkblox.sim.subject import Subject
+from thinkblox.verdict import Report
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+Array = NDArray[np.float64]
+Point = tuple[float, float]
+Ring = tuple[Point, ...]
+PAPER = (0.972, 0.965, 0.950)
+FADED = 0.55
+"""How much of its colour the picture loses, so that what is drawn on it stands out."""
+BADGE = 11.0
+"""Radius of a number's disc [pixels]."""
+SHORTEST = 20.0
+"""Arrows that would be shorter are drawn this long [pixels]."""
+SPECK = 3.0
+"""Areas thinner than this get a ring round them [pixels]."""
+LETTER, LINE = 6.8, 13.0
+"""Width of a letter and height of a line of a mark's text [pixels]."""
+PADDING = 26.0
+
+
+@dataclass(frozen=True)
+class Outline:
+    """An object in the picture.
+
+    Attributes:
+        rings: round what is seen of it.
+        hull: round all of it, hidden parts included.
+        hidden: whether less than a third of it is seen.
+    """
+
+    id: str
+    rings: tuple[Ring, ...]
+    hull: Ring
+    hidden: bool
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A fault in the picture; rings are filled, `round` are centres of small circles, `at` is where the text goes."""
+
+    kind: Kind
+    id: str
+    rings: tuple[Ring, ...] = ()
+    circles: tuple[Point, ...] = ()
+    arrow: tuple[Point, Point] | None = None
+    dashes: tuple[tuple[Point, Point], ...] = ()
+    text: str = ""
+    at: Point | None = None
+
+
+@dataclass(frozen=True)
+class Badge:
+    """An object's number in its disc, with a line to the object where it is beside it."""
+
+    id: str
+    number: int
+    at: Point
+    line_to: Point | None
+
+
+@dataclass(frozen=True)
+class FaultPicture:
+    """A picture and what is drawn on it; `box` is left, top, right and bottom of the part worth showing [pixels]."""
+
+    image: "Image"
+    box: Box
+    outlines: tuple[Outline, ...]
+    marks: tuple[Mark, ...]
+    badges: tuple[Badge, ...]
+
+
+def fault_pictures(
+    report: Report, subject: Subject, numbers: Mapping[str, int], *, size: int = 900, walking: Walking | None = None
+) -> tuple[FaultPicture, FaultPicture]:
+    """The room from above one corner and from straight above.
+
+    Args:
+        report: whose faults are drawn.
+        subject: what was measured.
+        numbers: of the objects that get one, by id.
+        size: width and height of the pictures before they are trimmed [pixels].
+        walking: says how deep the zones of doors and windows are.
+    """
+    scenery = scenery_of(subject)
+    faults = faults_of(report, scenery, walking)
+    sights = (three_quarter(scenery, numbers.keys()), from_above(scenery))
+    first, second = (_pictured(scenery, sight, faults, numbers, size) for sight in sights)
+    return first, second
+
+
+def _pictured(
+    scenery: Scenery, sight: Sight, faults: Sequence[Fault], numbers: Mapping[str, int], size: int
+) -> FaultPicture:
+    owners = sight.numbers(size)
+    shown = {body.id for body in scenery.in_sight}
+    outlines = [_outline(body, n, sight, owners, size) for n, body in enumerate(scenery.bodies) if body.id in shown]
+    marks = [mark for fault in faults if fault.id in shown and (mark := _mark(fault, sight, size)) is not None]
+    badges = _badges([o for o in outlines if o.id in numbers], numbers, size)
+    frame = sight.camera.project(scenery.bounds.corners, size)
+    return FaultPicture(
+        image=_image(scenery, sight, size),
+        box=_trimmed(frame, outlines, badges, size),
+        outlines=tuple(outlines),
+        marks=tuple(_with_texts(marks, badges, size)),
+        badges=tuple(badges),
+    )
+
+
+def _image(scenery: Scenery, sight: Sight, size: int) -> "Image":
+    """The picture in pale colours, with doors and windows where it is a plan."""
+    from PIL import Image
+
+    paper = np.broadcast_to(np.array(linear(PAPER), np.float32), (size, size, 3))
+    light = lights(sight.tracer, sight.sun, gather=10, sun_rays=4, spread=6.0, strength=0.8)
+    colour = paint(sight.tracer, sight.camera, size, light, Settings(1.08, paper, coarse=3, edge_rays=5))
+    grey = colour @ np.array([0.30, 0.59, 0.11])
+    pale = colour * (1 - FADED) + grey[..., None] * FADED
+    image = Image.fromarray(np.asarray(np.rint(pale * 0.9 + 25.5), np.uint8))
+    if sight.camera.perspective or scenery.room is None:
+        return image
+    marks = Marks(sight.camera, size)
+    mark_openings(marks, scenery.room)
+    return marks.over(image)
+
+
+def _outline(body: Body, number: int, sight: Sight, owners: Ints, size: int) -> Outline:
+    hull = _hull(sight, body.points, size)
+    seen = _region(owners == number)
+    hidden = shapely.area(seen) < shapely.area(hull) / 3
+    return Outline(body.id, _rings(seen), _rings(hull)[0] if _rings(hull) else (), bool(hidden))
+
+
+def _hull(sight: Sight, points: Array, size: int) -> BaseGeometry:
+    return MultiPoint(sight.camera.project(points, size)).convex_hull
+
+
+def _region(mask: NDArray[np.bool_]) -> BaseGeometry:
+    """The pixels of a mask as an area with smooth edges."""
+    rows, columns = np.nonzero(np.diff(np.pad(mask, ((0, 0), (1, 1))).astype(np.int8), axis=1))
+    starts, ends, tops = columns[::2], columns[1::2], rows[::2]
+    runs = shapely.box(starts, tops - 0.01, ends, tops + 1.01)
+    return shapely.simplify(shapely.union_all(runs), 1.4)
+
+
+def _rings(area: BaseGeometry) -> tuple[Ring, ...]:
+    """Outer and inner rings of an area, specks left out."""
+    found: list[Ring] = []
+    for part in shapely.get_parts(area):
+        if isinstance(part, shapely.Polygon) and part.area > 4.0:
+            found += [_ring(ring) for ring in (part.exterior, *part.interiors)]
+    return tuple(found)
+
+
+def _ring(line: BaseGeometry) -> Ring:
+    return tuple((round(float(x), 1), round(float(y), 1)) for x, y in shapely.get_coordinates(line))
+
+
+def _mark(fault: Fault, sight: Sight, size: int) -> Mark | None:
+    """A fault as this camera sees it; None when it sees nothing of it."""
+    area = shapely.union_all([_hull(sight, solid, size) for solid in fault.solids])
+    dashes = tuple(_pixels(sight, line, size) for line in fault.dashes)
+    arrow = _long_enough(*_pixels(sight, fault.arrow, size)) if fault.arrow is not None else None
+    circles: tuple[Point, ...] = ()
+    if fault.kind in ("contact", "unreachable"):
+        circles = tuple(_pixels(sight, solid, size)[0] for solid in fault.solids)
+    elif fault.solids and shapely.area(shapely.buffer(area, -SPECK / 2)) == 0.0:
+        circles = (_point(shapely.get_coordinates(shapely.centroid(area))[0]),)
+    rings = () if fault.kind in ("contact", "unreachable") else _rings(area)
+    at = arrow[1] if arrow else circles[0] if circles else None
+    if at is None and not shapely.is_empty(area):
+        at = _point(shapely.get_coordinates(shapely.point_on_surface(area))[0])
+    if at is None:
+        return None
+    return Mark(fault.kind, fault.id, rings, circles, arrow, tuple((a, b) for a, b in dashes), fault.text, at)
+
+
+def _pixels(sight: Sight, points: Array, size: int) -> tuple[Point, ...]:
+    return tuple(_point(pixel) for pixel in sight.camera.project(points, size))
+
+
+def _point(pixel: Array) -> Point:
+    return (round(float(pixel[0]), 1), round(float(pixel[1]), 1))
+
+
+def _long_enough(start: Point, end: Point) -> tuple[Point, Point] | None:
+    """An arrow that can be seen, pointing the same way; None when it points at the viewer."""
+    length = float(np.hypot(end[0] - start[0], end[1] - start[1]))
+    if length < 0.3:
+        return None
+    stretch = max(SHORTEST / length, 1.0)
+    tip = (start[0] + (end[0] - start[0]) * stretch, start[1] + (end[1] - start[1]) * stretch)
+    return start, _point(np.array(tip))
+
+
+def _badges(outlines: Iterable[Outline], numbers: Mapping[str, int], size: int) -> list[Badge]:
+    """The numbers, each on or beside its object and none on another."""
+    things = [Thing(o.id, (str(numbers[o.id]),), _box(o.hull)) for o in outlines if o.hull]
+    labels = laid_out(things, lambda text, font: (2 * BADGE, 2 * BADGE), size=size, fonts=(1,))
+    return sorted(
+        (Badge(label.id, numbers[label.id], label.at, label.line_to) for label in labels), key=lambda b: b.number
+    )
+
+
+def _box(ring: Ring) -> Box:
+    x, y = np.array(ring).T
+    return float(x.min()), float(y.min()), float(x.max()), float(y.max())
+
+
+def _with_texts(marks: Sequence[Mark], badges: Sequence[Badge], size: int) -> list[Mark]:
+    """The marks with their texts at places that are free; a text that finds none is left out: it is in the table."""
+    taken = [(b.at[0] - BADGE, b.at[1] - BADGE, b.at[0] + BADGE, b.at[1] + BADGE) for b in badges]
+    found = []
+    for mark in marks:
+        at = _free_place(mark, taken, size) if mark.at is not None and mark.text else None
+        if at is not None:
+            taken.append(_text_box(mark.text, at))
+        found.append(Mark(**{**mark.__dict__, "at": at, "text": mark.text if at is not None else ""}))
+    return found
+
+
+def _free_place(mark: Mark, taken: Sequence[Box], size: int) -> Point | None:
+    if mark.at is None:
+        return None
+    aside = len(mark.text) * LETTER / 2 + 9
+    for dx, dy in ((0, -14), (0, 16), (aside, 0), (-aside, 0), (aside, 15), (-aside, 15), (0, -30), (0, 32)):
+        at = (round(mark.at[0] + dx, 1), round(mark.at[1] + dy, 1))
+        box = _text_box(mark.text, at)
+        inside = box[0] > 2 and box[1] > 2 and box[2] < size - 2 and box[3] < size - 2
+        if inside and not any(_overlap(box, other) for other in taken):
+            return at
+    return None
+
+
+def _text_box(text: str, at: Point) -> Box:
+    half = len(text) * LETTER / 2
+    return at[0] - half, at[1] - LINE / 2, at[0] + half, at[1] + LINE / 2
+
+
+def _overlap(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _trimmed(frame: Array, outlines: Sequence[Outline], badges: Sequence[Badge], size: int) -> Box:
+    """What of the picture is worth showing: the room, the objects and their numbers."""
+    points = np.concatenate(
+        [frame, *(np.array(o.hull) for o in outlines if o.hull), *(np.array([b.at]) for b in badges)]
+    )
+    low, high = points.min(0) - PADDING, points.max(0) + PADDING
+    left, top = (float(np.clip(np.floor(c), 0, size)) for c in low)
+    right, bottom = (float(np.clip(np.ceil(c), 0, size)) for c in high)
+    return left, top, right, bottom

@@ -1,1 +1,0 @@
-"""A report as one HTML page, with a picture in which the faults are drawn."""

@@ -1,0 +1,52 @@
+"""HTML put together from elements, so that no text of a file that was read can be taken for markup."""
+
+from html import escape
+
+VOID = frozenset({"img", "meta", "br", "image", "circle", "path", "line", "polygon", "rect"})
+"""Elements that hold nothing; those of SVG are closed by a slash, which HTML ignores."""
+
+
+class Markup(str):
+    """Text that is markup already; any other text is escaped."""
+
+    __slots__ = ()
+
+
+def element(name: str, /, *children: str, **attributes: str | float | bool | None) -> Markup:
+    """One element.
+
+    Args:
+        name: of its tag.
+        children: markup as it is, other text escaped.
+        attributes: a trailing underscore is dropped and other ones become dashes (`class_`, `data_n`); None and False
+            leave an attribute out, True gives it no value.
+    """
+    opened = name + "".join(_attribute(key, value) for key, value in attributes.items())
+    if name in VOID:
+        return Markup(f"<{opened}/>")
+    return Markup(f"<{opened}>{joined(*children)}</{name}>")
+
+
+def joined(*parts: str) -> Markup:
+    """Parts one after the other."""
+    return Markup("".join(part if isinstance(part, Markup) else escape(part) for part in parts))
+
+
+def _attribute(key: str, value: str | float | bool | None) -> str:
+    if value is None or value is False:
+        return ""
+    name = key.removesuffix("_").replace("_", "-")
+    if value is True:
+        return f" {name}"
+    text = f"{value:g}" if isinstance(value, float) else str(value)
+    return f' {name}="{escape(_printable(text))}"'
+
+
+def _printable(text: str) -> str:
+    """Without control characters, which no page may hold."""
+    return "".join(c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in text)
+
+
+def text(value: str) -> Markup:
+    """A text from outside, escaped, without control characters."""
+    return Markup(escape(_printable(value)))
