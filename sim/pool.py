@@ -57,10 +57,10 @@ class VerdictPool:
 
     **What comes out** is what `World(scene, ...).check(candidates, asset, way=way)` gives, to the byte (`to_json`),
     whatever the number of workers, the order of the jobs and what was measured before. A candidate that cannot be
-    measured has a verdict too: not valid, with the reason "error" and a `message`. That is so for a mesh that
-    the engine refuses, for one that made its worker process die (out of memory, a fault in the engine), and for one
-    that took longer than `timeout`. When a worker is lost, a new one takes its place and its job is tried
-    once more there, candidate by candidate, so that only those to blame go without a measurement.
+    measured has a verdict too: not valid, with the reason "error" and a `message`. That is so for a mesh that the
+    engine refuses, for a candidate over which its worker process died (memory ran out, a fault in the engine), and for
+    one that took longer than `timeout`. When a worker is lost, a new one takes its place, and its job is tried once
+    more there, candidate by candidate, so that only those to blame go without a measurement.
 
     **How to feed it.** One prompt of a trainer with its completions is one job if they all place the same asset,
     otherwise one job for each asset; give as many prompts at once as there are. Jobs of one scene, and of scenes that
@@ -82,8 +82,8 @@ class VerdictPool:
             it, a few tenths of a second for a large one.
         tolerances, physics, walking: as World takes them, the same for all jobs.
         worlds: scenes that each worker keeps.
-        memory: that each worker may hold [GiB]; past half of it, worlds are let go of. A job that needs more than all
-            of it cannot be measured (on Linux).
+        memory: that each worker may hold between two jobs [GiB]; past it, it lets go of worlds, and is replaced where
+            that is not enough (on Linux). The engine alone takes 0.1, a world 0.001 to 0.01.
 
     Raises:
         InputError: a number out of range.
@@ -98,8 +98,8 @@ class VerdictPool:
         tolerances: Tolerances | None = None,
         physics: Physics | None = None,
         walking: Walking | None = None,
-        worlds: int = 64,
-        memory: float = 4.0,
+        worlds: int = 128,
+        memory: float = 2.0,
     ) -> None:
         _check(workers, timeout, worlds, memory)
         settings = WorkerSettings(
@@ -233,8 +233,10 @@ def _check(workers: int, timeout: float, worlds: int, memory: float) -> None:
         raise InputError(f"a timeout of {timeout} s is no time limit; give seconds, more than 0")
     if worlds < 1:
         raise InputError(f"{worlds} worlds are too few; a worker keeps 1 or more")
-    if not 0.5 <= memory <= 1e6:
-        raise InputError(f"{memory:g} GiB cannot be a worker's memory; give 0.5 or more, as the engine takes 0.2")
+    if not 0.0 < memory < math.inf:
+        raise InputError(
+            f"{memory:g} GiB cannot be a worker's memory; give more than 0.1, which the engine alone takes"
+        )
 
 
 def _parcel(keys: Keys, job: Job) -> Parcel:

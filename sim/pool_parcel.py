@@ -21,10 +21,11 @@ _REMEMBERED = 4096
 
 
 class Keys:
-    """Content keys; those of assets are remembered, as the same few go into every scene."""
+    """Content keys; those of assets are remembered, as they go into many scenes, and those of the last scene."""
 
     def __init__(self) -> None:
         self._assets: OrderedDict[int, tuple[Asset, bytes]] = OrderedDict()
+        self._last: tuple[Scene, list[bytes]] | None = None
 
     def of_asset(self, asset: Asset) -> bytes:
         """Key of an asset; two that share an id and differ have different keys."""
@@ -40,9 +41,13 @@ class Keys:
 
     def of_scene(self, scene: Scene) -> list[bytes]:
         """Keys of the empty room, of the room with the first object, and so on to the whole scene."""
+        last = self._last
+        if last is not None and last[0] is scene:
+            return last[1]
         keys = [_hash(encode(scene.room))]
         for placement in scene.placements:
             keys.append(_hash(keys[-1], self.of_asset(scene.asset_of(placement)), encode(placement)))
+        self._last = scene, keys
         return keys
 
 

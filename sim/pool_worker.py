@@ -3,6 +3,7 @@
 Started by thinkblox.sim.pool_process as `python -m thinkblox.sim.pool_worker SOCKET PARENT`.
 """
 
+import contextlib
 import faulthandler
 import mmap
 import os
@@ -101,8 +102,8 @@ class Worlds:
 
     @property
     def _full(self) -> bool:
-        """Whether half of the memory is used; the other half is for the next task."""
-        return _resident() > self._settings.memory / 2
+        """Whether it holds more memory than it may."""
+        return _resident() > self._settings.memory
 
 
 def _checked(world: World, candidates: Sequence[Placement], asset: Asset, way: bool) -> list[Verdict]:
@@ -129,13 +130,11 @@ def _resident() -> int:
 
 def main(arguments: Sequence[str]) -> None:
     """Read the settings, say that all is ready, and answer tasks until nobody is there to ask any more."""
-    import resource  # not on every system; what is above is used without a process of its own too
-
     faulthandler.enable()
     channel, parent = socket.socket(fileno=int(arguments[0])), int(arguments[1])
     try:
         settings = msgspec.msgpack.decode(receive_frame(channel), type=WorkerSettings)
-        resource.setrlimit(resource.RLIMIT_DATA, (settings.memory, settings.memory))
+        _go_first()
         worlds = Worlds(settings)
         send_frame(channel, b"")
         while _wait(channel, parent):
@@ -147,6 +146,12 @@ def main(arguments: Sequence[str]) -> None:
             send_frame(channel, answer)
     except (EOFError, OSError):
         return
+
+
+def _go_first() -> None:
+    """When the machine runs out of memory, let Linux end this process, which is replaced, and not the caller's."""
+    with contextlib.suppress(OSError):
+        Path("/proc/self/oom_score_adj").write_text("800")
 
 
 def _wait(channel: socket.socket, parent: int) -> bool:

@@ -1,6 +1,7 @@
 """The verdict pool with real worker processes: what comes out, what becomes of lost ones, what is left behind."""
 
 import asyncio
+import contextlib
 import gc
 import os
 import signal
@@ -337,6 +338,48 @@ def test_a_pool_that_nobody_refers_to_is_ended() -> None:
     del pool
     gc.collect()
     assert gone(pids)
+
+
+def test_a_worker_that_holds_too_much_memory_lets_go_of_it_and_is_replaced() -> None:
+    pids: list[int] = []
+    with VerdictPool(workers=1, memory=0.001) as pool:
+        for job in jobs()[:2]:
+            assert within(10.0, lambda: bool(pool.pids))
+            pids += pool.pids
+            assert encoded(pool.check_one(*job)) == directly(job)
+        assert len({*pids}) == 2
+        assert within(10.0, lambda: gone(pids))
+        assert not any(hand._process.known for hand in pool._hands)
+
+
+@pytest.mark.slow
+def test_whatever_happens_to_the_workers_every_job_is_answered_and_no_measure_is_wrong() -> None:
+    every = jobs() * 40
+    expected = [directly(job) for job in jobs()] * 40
+    rng = np.random.default_rng(3)
+    over = threading.Event()
+
+    def harm() -> None:
+        while not over.wait(float(rng.uniform(0.2, 1.0))):
+            if pids := [hand._process.pid for hand in hurt._hands if hand._process.known]:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(int(rng.choice(pids)), signal.SIGSTOP if rng.random() < 0.2 else signal.SIGKILL)
+
+    with VerdictPool(workers=3, timeout=1.0) as hurt:
+        harmful = threading.Thread(target=harm)
+        harmful.start()
+        try:
+            got = list(hurt.stream(every))
+        finally:
+            over.set()
+            harmful.join()
+    assert len(got) == len(every)
+    measured = 0
+    for verdicts, right in zip(got, expected, strict=True):
+        for verdict, one in zip(verdicts, right, strict=True):
+            assert verdict.reasons == ("error",) or encoded([verdict]) == [one]
+            measured += verdict.reasons != ("error",)
+    assert measured > 0.8 * sum(len(right) for right in expected)
 
 
 def test_numbers_out_of_range_are_refused() -> None:
