@@ -67,5 +67,5 @@ def hull_shape(points: Array, *, category: str, collide: bool = True) -> Shape:
 
 def colour_of(category: str) -> Vec3:
     """A quiet colour, the same for all things of a category."""
-    red, green, blue = colorsys.hsv_to_rgb(zlib.crc32(category.encode()) % 360 / 360.0, 0.28, 0.78)
+    red, green, blue = colorsys.hsv_to_rgb(zlib.crc32(category.encode()) % 360 / 360.0, 0.14, 0.78)
     return (round(red, 4), round(green, 4), round(blue, 4))

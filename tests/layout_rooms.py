@@ -236,13 +236,13 @@ WRITERS: dict[str, Any] = {
 }
 
 
-def chair_mesh() -> trimesh.Trimesh:
+def chair_mesh() -> Any:
     """A chair in glTF's axes: y up, facing +z, so that its back is at -z; standing on the origin, its box 0.5 square.
 
     The left armrest, at +x, is there and the right one is not, so that a mirror image shows.
     """
 
-    def box(size: Vec3, middle: Vec3) -> trimesh.Trimesh:
+    def box(size: Vec3, middle: Vec3) -> Any:
         return trimesh.creation.box(size, trimesh.transformations.translation_matrix(middle))
 
     return trimesh.util.concatenate(

@@ -38,10 +38,14 @@ class Document:
     path: Path
     raw: Any
 
-    def typed(self, kind: type[F], raw: Any = None, at: str = "$") -> F:
-        """The whole of it, or a part that stands at the JSON path `at`, as a typed value; raises InputError."""
+    def typed(self, kind: type[F]) -> F:
+        """The whole of it as a typed value; raises InputError."""
+        return self.part(kind, self.raw, "$")
+
+    def part(self, kind: type[F], raw: Any, at: str) -> F:
+        """A part that stands at the JSON path `at`, as a typed value; raises InputError."""
         try:
-            return msgspec.convert(self.raw if raw is None else raw, type=kind)
+            return msgspec.convert(raw, type=kind)
         except (msgspec.ValidationError, OverflowError, RecursionError) as error:
             raise InputError(f"{self.path}: {_placed(str(error), at)}") from error
 

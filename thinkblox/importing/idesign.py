@@ -108,9 +108,9 @@ def read_idesign(document: Document, library: Library) -> Draft:
     objects: list[tuple[str, _Object]] = []
     for index, entry in enumerate(entries):
         at = f"{base}[{index}]"
-        name = document.typed(_Named, entry, at).new_object_id
+        name = document.part(_Named, entry, at).new_object_id
         if name not in ROOM_PARTS:
-            objects.append((at, document.typed(_Object, entry, at)))
+            objects.append((at, document.part(_Object, entry, at)))
         elif name in parts:
             document.fail(at, f"a second {name!r}; ids must differ")
         else:
@@ -132,7 +132,7 @@ def _outline(document: Document, entries: list[dict[str, Any]], parts: dict[str,
             f"no {' and no '.join(missing)}: the room's size is read off its walls; save the graph after backtracking",
         )
     south, west = (
-        document.typed(_Wall, entries[parts[name]], f"{base}[{parts[name]}]").size_in_meters
+        document.part(_Wall, entries[parts[name]], f"{base}[{parts[name]}]").size_in_meters
         for name in ("south_wall", "west_wall")
     )
     x, y = south.length, west.length

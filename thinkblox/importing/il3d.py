@@ -29,7 +29,7 @@ import shapely
 from msgspec import Meta
 from shapely.geometry.polygon import orient
 
-from thinkblox.importing.document import Degrees, Document, Extent, Foreign, Metres
+from thinkblox.importing.document import Degrees, Document, Extent, Foreign, Metres, plain
 from thinkblox.importing.draft import Draft, Item, Outline
 from thinkblox.importing.frames import OWN_FROM_Y_UP, Y_UP, Array, about, from_quaternion
 from thinkblox.importing.library import Library
@@ -59,7 +59,7 @@ class _Object(Foreign, frozen=True, kw_only=True):
 
 class _Layout(Foreign, frozen=True, kw_only=True):
     meshes: list[_Floor] | _Floor
-    objects: list[_Object] | dict[str, list[_Object]]
+    objects: list[_Object] | dict[str, Any]
 
 
 def is_il3d(raw: Any) -> bool:
@@ -77,7 +77,7 @@ def read_il3d(document: Document, library: Library) -> Draft:
     at, floor = _floor(document, layout)
     corners = _corners(document, floor, at)
     items, seen = [], set[str]()
-    for index, (where, label, thing) in enumerate(_objects(layout)):
+    for index, (where, label, thing) in enumerate(_objects(document, layout)):
         name = thing.object_name or f"{label}_{index}"
         name = f"{name}_{index}" if name in seen else name
         seen.add(name)
@@ -115,11 +115,12 @@ def _corners(document: Document, floor: _Floor, at: str) -> tuple[Vec2, ...]:
     return tuple(ring)
 
 
-def _objects(layout: _Layout) -> Iterator[tuple[str, str, _Object]]:
+def _objects(document: Document, layout: _Layout) -> Iterator[tuple[str, str, _Object]]:
     if isinstance(layout.objects, dict):
         for label, things in layout.objects.items():
-            for index, thing in enumerate(things):
-                yield f"$.objects.{label}[{index}]", thing.category or label, thing
+            at = f"$.objects.{plain(label)}"
+            for index, thing in enumerate(document.part(list[_Object], things, at)):
+                yield f"{at}[{index}]", thing.category or label, thing
         return
     for index, thing in enumerate(layout.objects):
         yield f"$.objects[{index}]", thing.category or "object", thing

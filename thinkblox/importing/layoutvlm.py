@@ -22,14 +22,14 @@ what faces -y after import to +x). boundingBox.x is along the front: main.py swa
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
-from msgspec import UNSET, Meta, UnsetType, structs
+from msgspec import UNSET, Meta, UnsetType
 
 from thinkblox.asset import Mount
 from thinkblox.errors import InputError
-from thinkblox.importing.document import Degrees, Document, Extent, Foreign, Metres, read_document
+from thinkblox.importing.document import Degrees, Document, Extent, F, Foreign, Metres, plain, read_document
 from thinkblox.importing.draft import Draft, Item, Outline
 from thinkblox.importing.frames import about
 from thinkblox.importing.library import AssetRecord, Library
@@ -70,22 +70,21 @@ class _Asset(Foreign, frozen=True, kw_only=True):
     onObject: bool = False  # noqa: N815
     assetMetadata: _Metadata = _Metadata()  # noqa: N815
     position: Numbers | None = None
-    rotation: list[Degrees] | Degrees | None = None
-    scale: Scale | list[Scale] = 1.0
 
 
 class _Scene(Foreign, frozen=True, kw_only=True):
     boundary: _Boundary
-    assets: dict[str, _Asset]
-    layout: dict[str, _Pose] = {}
+    assets: dict[str, Any]
+    layout: dict[str, Any] = {}
     task_description: str = ""
 
 
 @dataclass(frozen=True)
 class _Both:
-    """The scene, its poses, and the documents and JSON paths they come from."""
+    """The scene, its assets and poses, and the documents and JSON path they come from."""
 
     scene: _Scene
+    assets: Mapping[str, _Asset]
     poses: Mapping[str, _Pose]
     scene_file: Document
     pose_file: Document
@@ -125,7 +124,7 @@ def read_layoutvlm(document: Document, library: Library) -> Draft:
         items=items,
         prompt=both.scene.task_description,
         notes=both.notes,
-        unplaced=tuple(name for name in both.scene.assets if name not in both.poses),
+        unplaced=tuple(name for name in both.assets if name not in both.poses),
     )
 
 
@@ -137,19 +136,24 @@ def _level(boundary: _Boundary) -> float:
 def _together(document: Document) -> _Both:
     if not isinstance(document.raw, dict):
         document.fail("$", "a layout of LayoutVLM is an object")
-    if _is_scene(document.raw):
-        scene = document.typed(_Scene)
-        within = {
-            name: _Pose(position=a.position, rotation=0.0 if a.rotation is None else a.rotation, scale=a.scale)
-            for name, a in scene.assets.items()
-            if a.position is not None
-        }
-        at = "$.layout" if scene.layout else "$.assets"
-        return _Both(scene, scene.layout or within, document, document, at)
-    poses = document.typed(dict[str, _Pose])
-    beside = _scene_beside(document)
-    note = f"The room and the assets were read from {beside.path.name}, beside the layout."
-    return _Both(beside.typed(_Scene), poses, beside, document, "$", (note,))
+    if _is_poses(document.raw):
+        poses = _each(document, _Pose, document.raw, "$")
+        beside = _scene_beside(document)
+        note = f"The room and the assets were read from {beside.path.name}, beside the layout."
+        scene = beside.typed(_Scene)
+        return _Both(scene, _each(beside, _Asset, scene.assets, "$.assets"), poses, beside, document, "$", (note,))
+    scene = document.typed(_Scene)
+    assets = _each(document, _Asset, scene.assets, "$.assets")
+    if scene.layout:
+        poses = _each(document, _Pose, scene.layout, "$.layout")
+        return _Both(scene, assets, poses, document, document, "$.layout")
+    placed = {name: raw for name, raw in scene.assets.items() if assets[name].position is not None}
+    return _Both(scene, assets, _each(document, _Pose, placed, "$.assets"), document, document, "$.assets")
+
+
+def _each(document: Document, kind: type[F], raw: Mapping[str, Any], at: str) -> dict[str, F]:
+    """Every value of an object as a typed value: so an error names its key."""
+    return {key: document.part(kind, value, f"{at}.{plain(key)}") for key, value in raw.items()}
 
 
 def _scene_beside(document: Document) -> Document:
@@ -174,9 +178,9 @@ def _scene_beside(document: Document) -> Document:
 
 def _with_records(both: _Both, library: Library) -> _Both:
     """The same with the assets' records and names, where the scene file only has their uids."""
-    if not both.scene.assets or any(asset != _Asset() for asset in both.scene.assets.values()):
+    if not both.assets or any(asset != _Asset() for asset in both.assets.values()):
         return both
-    copies = Counter(key.rpartition("-")[0] for key in both.scene.assets)
+    copies = Counter(key.rpartition("-")[0] for key in both.assets)
     records = {uid: library.record(uid) for uid in copies}
     missing = [uid for uid, record in records.items() if record is None]
     if missing:
@@ -184,15 +188,7 @@ def _with_records(both: _Both, library: Library) -> _Both:
             "$.assets",
             f"only uids, and {len(missing)} of them, as {missing[0]!r}, have no data.json; name the folder of assets",
         )
-    assets = _named({uid: record for uid, record in records.items() if record is not None}, copies)
-    return _Both(
-        structs.replace(both.scene, assets=assets),
-        both.poses,
-        both.scene_file,
-        both.pose_file,
-        both.pose_at,
-        both.notes,
-    )
+    return replace(both, assets=_named({uid: record for uid, record in records.items() if record is not None}, copies))
 
 
 def _named(records: Mapping[str, AssetRecord], copies: Mapping[str, int]) -> dict[str, _Asset]:
@@ -227,11 +223,11 @@ def _asset(uid: str, record: AssetRecord) -> _Asset:
 
 
 def _item(both: _Both, name: str, pose: _Pose, library: Library) -> Item:
-    at = f"{both.pose_at}.{name}"
-    if name not in both.scene.assets:
-        known = ", ".join(sorted(both.scene.assets)[:6]) or "none"
+    at = f"{both.pose_at}.{plain(name)}"
+    if name not in both.assets:
+        known = ", ".join(sorted(both.assets)[:6]) or "none"
         both.pose_file.fail(at, f"a pose of {name!r}, which the scene's assets do not hold; they hold {known}")
-    asset = both.scene.assets[name]
+    asset = both.assets[name]
     box = asset.assetMetadata.boundingBox
     scale = _triple(both.pose_file, f"{at}.scale", pose.scale)
     size: Vec3 | None = None if isinstance(box, UnsetType) else (box.x * scale[1], box.y * scale[0], box.z * scale[2])

@@ -137,7 +137,7 @@ class Library:
             for name in ("annotations.json", "annotations.json.gz"):
                 file = self._under(folder / name)
                 if file and id in self._table(file):
-                    return Document(file, None).typed(AssetRecord, self._table(file)[id], f"$.{id}")
+                    return Document(file, None).part(AssetRecord, self._table(file)[id], f"$.{id}")
         return None
 
     def _folders(self) -> Iterator[Path]:

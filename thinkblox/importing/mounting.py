@@ -1,8 +1,10 @@
 """What a thing is placed on, read off the geometry where its layout does not say."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thinkblox.asset import Mount
 from thinkblox.importing.body import Body
@@ -18,27 +20,46 @@ NEAR_WALL = 0.03
 
 def mounts_of(room: Room, bodies: Sequence[Body]) -> list[Mount]:
     """The mount of each body; what touches nothing is said to stand on the floor, so that it is found to float."""
-    spans = [[np.array([piece.min(axis=0), piece.max(axis=0)]) for piece in body.in_room] for body in bodies]
-    return [body.item.mount or _mount(room, body, i, bodies, spans) for i, body in enumerate(bodies)]
+    boxes = _boxes(bodies)
+    return [body.item.mount or _mount(room, body, index, boxes) for index, body in enumerate(bodies)]
 
 
-def _mount(room: Room, body: Body, index: int, bodies: Sequence[Body], spans: Sequence[list[Array]]) -> Mount:
-    base = body.position[2]
+@dataclass(frozen=True)
+class _Boxes:
+    """Bounds in the room (n, 3) of all pieces that can carry something, and the number of the body of each (n,)."""
+
+    low: Array
+    high: Array
+    owner: NDArray[np.int64]
+
+
+def _boxes(bodies: Sequence[Body]) -> _Boxes:
+    found = [
+        (piece.min(axis=0), piece.max(axis=0), index)
+        for index, body in enumerate(bodies)
+        if not is_rug(body.item.kind, body.size[2])
+        for piece in body.in_room
+    ]
+    low, high = (np.array([entry[k] for entry in found]).reshape(-1, 3) for k in (0, 1))
+    return _Boxes(low, high, np.array([entry[2] for entry in found], dtype=np.int64))
+
+
+def _mount(room: Room, body: Body, index: int, boxes: _Boxes) -> Mount:
+    base, points = body.position[2], np.vstack(body.in_room)
     if base <= TOUCHING:
         return "floor"
-    mine = np.array([np.min([s[0] for s in spans[index]], axis=0), np.max([s[1] for s in spans[index]], axis=0)])
-    for other, theirs in enumerate(spans):
-        carries = other != index and not is_rug(bodies[other].item.kind, bodies[other].size[2])
-        if carries and any(_rests_on(mine, span) for span in theirs):
-            return "surface"
+    if _rests_on_another(points, index, boxes):
+        return "surface"
     if abs(room.height - base - body.size[2]) <= TOUCHING:
         return "ceiling"
-    return "wall" if _touches_wall(room, np.vstack(body.in_room)) else "floor"
+    return "wall" if _touches_wall(room, points) else "floor"
 
 
-def _rests_on(mine: Array, theirs: Array) -> bool:
-    level = abs(float(mine[0, 2] - theirs[1, 2])) <= TOUCHING
-    return level and all(mine[0, k] < theirs[1, k] and theirs[0, k] < mine[1, k] for k in (0, 1))
+def _rests_on_another(points: Array, index: int, boxes: _Boxes) -> bool:
+    low, high = points.min(axis=0), points.max(axis=0)
+    level = np.abs(boxes.high[:, 2] - low[2]) <= TOUCHING
+    beneath = ((boxes.low[:, :2] < high[:2]) & (low[:2] < boxes.high[:, :2])).all(axis=1)
+    return bool((level & beneath & (boxes.owner != index)).any())
 
 
 def _touches_wall(room: Room, points: Array) -> bool:
