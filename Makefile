@@ -27,6 +27,8 @@ types: $(VENV)/installed
 bench: $(VENV)/installed
 	$(BIN)/python -m tests.bench.rooms
 	$(BIN)/python -m tests.bench.startup
+	$(BIN)/python -m tests.bench.verdicts
+	$(BIN)/python -m tests.bench.suites
 
 # Every picture of docs/pictures.
 pictures: $(VENV)/installed

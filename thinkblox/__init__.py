@@ -12,22 +12,27 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from thinkblox.checking import Reading, verify_file
     from thinkblox.errors import InputError, ThinkBloxError
     from thinkblox.exporters.folder import save_room
     from thinkblox.generate import Generation, generate_room
     from thinkblox.policies import Policy
     from thinkblox.room import Opening, Room
     from thinkblox.scene import Placement, Scene, load_scene
+    from thinkblox.sim.pool import Job, VerdictPool
     from thinkblox.sim.verify import verify
+    from thinkblox.sim.world import World
     from thinkblox.steps import Rejection, Step, parse
     from thinkblox.verdict import Report, Verdict
 
 _HOME = {
     "Generation": "thinkblox.generate",
     "InputError": "thinkblox.errors",
+    "Job": "thinkblox.sim.pool",
     "Opening": "thinkblox.room",
     "Placement": "thinkblox.scene",
     "Policy": "thinkblox.policies",
+    "Reading": "thinkblox.checking",
     "Rejection": "thinkblox.steps",
     "Report": "thinkblox.verdict",
     "Room": "thinkblox.room",
@@ -35,18 +40,23 @@ _HOME = {
     "Step": "thinkblox.steps",
     "ThinkBloxError": "thinkblox.errors",
     "Verdict": "thinkblox.verdict",
+    "VerdictPool": "thinkblox.sim.pool",
+    "World": "thinkblox.sim.world",
     "generate_room": "thinkblox.generate",
     "load_scene": "thinkblox.scene",
     "parse": "thinkblox.steps",
     "save_room": "thinkblox.exporters.folder",
     "verify": "thinkblox.sim.verify",
+    "verify_file": "thinkblox.checking",
 }
 __all__ = [
     "Generation",
     "InputError",
+    "Job",
     "Opening",
     "Placement",
     "Policy",
+    "Reading",
     "Rejection",
     "Report",
     "Room",
@@ -54,11 +64,14 @@ __all__ = [
     "Step",
     "ThinkBloxError",
     "Verdict",
+    "VerdictPool",
+    "World",
     "generate_room",
     "load_scene",
     "parse",
     "save_room",
     "verify",
+    "verify_file",
 ]
 
 
