@@ -79,7 +79,7 @@ def _with_retries(count: int, attempt: Attempt, enough: float) -> tuple[list[flo
 
 def _lift(subject: Subject, things: Sequence[Thing], timestep: float) -> tuple[list[float], Run]:
     """Distance that each thing moved at most [m], all of them pulled in one simulation."""
-    run = Run(subject, timestep=timestep, awake=0.0)
+    run = Run(subject, LIFT_TIME, creep=LIFT_DISTANCE / 100, timestep=timestep)
     bodies = np.array([t.root for t in things])
     first = run.model.body_dofadr[bodies]
     start, far = run.data.xpos[bodies].copy(), np.zeros(len(bodies))
@@ -105,7 +105,7 @@ def _pull(subject: Subject, bodies: Sequence[int] | NDArray[np.int64]) -> NDArra
 
 def _open(subject: Subject, joints: Sequence[Hinged], timestep: float) -> tuple[list[float], Run]:
     """Share of its range that each joint opened at most, all of them pushed in one simulation."""
-    run = Run(subject, timestep=timestep, awake=0.0)
+    run = Run(subject, PUSH_TIME, creep=LIFT_DISTANCE / 100, timestep=timestep)
     places, dofs = np.array([j.qpos for j in joints]), np.array([j.dof for j in joints])
     ranges = np.array([j.range for j in joints])
     start = run.data.qpos[places].copy()

@@ -1,4 +1,4 @@
-"""One bounded simulation of a subject, in a copy of its model, that ends early once nothing can move any more."""
+"""One bounded simulation of a subject, in a copy of its model, that ends early once all is still."""
 
 import copy
 from collections.abc import Iterator
@@ -9,76 +9,93 @@ from numpy.typing import NDArray
 
 from thinkblox.sim.settle import WARNINGS
 from thinkblox.sim.subject import Subject
+from thinkblox.sim.suites.stillness import INTERVAL, LEAST, Stillness
 from thinkblox.suite import Finding
 
 MOST_WORK = 2e10
 """Of one simulation, in steps times (dofs + constraint rows) to the power 1.5: some minutes of one core."""
-AWAKE = 0.5
-"""How long nothing may fall asleep [s]: what topples may begin slowly."""
+SLOW = 0.001
+"""Speed below which the engine puts to sleep what may sleep [m/s]: its own default."""
+EARLY_END = (
+    "A simulation ends early, after half a second at least, when nothing gains speed and nothing would, at the rate of "
+    "the last quarter of a second, come further in the time that is left than a hundredth of the limit."
+)
 _KINDS = {int(kind): kind.name.removeprefix("mjWARN_") for kind in mujoco.mjtWarning.__members__.values()}
 _FATAL = [int(kind) for kind in WARNINGS]
 
 
 class Run:
-    """A simulation from the subject's start, or from another state.
-
-    The model is a copy with its own options, except for `timestep` where it is given, and except that the engine may
-    put to sleep what rests, which is how the end is known: what sleeps moves again only when something wakes it.
+    """A simulation from the subject's start, or from another state, in a copy of the model with its own options.
 
     Attributes:
         model: the copy.
         data: its state.
         seconds: how long it has been simulated [s].
-        stopped: "" while it runs or has run its time, "asleep", "diverged" or "work" when that ended it early.
+        stopped: "" while it runs or has run its time; "still", "diverged" or "work" when that ended it early.
     """
 
     def __init__(
         self,
         subject: Subject,
+        seconds: float,
         *,
+        creep: float,
+        sleep: bool = False,
         timestep: float | None = None,
-        awake: float = AWAKE,
         qpos: NDArray[np.float64] | None = None,
     ) -> None:
-        self.subject, self.model, self._awake = subject, copy.copy(subject.model), awake
-        self._tolerance = self.model.opt.sleep_tolerance
+        """Begin.
+
+        Args:
+            subject: what is simulated.
+            seconds: in all.
+            creep: what would come less far than this in the time that is left is still [m].
+            sleep: the engine may put to sleep, after LEAST, what is slower than SLOW, so that it costs less.
+            timestep: instead of the model's own [s].
+            qpos: instead of the subject's start.
+        """
+        self.subject, self.model, self._end = subject, copy.copy(subject.model), seconds
         if timestep is not None:
             self.model.opt.timestep = timestep
-        if int(self.model.opt.integrator) != int(mujoco.mjtIntegrator.mjINT_RK4):
+        self._sleep = sleep and int(self.model.opt.integrator) != int(mujoco.mjtIntegrator.mjINT_RK4)
+        if self._sleep:
             self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.data = mujoco.MjData(self.model)
         self.data.qpos[:] = subject.start if qpos is None else qpos
         mujoco.mj_forward(self.model, self.data)
-        self.seconds, self.stopped, self._work = 0.0, "", 0.0
+        self.seconds, self.stopped, self._work, self._next_look = 0.0, "", 0.0, INTERVAL
+        self._stillness = Stillness(self.model, creep)
 
-    def steps(self, seconds: float, *, chunk: int = 1) -> Iterator[None]:
-        """Simulate on, pausing after every `chunk` steps; ends early when `stopped` says why."""
-        count = round(seconds / self.model.opt.timestep)
-        while count > 0 and not self.stopped:
-            number = min(chunk, count)
-            self._step(number)
-            count -= number
+    def steps(self, seconds: float) -> Iterator[None]:
+        """Simulate on, pausing after every step; ends early when `stopped` says why."""
+        for _ in range(round(seconds / self.model.opt.timestep)):
+            if self.stopped:
+                return
+            if self._sleep:
+                self.model.opt.sleep_tolerance = 0.0 if self.seconds < LEAST else SLOW
+            mujoco.mj_step(self.model, self.data)
             self._look()
             yield
 
     def pass_time(self, seconds: float) -> None:
         """Simulate on without pauses."""
-        for _ in self.steps(seconds, chunk=25):
+        for _ in self.steps(seconds):
             pass
 
-    def _step(self, number: int) -> None:
-        self.model.opt.sleep_tolerance = 0.0 if self.seconds < self._awake else self._tolerance
-        mujoco.mj_step(self.model, self.data, nstep=number)
-        self.seconds += number * self.model.opt.timestep
-        self._work += number * float(self.model.nv + self.data.nefc) ** 1.5
-
     def _look(self) -> None:
-        if self.data.warning.number[_FATAL].any() or not np.isfinite(self.data.qpos).all():
+        self.seconds += self.model.opt.timestep
+        self._work += float(self.model.nv + self.data.nefc) ** 1.5
+        if self.data.warning.number[_FATAL].any():
             self.stopped = "diverged"
         elif self._work > MOST_WORK:
             self.stopped = "work"
-        elif self.seconds >= self._awake and self.model.ntree and bool(np.all(self.data.tree_asleep >= 0)):
-            self.stopped = "asleep"
+        elif self.seconds >= self._next_look:
+            self._next_look += INTERVAL
+            still = self._stillness.look(self.data, self._end - self.seconds)
+            if not np.isfinite(self.data.qpos).all():
+                self.stopped = "diverged"
+            elif still and self.seconds >= LEAST:
+                self.stopped = "still"
 
     @property
     def diverged(self) -> bool:

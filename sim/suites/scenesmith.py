@@ -2,9 +2,9 @@
 
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.criteria import criterion, number, paragraphs, result
-from thinkblox.sim.suites.equilibrium import Motion, fixed, motions
+from thinkblox.sim.suites.equilibrium import MOVED, Motion, fixed, motions
 from thinkblox.sim.suites.overlaps import Overlaps
-from thinkblox.sim.suites.running import Run
+from thinkblox.sim.suites.running import EARLY_END, Run
 from thinkblox.suite import Criterion, Finding, SuiteResult
 
 SOURCE = (
@@ -24,8 +24,7 @@ NOTES = paragraphs(
 
     Simulated for 15 s, as the generator lets its own scenes settle; its evaluation simulates 5 s.
 
-    The source simulates in Drake with a step of 1 ms; here it is MuJoCo with the model's own options. A
-    simulation ends early when everything sleeps, which nothing may in its first 0.5 s.
+    The source simulates in Drake with a step of 1 ms; here it is MuJoCo with the model's own options.
     """
 )
 
@@ -33,9 +32,9 @@ NOTES = paragraphs(
 def run(subject: Subject, *, seed: int = 0) -> SuiteResult:
     """Both criteria of SceneSmith; nothing in it is random."""
     del seed
-    simulation = Run(subject)
+    simulation = Run(subject, SECONDS, creep=MOVED / 100)
     criteria = [_collisions(Overlaps(subject, simulation)), _stability(subject, simulation)]
-    return result("scenesmith", SOURCE, criteria, NOTES)
+    return result("scenesmith", SOURCE, criteria, (*NOTES, EARLY_END))
 
 
 def _collisions(overlaps: Overlaps) -> Criterion:
