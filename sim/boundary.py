@@ -54,11 +54,6 @@ def least_move_inside(room: Room, placement: Placement, solid: Solid) -> Vec3 | 
     return None if across is None else (*across, _climb(room, placement, solid))
 
 
-def distance_outside(room: Room, placement: Placement, solid: Solid) -> float:
-    """`boundary_distance` where it is positive [m]; 0 inside."""
-    return max(0.0, boundary_distance(room, placement, solid))
-
-
 def _climb(room: Room, placement: Placement, solid: Solid) -> float:
     """How far it must be raised, or lowered if negative, to be between floor and ceiling [m]; the larger if both."""
     below = -(placement.position[2] + solid.lowest)
