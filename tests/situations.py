@@ -9,6 +9,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from msgspec import structs
+
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
 from thinkblox.asset import Asset, Shape
 from thinkblox.assets import make_asset
@@ -295,11 +297,7 @@ def pole() -> Setting:
 
 
 def wrong_size() -> Setting:
-    there = Placement(
-        id="crate_1", category="crate", asset=CRATE.id, position=(2.0, 2.0, 0.0), yaw=0.0, size=(0.5, 0.7, 0.5),
-        support="floor",
-    )  # fmt: skip
-    return scene(), there, CRATE
+    return scene(), structs.replace(put(CRATE, 2.0, 2.0), size=(0.5, 0.7, 0.5)), CRATE
 
 
 SITUATIONS = (
