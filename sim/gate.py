@@ -16,6 +16,11 @@ from thinkblox.sim.settings import Physics
 from thinkblox.sim.solid import solid_of
 from thinkblox.verdict import Collision
 
+ASIDE = (1.3e-5, -2.1e-5, 1.7e-5)
+"""A candidate is measured this far from its place [m]: MuJoCo 3.17 finds no contact at all, or a shallow one, in about
+one in a hundred of the poses that are exactly aligned with what is there."""
+RANGE = 1e-6
+"""Distances above this are not worked out [m]."""
 NEAR = 0.001
 """Pieces whose boxes are farther apart than this are not looked at [m]."""
 
@@ -37,14 +42,13 @@ class Gate:
         self._scene, self._asset = scene, asset
         solid = solid_of(asset)
         meetings = [neighbours.meetings(piece_boxes(solid, candidate), NEAR) for candidate in candidates]
-        self._alone = {candidate for candidate, meets in zip(candidates, meetings, strict=True) if not meets}
+        self._meetings = dict(zip(candidates, meetings, strict=True))
         self._world = _PieceWorld(scene, asset, meetings, physics) if any(meetings) else None
 
     def touches(self, candidate: Placement) -> dict[str, Touch]:
         """What one of the candidates touches, by id."""
-        if self._world is None or candidate in self._alone:
-            return {}
-        return self._world.touches(candidate)
+        meets = self._meetings[candidate]
+        return self._world.touches(candidate, meets) if self._world is not None and meets else {}
 
     def collisions(self, candidate: Placement, tolerance: float) -> tuple[Collision, ...]:
         """What one of the candidates is in, deeper than `tolerance` [m], deepest first."""
@@ -70,33 +74,38 @@ class _PieceWorld:
         self, scene: Scene, asset: Asset, meetings: Sequence[Mapping[str, NDArray[np.bool_]]], physics: Physics
     ) -> None:
         spec = new_spec(physics)
-        self._theirs: list[tuple[str, int]] = []
+        spec.option.ccd_iterations = 100
+        self._theirs: dict[tuple[str, int], int] = {}
         for placement in scene.placements:
             pieces = _needed(meets[placement.id] for meets in meetings if placement.id in meets)
             if pieces:
                 _add_body(spec, placement, [solid_of(scene.asset_of(placement)).colliders[piece] for piece in pieces])
-                self._theirs += [(placement.id, piece) for piece in pieces]
-        self._mine = _needed(meets.T for found in meetings for meets in found.values())
-        body = _add_body(spec, None, [solid_of(asset).colliders[piece] for piece in self._mine])
+                self._theirs |= {(placement.id, piece): len(self._theirs) + n for n, piece in enumerate(pieces)}
+        mine = _needed(meets.T for found in meetings for meets in found.values())
+        self._mine = {piece: len(self._theirs) + n for n, piece in enumerate(mine)}
+        body = _add_body(spec, None, [solid_of(asset).colliders[piece] for piece in mine])
         body.add_freejoint()
         self._model = compiled(spec)
         self._data = mujoco.MjData(self._model)
 
-    def touches(self, candidate: Placement) -> dict[str, Touch]:
-        """What the asset touches where a candidate puts it, by id."""
+    def touches(self, candidate: Placement, meetings: Mapping[str, NDArray[np.bool_]]) -> dict[str, Touch]:
+        """What the asset touches where a candidate puts it, by id; `meetings` are the pieces whose boxes meet."""
         data = self._data
-        data.qpos[:] = (*candidate.position, *yaw_quat(candidate.yaw))
+        data.qpos[:] = (*np.add(candidate.position, ASIDE), *yaw_quat(candidate.yaw))
         mujoco.mj_kinematics(self._model, data)
-        mujoco.mj_comPos(self._model, data)
-        mujoco.mj_collision(self._model, data)
-        found: dict[str, Touch] = {}
-        for (first, second), dist in zip(data.contact.geom.tolist(), data.contact.dist.tolist(), strict=True):
+        found = {other: self._touch(other, meets) for other, meets in meetings.items()}
+        return {other: touch for other, touch in found.items() if touch.mine}
+
+    def _touch(self, other: str, meets: NDArray[np.bool_]) -> Touch:
+        depth, mine, theirs = 0.0, set(), set()
+        for my, their in np.argwhere(meets).tolist():
+            first, second = self._theirs[other, their], self._mine[my]
+            dist = mujoco.mj_geomDistance(self._model, self._data, first, second, RANGE, None)
             if dist < 0.0:
-                other, piece = self._theirs[min(first, second)]
-                old = found.get(other, Touch(0.0, frozenset(), frozenset()))
-                mine = self._mine[max(first, second) - len(self._theirs)]
-                found[other] = Touch(max(old.depth, -dist), old.mine | {mine}, old.theirs | {piece})
-        return found
+                depth = max(depth, -dist)
+                mine.add(my)
+                theirs.add(their)
+        return Touch(depth, frozenset(mine), frozenset(theirs))
 
 
 def _add_body(spec: mujoco.MjSpec, placement: Placement | None, shapes: Sequence[Shape]) -> mujoco.MjsBody:

@@ -121,7 +121,16 @@ class World:
 
     def _judge(self, candidate: Placement, asset: Asset, gate: Gate | None, way: bool) -> Verdict:
         collisions = () if gate is None else gate.collisions(candidate, self._tolerances.penetration)
-        static = judge_pose(self.scene.room, candidate, asset, self._tolerances, self._walking, collisions=collisions)
+        swings = self._surroundings.swings(candidate, asset) if asset.collides else ()
+        static = judge_pose(
+            self.scene.room,
+            candidate,
+            asset,
+            self._tolerances,
+            self._walking,
+            collisions=collisions,
+            swings=swings,
+        )
         cut_off = self.cut_off(candidate, asset) if way and not static.gated else ()
         if not asset.free:
             return verdict(candidate, static, supports=fixed_supports(candidate, asset, static), cut_off=cut_off)

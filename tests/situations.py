@@ -47,7 +47,6 @@ class Situation:
     pending: str = ""
 
 
-SWINGS = "doors and drawers are not in the verdict yet"
 L_ROOM = Room(floor=((0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (2.0, 2.0), (2.0, 5.0), (0.0, 5.0)))
 DOOR = Opening(id="door_1", kind="door", wall=0, offset=1.0, width=0.9, height=2.05)
 WINDOW = Opening(id="window_1", kind="window", wall=2, offset=1.2, width=1.5, height=1.2, sill=0.9)
@@ -312,7 +311,7 @@ SITUATIONS = (
     Situation("keyboard that reaches 3 cm over the edge", lambda: on_desk(make_asset("keyboard", seed=0), 0.6 - 0.04), supports=("table_1",)),
     Situation("laptop half over the edge and a bit", lambda: on_desk(make_asset("laptop", seed=0), 0.66), falls=True),
     Situation("vase on the floor under a table", lambda: among(put(vase(), 2.0, 2.0), vase(), DESK), supports=("floor",)),
-    Situation("mug half inside a vase", lambda: among(on(DESK, MUG, 0.05), MUG, DESK, (on(DESK, vase()), vase())), ("collision",), pending="MuJoCo finds no contact between cylinders at this very distance"),
+    Situation("mug half inside a vase", lambda: among(on(DESK, MUG, 0.05), MUG, DESK, (on(DESK, vase()), vase())), ("collision",)),
     # Stacks and rows
     Situation("the fifth book of a stack", lambda: fifth_book(0.0), supports=("book_4",)),
     Situation("the fifth book of a stack that leans by 1 cm a book", lambda: fifth_book(0.01), supports=("book_4",)),
@@ -388,14 +387,14 @@ SITUATIONS = (
     Situation("floor lamp before a window", lambda: before_window("floor_lamp"), supports=("floor",)),
     Situation("bed that leaves no way to the desk", bed_leaves_no_way, ("blocks_way",), blocked=("desk_1",)),
     # Doors and drawers of furniture
-    Situation("bed before the doors of a wardrobe", lambda: before_wardrobe(0.2, make_asset("bed", seed=0)), ("blocks_opening",), pending=SWINGS),
+    Situation("bed before the doors of a wardrobe", lambda: before_wardrobe(0.2, make_asset("bed", seed=0)), ("blocks_opening",)),
     Situation("bed well before the doors of a wardrobe", lambda: before_wardrobe(0.75, make_asset("bed", seed=0)), supports=("floor",)),
-    Situation("wardrobe whose doors meet a bed", lambda: wardrobe_before(0.2), ("blocks_opening",), pending=SWINGS),
+    Situation("wardrobe whose doors meet a bed", lambda: wardrobe_before(0.2), ("blocks_opening",)),
     Situation("chair before the doors of a wardrobe", lambda: before_wardrobe(0.1, make_asset("chair", seed=0)), supports=("floor",)),
-    Situation("dresser whose drawers meet a bed", lambda: dresser_before_bed(0.1), ("blocks_opening",), pending=SWINGS),
+    Situation("dresser whose drawers meet a bed", lambda: dresser_before_bed(0.1), ("blocks_opening",)),
     Situation("dresser with room to pull its drawers out", lambda: dresser_before_bed(0.4), supports=("floor",)),
     Situation("box on a bed that keeps a wardrobe shut already", box_on_the_bed_before_a_wardrobe, supports=("bed_1",)),
-    Situation("fridge that opens against a wall", lambda: facing_wall("fridge", 0.15), ("blocks_opening",), pending=SWINGS),
+    Situation("fridge that opens against a wall", lambda: facing_wall("fridge", 0.15), ("blocks_opening",)),
     Situation("washing machine with room before it", lambda: facing_wall("washing_machine", 0.9), supports=("floor",)),
     Situation("wardrobe in a corner, its door opening to the wall", wardrobe_in_corner, supports=("floor",)),
     Situation("thing of a size it cannot have", wrong_size, ("size",)),
