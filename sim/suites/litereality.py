@@ -24,8 +24,8 @@ NOTES = paragraphs(
     The source means 0 mm at the start and fails a scene above 10 mm; the second is the limit here, and the
     depth is reported.
 
-    What moves at less than 1 mm/s after half a second may be put to sleep by the engine: in 30 s it would come 3 cm
-    far, and the limit is 1 m. Models that are integrated by RK4 stay awake.
+    What moves at less than 0.5 mm/s after half a second may be put to sleep by the engine: even what gained that speed
+    steadily would come less than half a metre far in 30 s, and the limit is 1 m. Models integrated by RK4 stay awake.
 
     Any kind of engine warning fails, as in the source.
     """

@@ -14,8 +14,8 @@ from thinkblox.suite import Finding
 
 MOST_WORK = 2e10
 """Of one simulation, in steps times (dofs + constraint rows) to the power 1.5: some minutes of one core."""
-SLOW = 0.001
-"""Speed below which the engine puts to sleep what may sleep [m/s]: its own default."""
+SLOW = 0.0005
+"""Speed below which the engine puts to sleep what may sleep [m/s]."""
 EARLY_END = (
     "A simulation ends early, after half a second at least, when nothing gains speed and nothing would, at the rate of "
     "the last quarter of a second, come further in the time that is left than a hundredth of the limit."

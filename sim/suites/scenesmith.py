@@ -1,5 +1,7 @@
 """SceneSmith: the collision rate and the stability that it reports of its own scenes, as bars."""
 
+import msgspec
+
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.criteria import criterion, number, paragraphs, result
 from thinkblox.sim.suites.equilibrium import MOVED, Motion, fixed, motions
@@ -55,10 +57,10 @@ def _stability(subject: Subject, simulation: Run) -> Criterion:
         found = simulation.blown(tuple(t.id for t in subject.things if t.free))
     else:
         found = [_finding(m) for m in moved] + fixed(subject)
-    note = simulation.unfinished or f"{stable} of {len(moved)} free objects; findings in m"
+    note = f"{stable} of {len(moved)} free objects; findings in m"
     return _bar(
         "stability", "96 % of the free objects stay within 1 cm and 0.1 rad for 15 s", found, share, STABLE,
-        met=share is not None and share >= STABLE and not simulation.unfinished, note=note,
+        met=share is not None and share >= STABLE, note=note, unfinished=simulation.unfinished,
     )  # fmt: skip
 
 
@@ -68,12 +70,19 @@ def _finding(motion: Motion) -> Finding:
 
 
 def _bar(
-    name: str, says: str, found: list[Finding], share: float | None, limit: float, *, met: bool, note: str
+    name: str,
+    says: str,
+    found: list[Finding],
+    share: float | None,
+    limit: float,
+    *,
+    met: bool,
+    note: str,
+    unfinished: str = "",
 ) -> Criterion:
-    """A criterion on a share of the objects: some of them may fail."""
-    made = criterion(name, says, found, unit="share", limit=limit, value=None, note=note)
-    applies = made.passed is not None
-    return Criterion(
-        name=name, says=says, unit="share", limit=limit, value=None if share is None else number(share),
-        passed=met if applies else None, findings=made.findings, note=made.note,
-    )  # fmt: skip
+    """A criterion on a share of the objects: some of them may fail; one that was broken off is not known to be met."""
+    made = criterion(name, says, found, unit="share", limit=limit, note=note, unfinished=unfinished)
+    applies = made.passed is not None or bool(unfinished)
+    passed = (None if unfinished else True) if met else False
+    value = None if share is None else number(share)
+    return msgspec.structs.replace(made, value=value, passed=passed if applies else None)
