@@ -33,6 +33,8 @@ FADED = 0.55
 """How much of its colour the picture loses, so that what is drawn on it stands out."""
 BADGE = 11.0
 """Radius of a number's disc [pixels]."""
+KEPT_FREE = 9.0
+"""How far numbers stay from the tips of arrows and from small circles [pixels]."""
 SHORTEST = 20.0
 """Arrows that would be shorter are drawn this long [pixels]."""
 SPECK = 3.0
@@ -119,13 +121,13 @@ def _pictured(
     shown = {body.id for body in scenery.in_sight}
     outlines = [_outline(body, n, sight, owners, size) for n, body in enumerate(scenery.bodies) if body.id in shown]
     marks = [mark for fault in faults if fault.id in shown and (mark := _mark(fault, sight, size)) is not None]
-    badges = _badges([o for o in outlines if o.id in numbers], numbers, size)
-    frame = sight.camera.project(scenery.bounds.corners, size)
+    badges = _badges([o for o in outlines if o.id in numbers], numbers, marks, size)
+    box = _trimmed(sight.camera.project(scenery.bounds.corners, size), outlines, badges, size)
     return FaultPicture(
         image=_image(scenery, sight, size),
-        box=_trimmed(frame, outlines, badges, size),
+        box=box,
         outlines=tuple(outlines),
-        marks=tuple(_with_texts(marks, badges, size)),
+        marks=tuple(_with_texts(marks, badges, box)),
         badges=tuple(badges),
     )
 
@@ -216,13 +218,14 @@ def _long_enough(start: Point, end: Point) -> tuple[Point, Point] | None:
     return start, _point(np.array(tip))
 
 
-def _badges(outlines: Iterable[Outline], numbers: Mapping[str, int], size: int) -> list[Badge]:
-    """The numbers, each on or beside its object and none on another."""
+def _badges(outlines: Iterable[Outline], numbers: Mapping[str, int], marks: Iterable[Mark], size: int) -> list[Badge]:
+    """The numbers, each on or beside its object, none on another or on what is drawn small."""
     things = [Thing(o.id, (str(numbers[o.id]),), _box(o.hull)) for o in outlines if o.hull]
-    labels = laid_out(things, lambda text, font: (2 * BADGE, 2 * BADGE), size=size, fonts=(1,))
-    return sorted(
-        (Badge(label.id, numbers[label.id], label.at, label.line_to) for label in labels), key=lambda b: b.number
-    )
+    spots = [spot for mark in marks for spot in (*mark.circles, *(mark.arrow or ())[1:])]
+    kept = [(x - KEPT_FREE, y - KEPT_FREE, x + KEPT_FREE, y + KEPT_FREE) for x, y in spots]
+    labels = laid_out(things, lambda text, font: (2 * BADGE, 2 * BADGE), size=size, fonts=(1,), reserved=kept)
+    found = [Badge(label.id, numbers[label.id], label.at, label.line_to) for label in labels]
+    return sorted(found, key=lambda badge: badge.number)
 
 
 def _box(ring: Ring) -> Box:
@@ -230,26 +233,26 @@ def _box(ring: Ring) -> Box:
     return float(x.min()), float(y.min()), float(x.max()), float(y.max())
 
 
-def _with_texts(marks: Sequence[Mark], badges: Sequence[Badge], size: int) -> list[Mark]:
+def _with_texts(marks: Sequence[Mark], badges: Sequence[Badge], within: Box) -> list[Mark]:
     """The marks with their texts at places that are free; a text that finds none is left out: it is in the table."""
     taken = [(b.at[0] - BADGE, b.at[1] - BADGE, b.at[0] + BADGE, b.at[1] + BADGE) for b in badges]
     found = []
     for mark in marks:
-        at = _free_place(mark, taken, size) if mark.at is not None and mark.text else None
+        at = _free_place(mark, taken, within) if mark.at is not None and mark.text else None
         if at is not None:
             taken.append(_text_box(mark.text, at))
         found.append(Mark(**{**mark.__dict__, "at": at, "text": mark.text if at is not None else ""}))
     return found
 
 
-def _free_place(mark: Mark, taken: Sequence[Box], size: int) -> Point | None:
+def _free_place(mark: Mark, taken: Sequence[Box], within: Box) -> Point | None:
     if mark.at is None:
         return None
     aside = len(mark.text) * LETTER / 2 + 9
     for dx, dy in ((0, -14), (0, 16), (aside, 0), (-aside, 0), (aside, 15), (-aside, 15), (0, -30), (0, 32)):
         at = (round(mark.at[0] + dx, 1), round(mark.at[1] + dy, 1))
         box = _text_box(mark.text, at)
-        inside = box[0] > 2 and box[1] > 2 and box[2] < size - 2 and box[3] < size - 2
+        inside = box[0] > within[0] and box[1] > within[1] and box[2] < within[2] and box[3] < within[3]
         if inside and not any(_overlap(box, other) for other in taken):
             return at
     return None

@@ -169,7 +169,7 @@ def _gap(scenery: Scenery, body: Body) -> Iterator[Fault]:
             yield Fault("gap", body.id, arrow=mounted, text=f"{millimetres(length)} off")
         return
     base = body.points[body.points[:, 2] < body.low + 0.02]
-    outline = shapely.get_coordinates(shapely.MultiPoint(base[:, :2]).convex_hull.envelope)
+    outline = shapely.get_coordinates(shapely.oriented_envelope(shapely.MultiPoint(base[:, :2])))
     corners = np.unique(np.round(outline, 6), axis=0)[:4]
     others = [piece for other in (*scenery.bodies, scenery.rest) if other is not body for piece in other.pieces]
     feet = [np.array([(x, y, body.low), (x, y, _below(others, x, y, body.low))]) for x, y in corners]
@@ -218,8 +218,8 @@ def _rests(verdicts: Sequence[Verdict], scenery: Scenery) -> Iterator[Fault]:
         if body is None or end is None:
             continue
         points = body.points @ end.turn.T + end.shift
-        verb, far = max(("slides", verdict.drift), ("falls", verdict.drop), key=lambda motion: motion[1])
-        text = f"tilts {verdict.tilt:.0f}°" if "tilt" in verdict.reasons else f"{verb} {millimetres(far)}"
+        slides = f"slides {millimetres(verdict.drift)}" if "drift" in verdict.reasons else ""
+        text = f"tilts {verdict.tilt:.0f}°" if "tilt" in verdict.reasons else slides
         start, stop = body.middle, body.middle @ end.turn.T + end.shift
         yield Fault("rest", body.id, (points,), arrow=np.array([start, stop]), text=text)
 

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 SHOWN_GROUPS = 3
 """Geoms of groups 0, 1 and 2 are what MuJoCo's viewer shows; most models keep collision geoms in group 3."""
-MOST_FACES = 60_000
-"""A mesh with more faces is pictured as its convex hull."""
+MOST_FACES = 500_000
+"""So many faces of meshes are pictured at most; meshes with more than their share are pictured as their hulls."""
 FAR = 25.0
 """Half the side of a plane without limits [m]."""
 CLEAR = 0.5
@@ -38,11 +38,29 @@ def add_model(soup: Soup, model: "mujoco.MjModel", data: "mujoco.MjData", things
     by_owner: dict[int, list[int]] = {}
     for geom, body in enumerate(model.geom_bodyid.tolist()):
         by_owner.setdefault(owners.get(body, ROOM), []).append(geom)
-    for owner, geoms in sorted(by_owner.items()):
-        for geom in seen_geoms(model, geoms):
-            mesh = geom_mesh(model, geom)
-            if mesh is not None:
-                soup.add(mesh, _patch(model, data, geom, owner, mesh))
+    seen = [(owner, geom) for owner, geoms in sorted(by_owner.items()) for geom in seen_geoms(model, geoms)]
+    most = _fair_share([_face_count(model, geom) for _, geom in seen])
+    for owner, geom in seen:
+        mesh = geom_mesh(model, geom, most=most)
+        if mesh is not None:
+            soup.add(mesh, _patch(model, data, geom, owner, mesh))
+
+
+def _face_count(model: "mujoco.MjModel", geom: int) -> int:
+    import mujoco
+
+    number = int(model.geom_dataid[geom]) if int(model.geom_type[geom]) == mujoco.mjtGeom.mjGEOM_MESH else -1
+    return int(model.mesh_facenum[number]) if number >= 0 else 0
+
+
+def _fair_share(counts: Sequence[int]) -> int:
+    """The largest mesh that is pictured as it is, so that all that are have no more than MOST_FACES together."""
+    total = 0
+    for count in sorted(counts):
+        total += count
+        if total > MOST_FACES:
+            return count - 1
+    return MOST_FACES
 
 
 def seen_geoms(model: "mujoco.MjModel", geoms: Sequence[int]) -> list[int]:
@@ -61,8 +79,8 @@ def _collides(model: "mujoco.MjModel", geom: int) -> bool:
     return bool(model.geom_contype[geom] or model.geom_conaffinity[geom])
 
 
-def geom_mesh(model: "mujoco.MjModel", geom: int) -> Mesh | None:
-    """A geom as triangles in its own frame; None for what has no faces."""
+def geom_mesh(model: "mujoco.MjModel", geom: int, *, most: int = MOST_FACES) -> Mesh | None:
+    """A geom as triangles in its own frame, a mesh of more than `most` faces as its hull; None without any faces."""
     import mujoco
 
     kind, (x, y, z) = int(model.geom_type[geom]), (float(c) for c in model.geom_size[geom])
@@ -81,7 +99,7 @@ def geom_mesh(model: "mujoco.MjModel", geom: int) -> Mesh | None:
         return capsule((2 * x, 2 * x, 2 * (x + y)))
     if kind == kinds.mjGEOM_HFIELD:
         return _hfield(model, int(model.geom_dataid[geom]))
-    return _mesh(model, int(model.geom_dataid[geom]))
+    return _mesh(model, int(model.geom_dataid[geom]), most)
 
 
 def _plane(half_x: float, half_y: float) -> Mesh:
@@ -102,13 +120,13 @@ def _hfield(model: "mujoco.MjModel", number: int) -> Mesh:
     return _flat(points, faces.astype(np.int32))
 
 
-def _mesh(model: "mujoco.MjModel", number: int) -> Mesh | None:
+def _mesh(model: "mujoco.MjModel", number: int, most: int) -> Mesh | None:
     if number < 0:
         return None
     start, count = int(model.mesh_vertadr[number]), int(model.mesh_vertnum[number])
     first, total = int(model.mesh_faceadr[number]), int(model.mesh_facenum[number])
     points = np.asarray(model.mesh_vert[start : start + count], np.float64)
-    if total == 0 or total > MOST_FACES:
+    if total == 0 or total > most:
         return _hull(points)
     return _flat(points, np.asarray(model.mesh_face[first : first + total], np.int32))
 

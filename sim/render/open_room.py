@@ -15,8 +15,12 @@ OVERHEAD = 1.7
 """What begins above this and covers much of the room is its ceiling [m]."""
 LONG = 0.35
 """Share of the room's side from which on a tall fixed part is a wall."""
+LOW, THIN = 0.3, 0.25
+"""So is any part that is higher than the first and thinner than the second, as under a window [m]."""
+FLOOR = 0.2
+"""Share of the room from which on a part holds its floor too."""
 RIM = 0.1
-"""What is left of a wall that is cut away [m]."""
+"""What is left of walls that are of one piece with their floor [m]."""
 BESIDE = 2.0
 """Walls are looked for within this distance from the objects [m]."""
 
@@ -72,26 +76,29 @@ def opened(mesh: Mesh, bounds: Bounds, azimuth: float | None, cut: float) -> Mes
     low, high = mesh.vertices.min(0), mesh.vertices.max(0)
     floor, across = float(bounds.low[2]), np.minimum(high, bounds.high)[:2] - np.maximum(low, bounds.low)[:2]
     covers = float(np.prod(np.maximum(across, 0.0)) / max(np.prod(bounds.size[:2]), 1e-9))
-    if low[2] - floor > OVERHEAD and covers > 0.2:
+    if low[2] - floor > OVERHEAD and covers > FLOOR:
         return None
-    wall = high[2] - floor > TALL and float(((high - low)[:2] / np.maximum(bounds.size[:2], 1e-6)).max()) > LONG
-    if not wall:
+    tall, long = high[2] - floor, float(((high - low)[:2] / np.maximum(bounds.size[:2], 1e-6)).max())
+    if not (tall > TALL and long > LONG) and not (tall > LOW and float((high - low)[:2].min()) < THIN):
         return mesh
     if azimuth is None:
         vertices = mesh.vertices.copy()
         vertices[:, 2] = np.minimum(vertices[:, 2], floor + cut)
         return Mesh(vertices, mesh.normals, mesh.faces)
-    return _without_near_side(mesh, bounds, azimuth)
+    return _without_near_side(mesh, bounds, azimuth, keep=RIM if covers > FLOOR else -np.inf)
 
 
-def _without_near_side(mesh: Mesh, bounds: Bounds, azimuth: float) -> Mesh | None:
-    """The mesh without the faces that stand on the sides of the room that the camera looks over."""
+def _without_near_side(mesh: Mesh, bounds: Bounds, azimuth: float, *, keep: float) -> Mesh | None:
+    """The mesh without the faces that stand on the sides of the room that the camera looks over.
+
+    Faces that reach no higher than `keep` above the floor stay: they may be the floor's own.
+    """
     corners = mesh.vertices[mesh.faces]
     middle = corners.mean(1)
     towards = np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
     edge = np.where(towards > 0, bounds.high[:2], bounds.low[:2])
     margin = 0.12 * bounds.size[:2]
     near = (((middle[:, :2] - edge) * np.sign(towards)) > -margin).any(1)
-    upper = corners[:, :, 2].max(1) > bounds.low[2] + RIM
+    upper = corners[:, :, 2].max(1) > bounds.low[2] + keep
     kept = mesh.faces[~(near & upper)]
     return Mesh(mesh.vertices, mesh.normals, kept) if len(kept) else None

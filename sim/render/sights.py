@@ -105,7 +105,7 @@ class Scenery:
     def in_sight(self) -> tuple[Body, ...]:
         """The objects that are not so far out of the room that a picture of both would show neither."""
         low, high = self.bounds.low - STRAY * self.bounds.size, self.bounds.high + STRAY * self.bounds.size
-        return tuple(b for b in self.bodies if bool(((b.points >= low) & (b.points <= high)).all()))
+        return tuple(b for b in self.bodies if b.pieces and bool(((b.points >= low) & (b.points <= high)).all()))
 
 
 def scenery_of(subject: Subject) -> Scenery:

@@ -2,21 +2,25 @@
 
 import base64
 import hashlib
+from collections.abc import Collection, Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
 
 from thinkblox.page.figures import figure, legend, patterns
-from thinkblox.page.markup import Markup, element, joined, text
+from thinkblox.page.markup import Markup, element, joined
 from thinkblox.page.tables import absent_table, moves_table, objects_table, relations_table, suite_section
-from thinkblox.sim.render.fault_pictures import fault_pictures
+from thinkblox.sim.render.fault_pictures import FaultPicture, fault_pictures
 from thinkblox.sim.settings import Walking
 from thinkblox.sim.subject import Subject
 from thinkblox.verdict import Report
 from thinkblox.whole_file import write_whole
 
+SIZE = 900
+"""Width and height of the pictures before they are trimmed [pixels]."""
+
 
 def write_page(
-    report: Report, subject: Subject, path: Path, *, title: str = "", walking: Walking | None = None
+    report: Report, subject: Subject, path: Path, *, title: str = "", walking: Walking | None = None, size: int = SIZE
 ) -> None:
     """Write a report as one HTML file that needs nothing else, whole or not at all.
 
@@ -26,15 +30,16 @@ def write_page(
         path: of the file; one that is there is replaced.
         title: heads the page; the prompt, or the name of the file, when empty.
         walking: as it was measured with.
+        size: of the pictures before they are trimmed [pixels].
 
     Raises:
         InputError: the file cannot be written.
     """
-    page = page_of(report, subject, title=title or report.prompt or path.stem, walking=walking)
+    page = page_of(report, subject, title=title or report.prompt or path.stem, walking=walking, size=size)
     write_whole(path, page.encode("utf-8", "replace"))
 
 
-def page_of(report: Report, subject: Subject, *, title: str, walking: Walking | None = None) -> str:
+def page_of(report: Report, subject: Subject, *, title: str, walking: Walking | None = None, size: int = SIZE) -> str:
     """The text of the page."""
     style, script = _asset("style.css"), _asset("script.js")
     policy = (
@@ -45,13 +50,13 @@ def page_of(report: Report, subject: Subject, *, title: str, walking: Walking | 
         element("meta", charset="utf-8"),
         element("meta", http_equiv="Content-Security-Policy", content=policy),
         element("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        element("title", text(f"{title} – ThinkBLOX")),
+        element("title", f"{title} – ThinkBLOX"),
         element("style", Markup(style)),
     )
     body = element(
         "body",
-        element("header", element("h1", text(title)), _outcome(report)),
-        element("main", *_sections(report, subject, walking)),
+        element("header", element("h1", title), _outcome(report)),
+        element("main", *_sections(report, subject, walking, size)),
         _footer(report),
         element("script", Markup(script)),
     )
@@ -66,7 +71,7 @@ def _digest(content: str) -> str:
     return base64.b64encode(hashlib.sha256(content.encode()).digest()).decode()
 
 
-def _sections(report: Report, subject: Subject, walking: Walking | None) -> list[Markup]:
+def _sections(report: Report, subject: Subject, walking: Walking | None, size: int) -> list[Markup]:
     failing = [v.id for v in report.objects if not v.valid]
     cut_off = [id for access in (report.walker, report.robot) if access is not None for id in access.unreachable]
     known = {v.id for v in report.objects}
@@ -75,9 +80,10 @@ def _sections(report: Report, subject: Subject, walking: Walking | None) -> list
     ordered = sorted(report.objects, key=lambda v: numbers.get(v.id, len(known) + 1))
     rows = {v.id: at for at, v in enumerate(ordered, 1)}
     only_cut_off = set(numbered) - set(failing)
+    pictures = fault_pictures(report, subject, numbers, walking=walking, size=size)
     sections = [
         _section("What was read", _facts(report, subject)),
-        _section("Pictures", _pictures(report, subject, numbers, rows, only_cut_off, walking)),
+        _section("Pictures", *_pictures(pictures, numbers, rows, only_cut_off)),
         _section("Objects", objects_table(ordered, numbers, rows)),
         _section("Published criteria", *(suite_section(suite) for suite in report.suites)),
         _section("Moved to mend faults", moves_table(report.moves) if report.moves else Markup()),
@@ -108,14 +114,14 @@ def _outcome(report: Report) -> Markup:
     if report.suites:
         details.append(f"Suites failed: {', '.join(suites)}." if suites else "All suites passed.")
     passes = report.valid and not suites
-    lines = [element("strong", says), text(" ".join(details))]
+    lines = [element("strong", says), " ".join(details)]
     return element("div", *lines, class_=f"outcome {'passes' if passes else 'fails'}", role="status")
 
 
 def _facts(report: Report, subject: Subject) -> Markup:
     source = {"thinkblox": "a ThinkBLOX scene", "mjcf": "an MJCF model", "urdf": "a URDF model"}
     facts = [("Source", source.get(report.source, f"a layout of {report.source}"))]
-    facts += [("Versions", ", ".join(f"{name} {version}" for name, version in sorted(report.versions.items())))]
+    facts.append(("Versions", _versions(report)))
     if subject.room is not None:
         width, depth = subject.room.extent
         facts.append(("Room", f"{width:.2f} m by {depth:.2f} m, {subject.room.height:.2f} m high"))
@@ -131,14 +137,13 @@ def _facts(report: Report, subject: Subject) -> Markup:
     if report.unknown:
         facts.append(("Words not understood", ", ".join(report.unknown)))
     facts += [("Note", note) for note in report.notes]
-    return element("dl", *(joined(element("dt", name), element("dd", text(value))) for name, value in facts if value))
+    return element("dl", *(joined(element("dt", name), element("dd", value)) for name, value in facts if value))
 
 
 def _pictures(
-    report: Report, subject: Subject, numbers: dict[str, int], rows: dict[str, int], cut_off: set[str],
-    walking: Walking | None,
-) -> Markup:  # fmt: skip
-    pictures = fault_pictures(report, subject, numbers, walking=walking)
+    pictures: Sequence[FaultPicture], numbers: Mapping[str, int], rows: Mapping[str, int], cut_off: Collection[str]
+) -> list[Markup]:
+    """Both pictures with their captions and the legend; `cut_off` fail in nothing but that nobody gets there."""
     listed = ", ".join(f"{number} {id}" for id, number in numbers.items())
     marked = f" Marked: {listed}." if listed else " Nothing in it fails."
     views = (
@@ -154,10 +159,13 @@ def _pictures(
     ]
     absent = set(numbers) - {outline.id for picture in pictures for outline in picture.outlines}
     far = f"Too far out to be in the pictures: {', '.join(sorted(absent))}." if absent else ""
-    notes = [element("p", text(far))] if far else []
-    return joined(patterns(), element("div", *figures, class_="pictures"), legend(pictures), *notes)
+    notes = [element("p", far)] if far else []
+    return [patterns(), element("div", *figures, class_="pictures"), legend(pictures), *notes]
+
+
+def _versions(report: Report) -> str:
+    return ", ".join(f"{name} {version}" for name, version in sorted(report.versions.items()))
 
 
 def _footer(report: Report) -> Markup:
-    versions = " ".join(f"{name} {version}" for name, version in sorted(report.versions.items()))
-    return element("footer", element("p", text(f"Measured by {versions or 'ThinkBLOX'}."), class_="soft"))
+    return element("footer", element("p", f"Measured by {_versions(report) or 'ThinkBLOX'}.", class_="soft"))

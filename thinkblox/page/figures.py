@@ -4,7 +4,7 @@ import base64
 import io
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from thinkblox.page.markup import Markup, element, joined, text
+from thinkblox.page.markup import Markup, element, joined
 from thinkblox.sim.render.fault_pictures import BADGE, Badge, FaultPicture, Mark, Outline, Ring
 from thinkblox.sim.render.faults import Kind
 
@@ -84,7 +84,7 @@ def _bodies(
         parts = [element("path", class_=f"whole{state}{hidden}", d=_path([outline.hull]))] if outline.hull else []
         if outline.rings:
             parts.append(element("path", class_=f"body{state}", fill_rule="evenodd", d=_path(outline.rings)))
-        name = element("title", text(outline.id))
+        name = element("title", outline.id)
         drawn.append(element("g", name, *parts, data_n=rows.get(outline.id)))
     return drawn
 
@@ -103,7 +103,7 @@ def _mark(mark: Mark, rows: Mapping[str, int]) -> Markup:
     if mark.arrow is not None:
         parts += _arrow(mark.kind, *mark.arrow)
     if mark.text and mark.at is not None:
-        parts.append(element("text", text(mark.text), class_="figure-text", x=mark.at[0], y=mark.at[1]))
+        parts.append(element("text", mark.text, class_="figure-text", x=mark.at[0], y=mark.at[1]))
     return element("g", *parts, data_n=rows.get(mark.id))
 
 
@@ -136,7 +136,7 @@ def _badge(badge: Badge, rows: Mapping[str, int], cut_off: Collection[str]) -> M
     parts = [_line("", badge.at, badge.line_to)] if badge.line_to is not None else []
     parts.append(element("circle", cx=x, cy=y, r=BADGE))
     parts.append(element("text", str(badge.number), x=x, y=y))
-    linked = element("a", element("title", text(badge.id)), *parts, href=f"#object-{row}", tabindex=-1)
+    linked = element("a", element("title", badge.id), *parts, href=f"#object-{row}", tabindex=-1)
     return element("g", linked, class_="badge cut-off" if badge.id in cut_off else "badge", data_n=row)
 
 

@@ -1,9 +1,14 @@
 """HTML put together from elements, so that no text of a file that was read can be taken for markup."""
 
 from html import escape
+from unicodedata import category
 
 VOID = frozenset({"img", "meta", "br", "image", "circle", "path", "line", "polygon", "rect"})
 """Elements that hold nothing; those of SVG are closed by a slash, which HTML ignores."""
+
+
+TURNING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+"""Characters that make text run the other way, and so let one name look like another."""
 
 
 class Markup(str):
@@ -29,7 +34,7 @@ def element(name: str, /, *children: str, **attributes: str | float | bool | Non
 
 def joined(*parts: str) -> Markup:
     """Parts one after the other."""
-    return Markup("".join(part if isinstance(part, Markup) else escape(part) for part in parts))
+    return Markup("".join(part if isinstance(part, Markup) else escape(_printable(part)) for part in parts))
 
 
 def _attribute(key: str, value: str | float | bool | None) -> str:
@@ -43,10 +48,9 @@ def _attribute(key: str, value: str | float | bool | None) -> str:
 
 
 def _printable(text: str) -> str:
-    """Without control characters, which no page may hold."""
-    return "".join(c if c.isprintable() or c in "\n\t" else "\N{REPLACEMENT CHARACTER}" for c in text)
+    """Without what no page may hold, and without what turns the direction of the text after it."""
+    return "".join("\N{REPLACEMENT CHARACTER}" if _forbidden(c) else c for c in text)
 
 
-def text(value: str) -> Markup:
-    """A text from outside, escaped, without control characters."""
-    return Markup(escape(_printable(value)))
+def _forbidden(character: str) -> bool:
+    return (category(character) in ("Cc", "Cs") and character not in "\n\t") or character in TURNING

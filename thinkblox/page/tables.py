@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from thinkblox.page.markup import Markup, element, text
+from thinkblox.page.markup import Markup, element
 from thinkblox.suite import Criterion, Finding, SuiteResult
 from thinkblox.verdict import Absence, Move, RelationResult, Verdict
 
@@ -32,7 +32,7 @@ def row(head: str, cells: Iterable[Cell], *, before: Sequence[Cell] = (), **attr
     """A row whose heading names what it is about."""
     first = [element("td", content, class_=kind or None) for content, kind in before]
     rest = [element("td", content, class_=kind or None) for content, kind in cells]
-    return element("tr", *first, element("th", text(head), scope="row"), *rest, **attributes)
+    return element("tr", *first, element("th", head, scope="row"), *rest, **attributes)
 
 
 def objects_table(verdicts: Sequence[Verdict], numbers: Mapping[str, int], rows: Mapping[str, int]) -> Markup:
@@ -53,9 +53,9 @@ def objects_table(verdicts: Sequence[Verdict], numbers: Mapping[str, int], rows:
 
 def _object(verdict: Verdict, number: int | None, at: int) -> Markup:
     disc = element("span", str(number), class_="disc") if number is not None else Markup()
-    why = text(str(verdict).removeprefix(f"{verdict.id}: ")) if not verdict.valid else Markup()
+    why = str(verdict).removeprefix(f"{verdict.id}: ") if not verdict.valid else Markup()
     carried = ", ".join(f"{s.by} {s.share:.0%}" for s in verdict.supports)
-    cells = [(word(verdict.valid), ""), (why, "why"), *_measures(verdict), (text(carried), "")]
+    cells = [(word(verdict.valid), ""), (why, "why"), *_measures(verdict), (carried, "")]
     return row(verdict.id, cells, before=[(disc, "")], id=f"object-{at}", data_n=at)
 
 
@@ -89,25 +89,25 @@ def suite_section(suite: SuiteResult) -> Markup:
     lines = [_criterion(criterion) for criterion in suite.criteria]
     return element(
         "section",
-        element("h3", text(suite.suite), " ", word(suite.passed)),
-        element("p", text(suite.source), class_="source"),
+        element("h3", suite.suite, " ", word(suite.passed)),
+        element("p", suite.source, class_="source"),
         table("", columns, lines),
-        *(element("p", text(note), class_="soft") for note in suite.notes),
+        *(element("p", note, class_="soft") for note in suite.notes),
     )
 
 
 def _criterion(criterion: Criterion) -> Markup:
     unit = f" {criterion.unit}" if criterion.unit else ""
-    found: Markup = text(criterion.note)
+    found: Markup = criterion.note
     if criterion.findings:
         found = element("div", found, _findings(criterion))
     return row(
         criterion.name.replace("_", " "),
         [
             (word(criterion.passed), ""),
-            (text(criterion.says), ""),
-            (text(_number(criterion.value) + (unit if criterion.value is not None else "")), "number"),
-            (text(_number(criterion.limit) + (unit if criterion.limit is not None else "")), "number"),
+            (criterion.says, ""),
+            (_number(criterion.value) + (unit if criterion.value is not None else ""), "number"),
+            (_number(criterion.limit) + (unit if criterion.limit is not None else ""), "number"),
             (found, ""),
         ],
     )
@@ -130,9 +130,7 @@ def _findings(criterion: Criterion) -> Markup:
 
 
 def _finding(finding: Finding) -> Markup:
-    return row(
-        finding.object, [(_number(finding.value), "number"), (word(finding.passed), ""), (text(finding.note), "")]
-    )
+    return row(finding.object, [(_number(finding.value), "number"), (word(finding.passed), ""), (finding.note, "")])
 
 
 def _number(value: float | None) -> str:
@@ -165,7 +163,7 @@ def relations_table(relations: Sequence[RelationResult]) -> Markup:
             "holds" if relation.holds else "does not hold",
             class_=f"word {'passes' if relation.holds else 'fails'}",
         )
-        return row(relation.subject, [(text(asked), ""), (says, ""), (text(relation.measured), "")])
+        return row(relation.subject, [(asked, ""), (says, ""), (relation.measured, "")])
 
     return table("", [("Object", ""), ("Asked for", ""), ("", ""), ("Measured", "")], [line(r) for r in relations])
 
@@ -173,5 +171,5 @@ def relations_table(relations: Sequence[RelationResult]) -> Markup:
 def absent_table(absent: Sequence[Absence]) -> Markup:
     """What is not in the room, and why."""
     columns = [("Not placed", ""), ("Asked for", ""), ("Why", "")]
-    lines = [row(a.id, [("yes" if a.asked else "assumed", ""), (text(a.reason), "")]) for a in absent]
+    lines = [row(a.id, [("yes" if a.asked else "assumed", ""), (a.reason, "")]) for a in absent]
     return table("", columns, lines)
