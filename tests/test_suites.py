@@ -16,6 +16,7 @@ from thinkblox.errors import InputError
 from thinkblox.generate import generate_room
 from thinkblox.sim.subject import Subject, subject_of
 from thinkblox.sim.suites import SUITES, run_suite, running, usable
+from thinkblox.sim.suites.equilibrium import motions
 from thinkblox.suite import SuiteResult
 from thinkblox.value import from_json, to_json
 
@@ -107,6 +108,18 @@ def test_what_is_broken_off_does_not_pass(suite: str, monkeypatch: pytest.Monkey
     monkeypatch.setattr(running, "MOST_WORK", 1000.0)
     result = run_suite(suite, subject(FLOOR + free_box("a")))
     assert any("broken off after" in c.note and c.passed is None for c in result.criteria)
+
+
+def test_ending_early_changes_the_outcome_by_less_than_it_may() -> None:
+    made, creep = subject_of(room(18, 0)), 0.0001
+    early, whole = running.Run(made, 15.0, creep=creep), running.Run(made, 15.0, creep=-1.0)
+    short, full = motions(made, early, 15.0), motions(made, whole, 15.0)
+    assert early.stopped == "still"
+    assert early.seconds < 15.0
+    assert whole.seconds == pytest.approx(15.0)
+    for first, second in zip(short, full, strict=True):
+        assert first.moved == pytest.approx(second.moved, abs=creep)
+        assert first.turned == pytest.approx(second.turned, abs=10 * creep)
 
 
 @each_suite

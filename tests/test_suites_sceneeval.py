@@ -128,6 +128,11 @@ def test_of_somebody_elses_model_only_what_is_free_must_be_carried() -> None:
     support = of(run_suite("sceneeval", subject(world)), "support")
     assert failures(support) == {"floats"}
     assert {f.object for f in support.findings if f.passed is None} == {"shelf"}
+    standing = of(
+        run_suite("sceneeval", subject(plane + free_box("a", "0 0 0.1") + fixed_box("b", "4 0 1"))), "support"
+    )
+    assert standing.value is not None
+    assert standing.value >= 4.0
 
 
 # Navigability

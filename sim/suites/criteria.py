@@ -51,7 +51,7 @@ def criterion(
         unfinished: why the measurement was broken off; what has not failed by then is not known to pass.
     """
     found = tuple(findings)
-    values = [f.value for f in found if f.value is not None]
+    values = [f.value for f in found if f.value is not None and f.passed is not None]
     if value is None and values:
         value = min(values) if least else max(values)
     passed = _together([f.passed for f in found])
