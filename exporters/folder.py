@@ -13,7 +13,6 @@ import msgspec
 from thinkblox.errors import InputError
 from thinkblox.scene import Scene, load_scene
 from thinkblox.value import read_json, to_json
-from thinkblox.verdict import Report
 
 if TYPE_CHECKING:
     from thinkblox.generate import Generation
@@ -46,6 +45,13 @@ def check_folder(out: str | Path, *, overwrite: bool = False) -> Path:
     return out
 
 
+class _AnyReport(msgspec.Struct):
+    """What a report of any release has."""
+
+    valid: bool
+    versions: dict[str, str]
+
+
 def _check_ours(out: Path, overwrite: bool) -> None:
     if out.is_symlink():
         raise InputError(f"{out}: is a symbolic link; name the folder itself")
@@ -56,7 +62,7 @@ def _check_ours(out: Path, overwrite: bool) -> None:
         raise InputError(f"{out}: exists and holds other files ({', '.join(foreign[:3])}); choose another folder")
     try:
         load_scene(out)
-        read_json(out / "report.json", Report)
+        read_json(out / "report.json", _AnyReport)
     except InputError as error:
         raise InputError(f"{out}: exists and is not a room that we wrote; choose another folder") from error
     if not overwrite:

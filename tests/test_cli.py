@@ -1,5 +1,6 @@
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -217,7 +218,7 @@ def test_a_terminated_run_leaves_nothing_behind(tmp_path, delay):
     time.sleep(delay)
     running.terminate()
     _, errors = running.communicate(timeout=60)
-    assert running.returncode == 130
+    assert running.returncode in (130, -signal.SIGINT)  # a shell shows both as 130
     assert b"nothing was written" in errors
     assert list(tmp_path.iterdir()) == []
 

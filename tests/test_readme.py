@@ -50,6 +50,7 @@ def test_the_commands_of_the_readme_run(tmp_path):
     assert [command for command, _ in shown] == ["generate", "verify", "render", "schema"]
     values = {"PROMPT": "An empty room with nothing in it but a chair.", "DIR": str(tmp_path / "room")}
     values |= {"SCENE": values["DIR"], "N": "2", "PX": "96", "NAME": "scene"}
+    values |= {"PATH": values["DIR"], "A,B": "scenesmith,sceneeval_sim", "FILE": str(tmp_path / "page.html")}
     for command, rest in shown:
         words = re.sub(r"\[--(room|json|out|overwrite)[^]]*\]|#.*|[\[\]]", "", rest).split()
         arguments = [values.get(word, word) for word in words]

@@ -23,33 +23,43 @@ def main(argv: Sequence[str] | None = None) -> int:
     from thinkblox.errors import InputError
 
     arguments = _parser().parse_args(argv)
+    stops: list[int] = []
     try:
-        with _stoppable():
+        with _stoppable(stops):
             status: int = arguments.run(arguments)
     except InputError as error:
         print(f"thinkblox: {error}", file=sys.stderr)
         return 2
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, ImportError):
+        # A compiled module that is stopped while it loads makes an ImportError of it.
+        if not stops:
+            raise
         print("thinkblox: stopped; nothing was written", file=sys.stderr)
         return 130
     return status
 
 
 @contextmanager
-def _stoppable() -> Iterator[None]:
-    """Let SIGTERM end a command as Ctrl-C does, so that nothing half-written stays behind."""
+def _stoppable(stops: list[int]) -> Iterator[None]:
+    """Let Ctrl-C and SIGTERM end a command as KeyboardInterrupt, so that nothing half-written stays behind.
+
+    The signals that came are appended to `stops`.
+    """
 
     def stop(number: int, frame: object) -> None:
+        stops.append(number)
         raise KeyboardInterrupt
 
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    before = signal.signal(signal.SIGTERM, stop)
+    signals = (signal.SIGINT, signal.SIGTERM)
+    before = [signal.signal(number, stop) for number in signals]
     try:
         yield
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, handler in zip(signals, before, strict=True):
+            signal.signal(number, handler)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -20,7 +20,7 @@ class Value(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 _VECTOR = re.compile(rb"\[\n\s*(-?[0-9][-+.eE0-9,\s]*)\]")
 
-V = TypeVar("V", bound=Value)
+V = TypeVar("V", bound=msgspec.Struct)
 
 
 def to_json(value: Value) -> bytes:
