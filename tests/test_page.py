@@ -19,7 +19,8 @@ from thinkblox.page.markup import VOID, element
 from thinkblox.page.tables import MOST_FINDINGS
 from thinkblox.room import Opening, rectangle
 from thinkblox.scene import Scene
-from thinkblox.sim.render.fault_pictures import FaultPicture, Mark, fault_pictures
+from thinkblox.sim.render.drawn import FaultPicture, Mark
+from thinkblox.sim.render.fault_pictures import fault_pictures
 from thinkblox.sim.render.model_soup import add_model
 from thinkblox.sim.render.sights import Scenery, from_above, scenery_of
 from thinkblox.sim.render.soup import ROOM, Soup

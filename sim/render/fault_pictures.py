@@ -1,7 +1,6 @@
 """Pictures of a scene with the faults of its report: what is drawn where, in pixels, for any way of drawing it."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,8 +9,10 @@ from numpy.typing import NDArray
 from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
-from thinkblox.sim.render.faults import Fault, Kind, faults_of
-from thinkblox.sim.render.labels import Box, Thing, laid_out
+from thinkblox.sim.render.drawn import Badge, FaultPicture, Mark, Outline, Point, Ring
+from thinkblox.sim.render.fault_labels import badges_of, with_texts
+from thinkblox.sim.render.faults import Fault, faults_of
+from thinkblox.sim.render.labels import Box
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
@@ -26,73 +27,14 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 Array = NDArray[np.float64]
-Point = tuple[float, float]
-Ring = tuple[Point, ...]
 PAPER = (0.972, 0.965, 0.950)
 FADED = 0.55
 """How much of its colour the picture loses, so that what is drawn on it stands out."""
-BADGE = 11.0
-"""Radius of a number's disc [pixels]."""
-KEPT_FREE = 9.0
-"""How far numbers stay from the tips of arrows and from small circles [pixels]."""
 SHORTEST = 20.0
 """Arrows that would be shorter are drawn this long [pixels]."""
 SPECK = 3.0
 """Areas thinner than this get a ring round them [pixels]."""
-LETTER, LINE = 6.8, 13.0
-"""Width of a letter and height of a line of a mark's text [pixels]."""
 PADDING = 26.0
-
-
-@dataclass(frozen=True)
-class Outline:
-    """An object in the picture.
-
-    Attributes:
-        rings: round what is seen of it.
-        hull: round all of it, hidden parts included.
-        hidden: whether less than a third of it is seen.
-    """
-
-    id: str
-    rings: tuple[Ring, ...]
-    hull: Ring
-    hidden: bool
-
-
-@dataclass(frozen=True)
-class Mark:
-    """A fault in the picture; rings are filled, `round` are centres of small circles, `at` is where the text goes."""
-
-    kind: Kind
-    id: str
-    rings: tuple[Ring, ...] = ()
-    circles: tuple[Point, ...] = ()
-    arrow: tuple[Point, Point] | None = None
-    dashes: tuple[tuple[Point, Point], ...] = ()
-    text: str = ""
-    at: Point | None = None
-
-
-@dataclass(frozen=True)
-class Badge:
-    """An object's number in its disc, with a line to the object where it is beside it."""
-
-    id: str
-    number: int
-    at: Point
-    line_to: Point | None
-
-
-@dataclass(frozen=True)
-class FaultPicture:
-    """A picture and what is drawn on it; `box` is left, top, right and bottom of the part worth showing [pixels]."""
-
-    image: "Image"
-    box: Box
-    outlines: tuple[Outline, ...]
-    marks: tuple[Mark, ...]
-    badges: tuple[Badge, ...]
 
 
 def fault_pictures(
@@ -121,13 +63,13 @@ def _pictured(
     shown = {body.id for body in scenery.in_sight}
     outlines = [_outline(body, n, sight, owners, size) for n, body in enumerate(scenery.bodies) if body.id in shown]
     marks = [mark for fault in faults if fault.id in shown and (mark := _mark(fault, sight, size)) is not None]
-    badges = _badges([o for o in outlines if o.id in numbers], numbers, marks, size)
+    badges = badges_of([o for o in outlines if o.id in numbers], numbers, marks, size)
     box = _trimmed(sight.camera.project(scenery.bounds.corners, size), outlines, badges, size)
     return FaultPicture(
         image=_image(scenery, sight, size),
         box=box,
         outlines=tuple(outlines),
-        marks=tuple(_with_texts(marks, badges, box)),
+        marks=tuple(with_texts(marks, badges, box)),
         badges=tuple(badges),
     )
 
@@ -216,55 +158,6 @@ def _long_enough(start: Point, end: Point) -> tuple[Point, Point] | None:
     stretch = max(SHORTEST / length, 1.0)
     tip = (start[0] + (end[0] - start[0]) * stretch, start[1] + (end[1] - start[1]) * stretch)
     return start, _point(np.array(tip))
-
-
-def _badges(outlines: Iterable[Outline], numbers: Mapping[str, int], marks: Iterable[Mark], size: int) -> list[Badge]:
-    """The numbers, each on or beside its object, none on another or on what is drawn small."""
-    things = [Thing(o.id, (str(numbers[o.id]),), _box(o.hull)) for o in outlines if o.hull]
-    spots = [spot for mark in marks for spot in (*mark.circles, *(mark.arrow or ())[1:])]
-    kept = [(x - KEPT_FREE, y - KEPT_FREE, x + KEPT_FREE, y + KEPT_FREE) for x, y in spots]
-    labels = laid_out(things, lambda text, font: (2 * BADGE, 2 * BADGE), size=size, fonts=(1,), reserved=kept)
-    found = [Badge(label.id, numbers[label.id], label.at, label.line_to) for label in labels]
-    return sorted(found, key=lambda badge: badge.number)
-
-
-def _box(ring: Ring) -> Box:
-    x, y = np.array(ring).T
-    return float(x.min()), float(y.min()), float(x.max()), float(y.max())
-
-
-def _with_texts(marks: Sequence[Mark], badges: Sequence[Badge], within: Box) -> list[Mark]:
-    """The marks with their texts at places that are free; a text that finds none is left out: it is in the table."""
-    taken = [(b.at[0] - BADGE, b.at[1] - BADGE, b.at[0] + BADGE, b.at[1] + BADGE) for b in badges]
-    found = []
-    for mark in marks:
-        at = _free_place(mark, taken, within) if mark.at is not None and mark.text else None
-        if at is not None:
-            taken.append(_text_box(mark.text, at))
-        found.append(Mark(**{**mark.__dict__, "at": at, "text": mark.text if at is not None else ""}))
-    return found
-
-
-def _free_place(mark: Mark, taken: Sequence[Box], within: Box) -> Point | None:
-    if mark.at is None:
-        return None
-    aside = len(mark.text) * LETTER / 2 + 9
-    for dx, dy in ((0, -14), (0, 16), (aside, 0), (-aside, 0), (aside, 15), (-aside, 15), (0, -30), (0, 32)):
-        at = (round(mark.at[0] + dx, 1), round(mark.at[1] + dy, 1))
-        box = _text_box(mark.text, at)
-        inside = box[0] > within[0] and box[1] > within[1] and box[2] < within[2] and box[3] < within[3]
-        if inside and not any(_overlap(box, other) for other in taken):
-            return at
-    return None
-
-
-def _text_box(text: str, at: Point) -> Box:
-    half = len(text) * LETTER / 2
-    return at[0] - half, at[1] - LINE / 2, at[0] + half, at[1] + LINE / 2
-
-
-def _overlap(a: Box, b: Box) -> bool:
-    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
 def _trimmed(frame: Array, outlines: Sequence[Outline], badges: Sequence[Badge], size: int) -> Box:

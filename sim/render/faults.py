@@ -150,10 +150,14 @@ def _outside(scenery: Scenery, body: Body, distance: float) -> Iterator[Fault]:
         solids = tuple(np.concatenate([_at(ring, body.low), _at(ring, body.high)]) for ring in rings)
         yield Fault("outside", body.id, solids, arrow=_at(line, max(body.low, 0.0)), text=text)
     x, y = body.middle[:2]
-    for start, end in ((room.height, max(body.high, room.height)), (0.0, min(body.low, 0.0))):
+    reaches = (
+        ("above the ceiling", room.height, max(body.high, room.height)),
+        ("in the floor", 0.0, min(body.low, 0.0)),
+    )
+    for where, start, end in reaches:
         if abs(end - start) > LEAST_OUT:
             arrow = np.array([(x, y, start), (x, y, end)])
-            yield Fault("outside", body.id, arrow=arrow, text=f"{millimetres(abs(end - start))} outside")
+            yield Fault("outside", body.id, arrow=arrow, text=f"{millimetres(abs(end - start))} {where}")
 
 
 def _at(flat: Array, height: float) -> Array:

@@ -9,7 +9,8 @@ from pathlib import Path
 from thinkblox.page.figures import figure, legend, patterns
 from thinkblox.page.markup import Markup, element, joined
 from thinkblox.page.tables import absent_table, moves_table, objects_table, relations_table, suite_section
-from thinkblox.sim.render.fault_pictures import FaultPicture, fault_pictures
+from thinkblox.sim.render.drawn import FaultPicture
+from thinkblox.sim.render.fault_pictures import fault_pictures
 from thinkblox.sim.settings import Walking
 from thinkblox.sim.subject import Subject
 from thinkblox.verdict import Report

@@ -5,7 +5,8 @@ import io
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from thinkblox.page.markup import Markup, element, joined
-from thinkblox.sim.render.fault_pictures import BADGE, Badge, FaultPicture, Mark, Outline, Ring
+from thinkblox.sim.render.drawn import Badge, FaultPicture, Mark, Outline, Ring
+from thinkblox.sim.render.fault_labels import BADGE
 from thinkblox.sim.render.faults import Kind
 
 QUALITY = 88

@@ -80,7 +80,7 @@ def suite_section(suite: SuiteResult) -> Markup:
     """One suite: its source, its criteria, and under each what was found."""
     columns = [
         ("Criterion", ""),
-        ("", ""),
+        ("Result", ""),
         ("What passes", ""),
         ("Worst", "number"),
         ("Limit", "number"),
@@ -91,14 +91,14 @@ def suite_section(suite: SuiteResult) -> Markup:
         "section",
         element("h3", suite.suite, " ", word(suite.passed)),
         element("p", suite.source, class_="source"),
-        table("", columns, lines),
+        table("Every criterion in the order of its source; details of each object fold out.", columns, lines),
         *(element("p", note, class_="soft") for note in suite.notes),
     )
 
 
 def _criterion(criterion: Criterion) -> Markup:
     unit = f" {criterion.unit}" if criterion.unit else ""
-    found: Markup = criterion.note
+    found: str = criterion.note
     if criterion.findings:
         found = element("div", found, _findings(criterion))
     return row(
@@ -123,10 +123,14 @@ def _findings(criterion: Criterion) -> Markup:
     columns = [
         ("Object", ""),
         (f"Value{f', {criterion.unit}' if criterion.unit else ''}", "number"),
-        ("", ""),
+        ("Result", ""),
         ("Note", ""),
     ]
-    return element("details", element("summary", says), table("", columns, lines))
+    return element(
+        "details",
+        element("summary", says),
+        table(f"{criterion.name.replace('_', ' ')}, object by object; what fails comes first.", columns, lines),
+    )
 
 
 def _finding(finding: Finding) -> Markup:
@@ -139,8 +143,8 @@ def _number(value: float | None) -> str:
 
 def moves_table(moves: Sequence[Move]) -> Markup:
     """What was moved to mend faults, and what could not be."""
-    columns = [("Object", ""), ("", ""), ("Distance, mm", "number"), ("East, mm", "number"), ("North, mm", "number"),
-               ("Up, mm", "number"), ("Turned, °", "number"), ("Because of", "")]  # fmt: skip
+    lengths = ("Distance, mm", "East, mm", "North, mm", "Up, mm", "Turned, °")
+    columns = [("Object", ""), ("Result", ""), *((name, "number") for name in lengths), ("Because of", "")]
 
     def line(move: Move) -> Markup:
         says = element(
@@ -150,7 +154,9 @@ def moves_table(moves: Sequence[Move]) -> Markup:
         cells = [(f"{number:.1f}", "number") for number in numbers]
         return row(move.id, [(says, ""), *cells, (", ".join(r.replace("_", " ") for r in move.why), "")])
 
-    return table("", columns, [line(move) for move in moves])
+    return table(
+        "Each by the least that mends it; what rests on an object moves with it.", columns, [line(m) for m in moves]
+    )
 
 
 def relations_table(relations: Sequence[RelationResult]) -> Markup:
@@ -165,11 +171,12 @@ def relations_table(relations: Sequence[RelationResult]) -> Markup:
         )
         return row(relation.subject, [(asked, ""), (says, ""), (relation.measured, "")])
 
-    return table("", [("Object", ""), ("Asked for", ""), ("", ""), ("Measured", "")], [line(r) for r in relations])
+    columns = [("Object", ""), ("Asked for", ""), ("Result", ""), ("Measured", "")]
+    return table("Relations that the prompt names.", columns, [line(relation) for relation in relations])
 
 
 def absent_table(absent: Sequence[Absence]) -> Markup:
     """What is not in the room, and why."""
     columns = [("Not placed", ""), ("Asked for", ""), ("Why", "")]
     lines = [row(a.id, [("yes" if a.asked else "assumed", ""), (a.reason, "")]) for a in absent]
-    return table("", columns, lines)
+    return table("What could not be placed, or is not known.", columns, lines)
