@@ -19,6 +19,8 @@ from thinkblox.sim.xml_elements import Element, walk
 
 SETTLED = "settled"
 """The keyframe that our own exports start from."""
+LARGEST = 1e10
+"""Numbers beyond this the engine takes for a simulation that blew up."""
 NAMES = {"mujoco": "mjcf", "robot": "urdf"}
 """Root elements of the files that are read, and what they are called."""
 
@@ -134,9 +136,10 @@ def _check_model(path: Path, model: mujoco.MjModel) -> None:
         raise InputError(f"{path}: <option timestep> is {model.opt.timestep:g}; it must be a time greater than 0.")
     for field in ("body_pos", "body_quat", "body_mass", "body_inertia", "geom_pos", "geom_size", "qpos0", "key_qpos"):
         values = getattr(model, field)
-        if not np.all(np.isfinite(values)):
-            row = int(np.argwhere(~np.isfinite(values.reshape(len(values), -1)).all(axis=1))[0, 0])
-            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number.")
+        usable = np.isfinite(values) & (np.abs(values) <= LARGEST)
+        if not usable.all():
+            row = int(np.argwhere(~usable.reshape(len(values), -1).all(axis=1))[0, 0])
+            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number, or more than {LARGEST:g}.")
     if not np.all(np.isfinite(model.opt.gravity)):
         raise InputError(f"{path}: <option gravity> is not made of finite numbers.")
 

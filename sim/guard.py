@@ -31,7 +31,7 @@ def guarded(
 ) -> T:
     """Call a function in a child process and hand back what it returns; the child is gone when this returns or raises.
 
-    The function, its arguments and its result must be picklable. The caller's main module is loaded in the child only
+    The function, its arguments and its result must be picklable, and what it writes to the terminal is lost. The caller's main module is loaded in the child only
     when the function lives there, so that scripts need no `if __name__ == "__main__"`.
 
     Args:
@@ -138,6 +138,7 @@ def _bare_main() -> Iterator[None]:
 def _run(channel: Connection, payload: bytes, memory: int | None, parent: int) -> None:
     """What the child does: limit itself, call, answer."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _be_quiet()
     _die_with(parent)
     _limit(memory)
     try:
@@ -149,6 +150,13 @@ def _run(channel: Connection, payload: bytes, memory: int | None, parent: int) -
     except Exception as error:
         answer = _failure(error)
     channel.send_bytes(answer)
+
+
+def _be_quiet() -> None:
+    """Turn off the terminal, also for libraries in C: Qhull writes a page about every flat mesh."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (1, 2):
+        os.dup2(nowhere, stream)
 
 
 def _failure(error: Exception) -> bytes:

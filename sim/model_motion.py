@@ -22,6 +22,8 @@ RESTED = 0.2
 MOST_WORK = 2e10
 """Of a simulation, in steps times (degrees of freedom + constraints + 1) to the power 1.5: some minutes of one core."""
 MOST_STEPS = 200_000
+BEARING, MOST_BEARING = 0.1, 1000
+"""How long what slept bears on what carries it before that is measured [s, steps]."""
 _STATE = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 
 
@@ -91,14 +93,15 @@ def let_go(subject: Subject, seconds: float) -> Motions:
             turns.append(data.xquat[roots])
             times.append(times[-1] + steps * step)
     broken = "" if unstable or left <= 0 else _too_much(seconds, step, few_enough)
-    moved = _moved(np.array(places), upwards(model))
+    path = np.nan_to_num(np.array(places), posinf=0.0, neginf=0.0)
+    moved = _moved(path, upwards(model))
     turned = _turned(np.array(turns))
     return Motions(
         moves=np.asarray(model.body_weldid[roots] != 0),
         drift=moved[0].max(axis=0),
         drop=moved[1].max(axis=0),
         tilt=turned.max(axis=0),
-        rest=_rest(np.array(places), np.array(turns), np.array(times)),
+        rest=_rest(path, np.array(turns), np.array(times)),
         seconds=times[-1],
         broken=broken,
         unstable=unstable,
@@ -120,7 +123,7 @@ def warned(data: mujoco.MjData) -> tuple[str, ...]:
         for kind, name in names.items()
         if data.warning[kind].number
     ]
-    if not np.all(np.isfinite(data.qpos)):
+    if not (np.isfinite(data.qpos).all() and np.isfinite(data.xipos).all()):
         found.append(f"A coordinate was no finite number by {data.time:.3g} s.")
     return tuple(found)
 
@@ -135,11 +138,15 @@ _MEANING = {
 
 
 def _everything_awake(model: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjData:
+    """The same state, of which what slept has had a moment to bear on what carries it: just touching is no force."""
+    slept = model.opt.enableflags & int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     with awake(model):
         state = np.empty(mujoco.mj_stateSize(model, _STATE))
         mujoco.mj_getState(model, data, state, _STATE)
         fresh = mujoco.MjData(model)
         mujoco.mj_setState(model, fresh, state, _STATE)
+        if slept:
+            mujoco.mj_step(model, fresh, nstep=min(MOST_BEARING, max(1, round(BEARING / model.opt.timestep))))
         mujoco.mj_forward(model, fresh)
     return fresh
 

@@ -141,7 +141,7 @@ def _verdict(
         "tilt": tilt > tolerances.tilt,
     }
     carried = sum(support.share for support in supports)
-    judged = thing.free and not unstable and upwards(subject.model) is not None
+    judged = thing.free and not unstable and not broken and upwards(subject.model) is not None
     found: dict[str, bool] = moved | {
         "collision": bool(collisions),
         "outside": boundary > tolerances.outside,

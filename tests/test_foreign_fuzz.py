@@ -1,0 +1,92 @@
+"""Whatever a model's text holds, it is measured or refused: nothing crashes, hangs or raises anything else."""
+
+import random
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tests.foreign_models import MODELS
+from thinkblox.errors import InputError
+from thinkblox.sim.foreign import open_model
+from thinkblox.sim.guard import guarded
+from thinkblox.sim.model_report import model_report
+from thinkblox.verdict import Report
+
+TABLE_FILE = "table_description/urdf/table.urdf"
+RICH = (MODELS / "rich.xml").read_text()
+TABLE = re.sub(r"<mesh filename=[^>]*scale[^>]*>", '<box size=".1 .1 .1"/>', (MODELS / TABLE_FILE).read_text())
+VALUES = (
+    "", "0", "-1", "1e308", "-1e308", "1e-308", "1e9", "2147483648", "-2147483649", "nan", "inf", "0 0 0", "0 0 0 0",
+    "1 2", "x", "true", "free", "mesh", "hfield", "plane", "../a", "/etc/passwd", "room.xml", "\u00e9", "a" * 5000,
+    "1 " * 3000,
+)  # fmt: skip
+NUMBERS = "0 -1 7 0.001 1e308 -1e308 1e-308 1e9 2147483648 inf -inf 1e4 90 -0.3".split()
+TAGS = "body geom joint freejoint site mesh replicate frame include link robot flexcomp composite attach plugin".split()
+
+
+def mutated(text: str, seed: int, times: int) -> str:
+    """The text with some values, names, tags or stretches changed."""
+    chance = random.Random(seed)
+    for _ in range(times):
+        kind = chance.randrange(9)
+        if kind >= 5:
+            text = _replace(text, r'(?<=[" ])-?[\d.]+(?=[" ])', chance.choice(NUMBERS), chance)
+        elif kind <= 1:
+            text = _replace(text, r'"[^"]*"', f'"{chance.choice(VALUES)}"', chance)
+        elif kind == 2:
+            text = _replace(text, r"(?<=<)\w+", chance.choice(TAGS), chance)
+        elif kind == 3:
+            text = _replace(text, r' \w+="[^"]*"', "", chance)
+        else:
+            start, end = sorted(chance.randrange(len(text) + 1) for _ in range(2))
+            end = min(end, start + 60)
+            text = text[:start] + text[start:end] * chance.choice((0, 2, 30)) + text[end:]
+    return text
+
+
+def _replace(text: str, pattern: str, by: str, chance: random.Random) -> str:
+    found = list(re.finditer(pattern, text))
+    if not found:
+        return text
+    match = chance.choice(found)
+    return text[: match.start()] + by + text[match.end() :]
+
+
+def outcomes(file: Path, texts: tuple[str, ...]) -> list[str]:
+    """ "measured" or "refused" for every text, each written to the same file and opened."""
+    found = []
+    for text in texts:
+        file.write_text(text, errors="surrogatepass")
+        try:
+            found.append("measured" if isinstance(model_report(open_model(file), seconds=0.05), Report) else "wrong")
+        except InputError as error:
+            found.append("refused" if str(error).strip() else "wrong")
+    return found
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["room.xml", "table.urdf"])
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True)
+@given(seeds=st.lists(st.integers(0, 2**32), min_size=40, max_size=40), times=st.integers(1, 6))
+def test_mutated_models_are_measured_or_refused(tmp_path: Path, name: str, seeds: list[int], times: int) -> None:
+    seed_text = RICH if name == "room.xml" else TABLE
+    texts = tuple(mutated(seed_text, seed, times) for seed in seeds)
+    found = guarded(outcomes, tmp_path / name, texts, seconds=120.0)
+    assert set(found) <= {"measured", "refused"}
+
+
+def test_the_texts_that_are_mutated_are_good(tmp_path: Path) -> None:
+    assert outcomes(tmp_path / "room.xml", (RICH, TABLE)) == ["measured", "measured"]
+
+
+@pytest.mark.slow
+@settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.binary(max_size=300))
+def test_any_bytes_are_refused(tmp_path: Path, data: bytes) -> None:
+    file = tmp_path / "room.xml"
+    file.write_bytes(data)
+    with pytest.raises(InputError, match=r"room\.xml"):
+        open_model(file)
