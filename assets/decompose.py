@@ -83,9 +83,9 @@ def _decomposed(part: Triangles, *, remesh: bool) -> list[Array]:
         max_convex_hull=MOST_PIECES // 2,
         preprocess_mode="on" if remesh else "auto",
         preprocess_resolution=40,
-        resolution=1000,
-        mcts_nodes=15,
-        mcts_iterations=40,
+        resolution=500,
+        mcts_nodes=10,
+        mcts_iterations=20,
         seed=0,
     )
     pieces = [np.asarray(vertices, dtype=np.float64) for vertices, _ in found]

@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,10 +11,15 @@ from hypothesis import strategies as st
 
 from tests.layout_rooms import BEDROOM, Plan, Thing, chair_mesh, distance, write
 from thinkblox.importing import FORMATS, detect, read_layout
+from thinkblox.importing.document import Document
+from thinkblox.importing.frames import OWN_FROM_Y_UP, about
+from thinkblox.importing.holodeck import read_holodeck
+from thinkblox.importing.library import Library
 from thinkblox.room import turn_between
 from thinkblox.scene import Placement
 from thinkblox.sim.solid import pose, solid_of
 
+DATA = Path(__file__).parent / "data" / "layouts"
 MANY = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
@@ -133,3 +139,36 @@ def _shapes(layout):
 
 def trimesh_y_up_to_z_up():
     return np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
+
+
+@MANY
+@given(turn=st.tuples(*[st.floats(-360, 360)] * 3))
+def test_holodeck_turns_agree_with_sceneevals_converter(turn):
+    """SceneEval's own bridge out of Unity turns a glTF into the room by Rx(90) Ry(180 - y) Rx(x) Rz(-z)."""
+    x, y, z = turn
+    bridge = about("x", 90.0) @ about("y", 180.0 - y) @ about("x", x) @ about("z", -z)
+    (item,) = read_holodeck(Document(Path("house.json"), holodeck_of_one(x, y, z)), Library(())).items
+    assert distance(item.linear @ OWN_FROM_Y_UP, bridge) < 1e-9
+
+
+def holodeck_of_one(x, y, z):
+    floor = [{"x": a, "y": 0, "z": b} for a, b in ((0, 0), (0, 4), (4, 4), (4, 0))]
+    thing = {"id": "a", "position": {"x": 1, "y": 1, "z": 1}, "rotation": {"x": x, "y": y, "z": z}}
+    return {"rooms": [{"id": "r", "floorPolygon": floor}], "objects": [thing]}
+
+
+def test_sceneeval_example_of_layoutvlm_faces_into_its_room(tmp_path):
+    """Poses of SceneEval's published example, converted there from LayoutVLM: at the south wall it faces north."""
+    columns = {
+        "south": [-1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 3.0, 0.54, 0, 1],
+        "west": [0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0.38, 2.2, 0, 1],
+    }
+    state = json.loads((DATA / "sceneeval.json").read_text())
+    state["scene"]["object"] = [
+        {"index": i, "modelId": "layoutvlm-objaverse.chair", "transform": {"data": data}}
+        for i, data in enumerate(columns.values())
+    ]
+    path = tmp_path / "scene_0.json"
+    path.write_text(json.dumps(state))
+    scene = read_layout(path, assets=DATA).scene
+    assert [p.yaw for p in scene.placements] == [90.0, 0.0]

@@ -1,6 +1,8 @@
 """Small files as the generators write them: rooms, openings, sizes, mounts and what is said about them."""
 
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -42,6 +44,14 @@ def test_holodeck_bed_sized_by_its_footprint():
     assert layout.substituted == ("bed-0_bedroom",)
     assert any("footprints" in note for note in layout.notes)
     assert any("other rooms" in note for note in layout.notes)
+
+
+def test_holodeck_footprint_of_a_thing_that_is_not_turned(tmp_path):
+    text = (DATA / "holodeck.json").read_text().replace('"y": 90,', '"y": 0,')
+    (tmp_path / "house.json").write_text(text)
+    (bed,) = read_layout(tmp_path / "house.json", room="bedroom").scene.placements
+    assert bed.yaw == 90.0
+    assert bed.size == pytest.approx((1.6, 2.0, 0.5))
 
 
 def test_holodeck_house_of_several_rooms_asks_which():
@@ -98,6 +108,8 @@ def test_il3d_l_shaped_floor_in_either_rotation():
     assert bed.yaw == nightstand.yaw == 0.0, "both spellings of a quarter turn"
     assert bed.position == pytest.approx((1.1, 4.1, 0.0))
     assert bed.size == pytest.approx((2.0, 1.6, 0.5)), "the box times the scale"
+    assert nightstand.position == pytest.approx((1.0, 1.0, 0.0))
+    assert nightstand.size == pytest.approx((0.4, 0.5, 0.5))
 
 
 def _point(x, y):
@@ -234,3 +246,12 @@ def test_the_same_file_gives_the_same_bytes():
     from thinkblox.value import to_json
 
     assert to_json(read_layout(DATA / "sceneeval.json")) == to_json(read_layout(DATA / "sceneeval.json"))
+
+
+def test_naming_the_formats_loads_no_engine_and_no_mesh_library():
+    code = (
+        "import sys, thinkblox.importing as i; i.FORMATS; "
+        "print(sorted({'mujoco', 'trimesh', 'coacd', 'fcl', 'pxr', 'manifold3d'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
