@@ -49,7 +49,7 @@ class Fault:
 def faults_of(report: Report, scenery: Scenery, walking: Walking | None = None) -> tuple[Fault, ...]:
     """Everything in a report that has a place in the room."""
     failing = [v for v in report.objects if not v.valid]
-    found = [*_overlaps(failing, scenery)]
+    found = [*_overlaps(failing, scenery), *_swings(failing, scenery)]
     found += [fault for verdict in failing for fault in _of_verdict(verdict, scenery, walking or Walking())]
     moving = [v for v in failing if v.settled and FALLS.intersection(v.reasons)]
     return (*found, *_rests(moving, scenery), *_unreachable(report, scenery), *_moves(report, scenery))
@@ -68,10 +68,6 @@ def _of_verdict(verdict: Verdict, scenery: Scenery, walking: Walking) -> Iterato
         if other is not None:
             arrow = np.array([body.middle, other.middle])
             yield Fault("push", body.id, arrow=arrow, text=f"pushed {millimetres(push.distance)}")
-    for swing in verdict.swings if "blocks_opening" in verdict.reasons else ():
-        swept = sweep(scenery.subject, swing.of, swing.link)
-        if swept:
-            yield Fault("swing", body.id, swept, text=f"opens {swing.opens:.0%}")
     yield from _zones(scenery, verdict, walking)
 
 
@@ -115,6 +111,16 @@ def _common(body: Body, other: Body) -> Iterator[Array]:
         shared = Manifold.hull_points(a) ^ Manifold.hull_points(b)
         if shared.volume() > 1e-10:
             yield np.asarray(shared.to_mesh().vert_properties, np.float64)[:, :3]
+
+
+def _swings(verdicts: Sequence[Verdict], scenery: Scenery) -> Iterator[Fault]:
+    """Every door or drawer that is kept shut, once."""
+    blocked = [v for v in verdicts if "blocks_opening" in v.reasons]
+    shut = {(swing.of, swing.link): (verdict.id, swing) for verdict in blocked[::-1] for swing in verdict.swings}
+    for (of, link), (id, swing) in shut.items():
+        swept = sweep(scenery.subject, of, link)
+        if swept:
+            yield Fault("swing", id, swept, text=f"opens {swing.opens:.0%}")
 
 
 def _boxes_meet(a: Array, b: Array) -> bool:
@@ -224,8 +230,8 @@ def _rests(verdicts: Sequence[Verdict], scenery: Scenery) -> Iterator[Fault]:
         points = body.points @ end.turn.T + end.shift
         slides = f"slides {millimetres(verdict.drift)}" if "drift" in verdict.reasons else ""
         text = f"tilts {verdict.tilt:.0f}°" if "tilt" in verdict.reasons else slides
-        start, stop = body.middle, body.middle @ end.turn.T + end.shift
-        yield Fault("rest", body.id, (points,), arrow=np.array([start, stop]), text=text)
+        way = np.array([body.middle, body.middle @ end.turn.T + end.shift])
+        yield Fault("rest", body.id, (points,), arrow=way if text else None, text=text)
 
 
 def _zones(scenery: Scenery, verdict: Verdict, walking: Walking) -> Iterator[Fault]:
