@@ -28,6 +28,7 @@ bench: $(VENV)/installed
 	$(BIN)/python -m tests.bench.rooms
 	$(BIN)/python -m tests.bench.startup
 	$(BIN)/python -m tests.bench.verdicts
+	$(BIN)/python -m tests.bench.pool
 	$(BIN)/python -m tests.bench.suites
 
 # Every picture of docs/pictures.

@@ -31,8 +31,9 @@ def guarded(
 ) -> T:
     """Call a function in a child process and hand back what it returns; the child is gone when this returns or raises.
 
-    The function, its arguments and its result must be picklable, and what it writes to the terminal is lost. The caller's main module is loaded in the child only
-    when the function lives there, so that scripts need no `if __name__ == "__main__"`.
+    The function, its arguments and its result must be picklable, and what it writes to the terminal is lost. The
+    caller's main module is loaded in the child only when the function lives there, so that scripts need no
+    `if __name__ == "__main__"`.
 
     Args:
         function: what to call.

@@ -47,9 +47,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=3)
     arguments = parser.parse_args()
     work = jobs(arguments.scenes)
-    print(
-        f"{arguments.scenes} scenes of {OBJECTS} objects of 8 convex meshes, 8 candidates each, {arguments.rounds} times"
-    )
+    print(f"{arguments.scenes} scenes of {OBJECTS} objects of 8 convex meshes, 8 candidates each, x{arguments.rounds}")
     print("workers  verdicts/s  verdicts/CPU s")
     rates = {}
     for workers in (1, 2):
