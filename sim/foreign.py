@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
+from thinkblox.sim.engine_errors import ENGINE_ERRORS, said
 from thinkblox.sim.mjcf_limits import MOST_BODIES, MjcfFiles, check_mjcf, too_many
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.subject import Subject
@@ -108,7 +109,7 @@ def _mjcf(path: Path, folder: Path | None) -> tuple[mujoco.MjModel, tuple[str, .
     files = check_mjcf(path, folder=folder)
     try:
         spec = mujoco.MjSpec.from_file(str(path))
-    except (ValueError, mujoco.FatalError) as error:
+    except ENGINE_ERRORS as error:
         raise _refused(path, error, files) from error
     return _compiled(path, spec, files), ()
 
@@ -116,16 +117,16 @@ def _mjcf(path: Path, folder: Path | None) -> tuple[mujoco.MjModel, tuple[str, .
 def _compiled(path: Path, spec: mujoco.MjSpec, files: MjcfFiles | None) -> mujoco.MjModel:
     try:
         return spec.compile()
-    except (ValueError, mujoco.FatalError) as error:
+    except ENGINE_ERRORS as error:
         raise _refused(path, error, files) from error
 
 
 def _refused(path: Path, error: Exception, files: MjcfFiles | None) -> InputError:
     """What the engine said, with the file of the mesh that it speaks of."""
-    said = " ".join(str(error).split())
+    text = said(error)
     meshes = files.meshes if files else {}
-    found = [str(file) for name, file in meshes.items() if f"Element name '{name}'" in said]
-    return InputError(f"{path}: MuJoCo cannot read it: {said}" + (f" (mesh file {found[0]})" if found else ""))
+    found = [str(file) for name, file in meshes.items() if f"Element name '{name}'" in text]
+    return InputError(f"{path}: MuJoCo cannot read it: {text}" + (f" (mesh file {found[0]})" if found else ""))
 
 
 def _check_model(path: Path, model: mujoco.MjModel) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from thinkblox.errors import InputError
 from thinkblox.sim.build import package_version
 from thinkblox.sim.contacts import shares
+from thinkblox.sim.engine_errors import said
 from thinkblox.sim.geom_volumes import Volumes
 from thinkblox.sim.model_contacts import ModelContacts, Pair
 from thinkblox.sim.model_motion import Motions, awake, let_go, upwards, warned
@@ -54,15 +55,15 @@ def model_report(subject: Subject, *, tolerances: Tolerances | None = None, seco
         seconds: how long it is let go [s].
 
     Raises:
-        InputError: the engine cannot make a state of it, for want of memory.
+        InputError: the engine cannot make a state of it, for want of the memory that <size memory> allows.
     """
     tolerances = tolerances or Tolerances()
     contacts = ModelContacts(subject)
     try:
         start = _start(subject, contacts)
         motions = let_go(subject, seconds)
-    except (mujoco.FatalError, ValueError) as error:
-        raise InputError(f"MuJoCo cannot simulate the model: {' '.join(str(error).split())}") from error
+    except mujoco.FatalError as error:
+        raise InputError(f"MuJoCo cannot simulate the model: {said(error)}") from error
     supports = _supports(subject, contacts, motions)
     objects = tuple(
         _verdict(subject, n, contacts, start, motions, supports[n], tolerances) for n in range(len(supports))

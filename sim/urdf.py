@@ -10,6 +10,7 @@ import numpy as np
 from thinkblox.errors import InputError
 from thinkblox.sim.asset_limits import check_mesh
 from thinkblox.sim.build import GROUND
+from thinkblox.sim.engine_errors import ENGINE_ERRORS, said
 from thinkblox.sim.geom_volumes import lowest_point
 from thinkblox.sim.mjcf_limits import MOST_BODIES, MOST_ELEMENTS, MOST_TRIANGLES_IN_ALL, check_values, too_many
 from thinkblox.sim.names import listed
@@ -57,8 +58,8 @@ def urdf_spec(path: Path, *, folder: Path | None = None) -> tuple[mujoco.MjSpec,
         for root in files.free_roots:
             spec.body(root).add_freejoint()
         height = add_floor(spec)
-    except (ValueError, mujoco.FatalError) as error:
-        raise InputError(f"{path}: MuJoCo cannot read it: {_said(str(error), files.meshes)}") from error
+    except ENGINE_ERRORS as error:
+        raise InputError(f"{path}: MuJoCo cannot read it: {_with_files(said(error), files.meshes)}") from error
     if height is None:
         return spec, files.notes
     return spec, (*files.notes, f"The URDF has no floor: one was put under its lowest point, at z = {height:.3f} m.")
@@ -215,9 +216,9 @@ def add_floor(spec: mujoco.MjSpec) -> float | None:
     return height
 
 
-def _said(text: str, meshes: dict[str, Path]) -> str:
-    """What the engine said, on one line, with the files' own names."""
+def _with_files(text: str, meshes: dict[str, Path]) -> str:
+    """What the engine said, with the files' own names."""
     for name, file in meshes.items():
         text = text.replace(f"'{name}'", f"'{file}'").replace(f"'{Path(name).stem}'", f"'{file}'")
     hint = ": a link that moves needs a mass and an inertia above 0" if "mjMINVAL" in text else ""
-    return " ".join(text.split()) + hint
+    return text + hint

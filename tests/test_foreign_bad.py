@@ -39,6 +39,7 @@ def refusal(folder: Path, text: str, name: str = "room.xml") -> str:
         (mjcf(crate("box", "0 nan .1")), '<body name="box">: pos="0 nan .1" is not a number'),
         (mjcf(crate("box", "0 0 .1", geom='friction="NaN"')), 'friction="NaN" is not a number'),
         (mjcf(crate("box", "inf 0 .1")), "pos of the body box is not a finite number"),
+        (mjcf(crate("box", "0 1e300 .1")), "pos of the body box is not a finite number, or more than 1e+10"),
         (mjcf(BOX, head='<option timestep="0"/>'), "<option timestep> is 0; it must be a time greater than 0"),
         (mjcf(BOX, head='<option timestep="-1"/>'), "<option timestep> is -1"),
         (mjcf(BOX, head='<option gravity="0 0 inf"/>'), "<option gravity> is not made of finite numbers"),
@@ -47,6 +48,7 @@ def refusal(folder: Path, text: str, name: str = "room.xml") -> str:
         (mjcf(BOX, head='<asset><hfield name="h" nrow="99999" ncol="99999" size="1 1 1 1"/></asset>'), "nrow x ncol"),
         (mjcf(BOX, head='<asset><texture builtin="flat" width="99999" height="99999"/></asset>'), "width x height"),
         (mjcf(BOX, head='<extension><plugin plugin="mujoco.sdf.bolt"/></extension>'), "<extension>: engine plugins"),
+        (mjcf(BOX, head='<equality><connect body1="box" anchor=""/></equality>'), "room.xml: MuJoCo cannot read it: "),
         (mjcf("<body>" * 500 + '<geom size="1"/>' + "</body>" * 500), "nested more than 400 deep"),
     ],
 )  # fmt: skip
