@@ -105,10 +105,3 @@ def test_a_model_is_not_mended_and_has_no_scene(tmp_path: Path) -> None:
         with pytest.raises(InputError):
             verify_file(file, reading)
     assert not (tmp_path / "scene.json").exists()
-
-
-def test_a_long_measurement_is_stopped(tmp_path: Path) -> None:
-    file = tmp_path / "model.xml"
-    file.write_text(FALLING.format(z=0.2).replace("<worldbody>", '<option timestep="1e-6"/><worldbody>'))
-    with pytest.raises(InputError, match=r"longer than 0\.5 s"):
-        verify_file(file, timeout=0.5)
