@@ -1,6 +1,5 @@
 """Kitchen and laundry machines: insulated boxes whose doors open, and what stands on a worktop."""
 
-from thinkblox.asset import Joint
 from thinkblox.assets.carcasses import door, face_of, flap
 from thinkblox.assets.palette import (
     BLACK_GLASS,
@@ -16,9 +15,10 @@ from thinkblox.assets.palette import (
     WHITE_METAL,
     WHITE_PLASTIC,
 )
-from thinkblox.assets.part import Build, Finish, Moving, Part, Range
+from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Joint
 
 WALL = 0.035
 
@@ -63,7 +63,7 @@ def fridge(spec: Spec) -> Build:
     return build
 
 
-def _thick_door(spec: Spec, name: str, x: Range, z: Range, finish: Finish, handle: Finish = STEEL) -> Moving:
+def _thick_door(spec: Spec, name: str, x: Range, z: Range, finish: Finish, handle: Finish = STEEL) -> MovingParts:
     y = spec.size[1]
     slab = (x[0], x[1] - 0.025)
     grip = (y / 2 - 0.06, y / 2 - 0.035)
@@ -76,7 +76,7 @@ def _thick_door(spec: Spec, name: str, x: Range, z: Range, finish: Finish, handl
     joint = Joint(
         kind="hinge", axis=(0.0, 0.0, -1.0), anchor=(slab[1], -y / 2 + 0.002, sum(z) / 2), lower=0.0, upper=100.0
     )
-    return Moving(name, parts, joint)
+    return MovingParts(name, parts, joint)
 
 
 def display_fridge(spec: Spec) -> Build:
@@ -292,7 +292,7 @@ def washing_machine(spec: Spec) -> Build:
         box(GREY_METAL, (ring[1], x / 2 - 0.002), (-0.97 * radius, -0.78 * radius), around(mid, 0.07)),
     )
     joint = Joint(kind="hinge", axis=(0.0, 0.0, 1.0), anchor=(x / 2, radius, mid), lower=0.0, upper=100.0)
-    build.moving = [Moving("door", parts, joint)]
+    build.moving = [MovingParts("door", parts, joint)]
     _top(build, spec, (-x / 2, front))
     return build
 

@@ -1,10 +1,10 @@
 """Beds: a frame, a mattress, a duvet and pillows. The head is at -x."""
 
-from thinkblox.asset import Surface
 from thinkblox.assets.palette import GREY_METAL, LINEN, WHITE_COTTON, WHITE_PLASTIC
 from thinkblox.assets.part import Build, Finish, Part, Range, turned
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, leg, pad, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Surface
 
 
 def bed(spec: Spec) -> Build:

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from thinkblox.asset import Joint, Surface
 from thinkblox.assets.palette import GLASS, IRON, STEEL
-from thinkblox.assets.part import Build, Finish, Moving, Part, Range
+from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range
 from thinkblox.assets.shapes import around, box, leg, panel, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Joint, Surface
 
 BOARD = 0.018
 """Thickness of boards, doors and drawer fronts [m]."""
@@ -196,7 +196,7 @@ def _named(spaces: Sequence[tuple[Range, Range, Range]], name: str) -> list[Surf
     ]
 
 
-def _front(cell: Cell, face: _Face, back: float, inner: Range, clear: Range, left_hung: bool) -> Moving:
+def _front(cell: Cell, face: _Face, back: float, inner: Range, clear: Range, left_hung: bool) -> MovingParts:
     if cell.kind == "drawer":
         return drawer(face, back, inner, clear)
     if cell.kind == "flap":
@@ -204,7 +204,7 @@ def _front(cell: Cell, face: _Face, back: float, inner: Range, clear: Range, lef
     return door(face, left_hung, glazed=cell.kind == "glass")
 
 
-def drawer(face: _Face, back: float, inner: Range, clear: Range) -> Moving:
+def drawer(face: _Face, back: float, inner: Range, clear: Range) -> MovingParts:
     """Return a drawer with a real tray, that slides out three quarters of its depth."""
     x0 = face.x[0]
     slab = (x0, x0 + BOARD)
@@ -219,7 +219,7 @@ def drawer(face: _Face, back: float, inner: Range, clear: Range) -> Moving:
     ]
     centre = (x0, sum(face.y) / 2, sum(face.z) / 2)
     joint = Joint(kind="slide", axis=(1.0, 0.0, 0.0), anchor=centre, lower=0.0, upper=round(0.75 * (x0 - tail), 3))
-    return Moving(face.name, tuple(parts), joint)
+    return MovingParts(face.name, tuple(parts), joint)
 
 
 def _bar_handle(face: _Face, *, along_y: bool, at: float | None = None) -> list[Part]:
@@ -233,7 +233,7 @@ def _bar_handle(face: _Face, *, along_y: bool, at: float | None = None) -> list[
     return [box(face.handle, x, around(at if at is not None else y_mid, 0.012), around(z_mid, length))]
 
 
-def door(face: _Face, left_hung: bool, *, glazed: bool = False) -> Moving:
+def door(face: _Face, left_hung: bool, *, glazed: bool = False) -> MovingParts:
     """Return a door hinged at its left (+y) or right side, that opens to 100 degrees."""
     x = (face.x[0], face.x[0] + BOARD)
     hinge_y, handle_y = (face.y[1], face.y[0] + 0.035) if left_hung else (face.y[0], face.y[1] - 0.035)
@@ -246,16 +246,16 @@ def door(face: _Face, left_hung: bool, *, glazed: bool = False) -> Moving:
         lower=0.0,
         upper=100.0,
     )
-    return Moving(face.name, tuple(parts), joint)
+    return MovingParts(face.name, tuple(parts), joint)
 
 
-def flap(face: _Face, *, window: bool = False) -> Moving:
+def flap(face: _Face, *, window: bool = False) -> MovingParts:
     """Return a door hinged at the bottom, that opens to 90 degrees."""
     x = (face.x[0], face.x[0] + BOARD)
     parts = panel(face.finish, x, face.y, face.z, 0.06, GLASS) if window else [box(face.finish, x, face.y, face.z)]
     parts += _bar_handle(face, along_y=True, at=face.z[1] - 0.035)
     anchor = (x[1], sum(face.y) / 2, face.z[0])
-    return Moving(
+    return MovingParts(
         face.name, tuple(parts), Joint(kind="hinge", axis=(0.0, 1.0, 0.0), anchor=anchor, lower=0.0, upper=90.0)
     )
 

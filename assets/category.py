@@ -4,9 +4,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from thinkblox.asset import Mount
 from thinkblox.assets.part import Build
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Mount
 from thinkblox.value import Vec3
 
 Generator = Callable[[Spec], Build]

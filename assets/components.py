@@ -3,15 +3,15 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.assets.mesh_file import Triangles
+from thinkblox.assets.mesh_file import MeshFile
 
 Indices = NDArray[np.int64]
 
 
-def welded(mesh: Triangles) -> Triangles:
+def welded(mesh: MeshFile) -> MeshFile:
     """The same mesh with corners at one place made one, to a millionth of its size.
 
-    Triangles without area, and those with the same corners as another (the other side of a double one), are left out.
+    MeshFile without area, and those with the same corners as another (the other side of a double one), are left out.
     """
     span = float(np.ptp(mesh.vertices, axis=0).max())
     keys = np.round((mesh.vertices - mesh.vertices.min(axis=0)) / max(span * 1e-6, 1e-12)).astype(np.int64)
@@ -20,7 +20,7 @@ def welded(mesh: Triangles) -> Triangles:
     a, b, c = faces.T
     faces = faces[(a != b) & (b != c) & (c != a)]
     _, once = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-    return Triangles(mesh.vertices[first], faces[np.sort(once)])
+    return MeshFile(mesh.vertices[first], faces[np.sort(once)])
 
 
 def edges_of(faces: Indices) -> Indices:
@@ -28,7 +28,7 @@ def edges_of(faces: Indices) -> Indices:
     return np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
 
 
-def components(mesh: Triangles) -> list[Triangles]:
+def components(mesh: MeshFile) -> list[MeshFile]:
     """The parts whose triangles hang together by edges that just two of them share, in the order of first triangles.
 
     So two closed boxes that touch along an edge or at a corner are two parts.
@@ -65,6 +65,6 @@ def _labels(count: int, pairs: Indices) -> Indices:
         label = hooked
 
 
-def _part(mesh: Triangles, chosen: Indices) -> Triangles:
+def _part(mesh: MeshFile, chosen: Indices) -> MeshFile:
     used, faces = np.unique(mesh.faces[chosen], return_inverse=True)
-    return Triangles(mesh.vertices[used], faces.reshape(-1, 3))
+    return MeshFile(mesh.vertices[used], faces.reshape(-1, 3))

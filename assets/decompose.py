@@ -14,7 +14,7 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from thinkblox.assets.components import components, edges_of, welded
-from thinkblox.assets.mesh_file import Triangles
+from thinkblox.assets.mesh_file import MeshFile
 from thinkblox.errors import InputError
 
 Array = NDArray[np.float64]
@@ -39,7 +39,7 @@ class FlatMeshError(InputError):
     """A mesh that spans no volume."""
 
 
-def convex_pieces(mesh: Triangles) -> Pieces:
+def convex_pieces(mesh: MeshFile) -> Pieces:
     """Corner points (n, 3) of convex pieces, in the mesh's own axes; together they fill exactly its bounding box.
 
     The pieces of the last 256 different meshes are kept.
@@ -56,7 +56,7 @@ def convex_pieces(mesh: Triangles) -> Pieces:
     return _CACHE[key]
 
 
-def _pieces(mesh: Triangles) -> Pieces:
+def _pieces(mesh: MeshFile) -> Pieces:
     soup = welded(mesh)
     diagonal = float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
     if not len(soup.faces) or _thinness(soup.vertices) < 1e-5 * diagonal:
@@ -67,7 +67,7 @@ def _pieces(mesh: Triangles) -> Pieces:
     return _filling(mesh, [piece for part in parts for piece in _part_pieces(part, diagonal)])
 
 
-def _part_pieces(part: Triangles, diagonal: float) -> list[Array]:
+def _part_pieces(part: MeshFile, diagonal: float) -> list[Array]:
     if _thinness(part.vertices) < THIN * diagonal:
         return [_thickened(part.vertices, THIN * diagonal)]
     if is_convex(part):
@@ -75,7 +75,7 @@ def _part_pieces(part: Triangles, diagonal: float) -> list[Array]:
     return _decomposed(part, remesh=len(part.faces) > HEAVY)
 
 
-def _decomposed(part: Triangles, *, remesh: bool) -> list[Array]:
+def _decomposed(part: MeshFile, *, remesh: bool) -> list[Array]:
     coacd.set_log_level("off")
     found = coacd.run_coacd(
         coacd.Mesh(part.vertices, part.faces.astype(np.int32)),
@@ -93,7 +93,7 @@ def _decomposed(part: Triangles, *, remesh: bool) -> list[Array]:
     return solid or [_reduced(part.vertices)]
 
 
-def is_convex(part: Triangles) -> bool:
+def is_convex(part: MeshFile) -> bool:
     """Whether a connected part fills its convex hull: by volume when it is closed, else when it covers it all round."""
     hull = Manifold.hull_points(part.vertices)
     if _closed(part):
@@ -102,17 +102,17 @@ def is_convex(part: Triangles) -> bool:
     return outside and _depth(part.vertices, hull) < 0.01 * float(np.linalg.norm(np.ptp(part.vertices, axis=0)))
 
 
-def _closed(part: Triangles) -> bool:
+def _closed(part: MeshFile) -> bool:
     _, counts = np.unique(edges_of(part.faces), axis=0, return_counts=True)
     return bool((counts == 2).all())
 
 
-def _volume(part: Triangles) -> float:
+def _volume(part: MeshFile) -> float:
     a, b, c = (part.vertices[part.faces[:, k]] - part.vertices[0] for k in range(3))
     return abs(float(np.einsum("ij,ij->", a, np.cross(b, c)))) / 6.0
 
 
-def _area(part: Triangles) -> float:
+def _area(part: MeshFile) -> float:
     a, b, c = (part.vertices[part.faces[:, k]] for k in range(3))
     return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2.0
 
@@ -162,7 +162,7 @@ def _directions() -> Array:
     return np.vstack([np.eye(3), -np.eye(3), np.column_stack([ring * np.cos(angle), ring * np.sin(angle), height])])
 
 
-def _filling(mesh: Triangles, pieces: list[Array]) -> Pieces:
+def _filling(mesh: MeshFile, pieces: list[Array]) -> Pieces:
     """The pieces, stretched by what their approximation lost, so that they fill the mesh's bounding box."""
     low, high = mesh.bounds
     have = np.vstack(pieces)

@@ -4,8 +4,8 @@ from math import sqrt
 
 from msgspec import structs
 
-from thinkblox.asset import Joint, Link, Shape, Surface
-from thinkblox.assets.part import Build, Moving, Part, bounds, stretched
+from thinkblox.assets.part import Build, MovingParts, Part, bounds, stretched
+from thinkblox.scene.asset import Joint, Link, Shape, Surface
 from thinkblox.value import Quat, Vec3
 
 _GRID = 4
@@ -36,11 +36,11 @@ def _at(p: Vec3, scale: Vec3, offset: Vec3) -> Vec3:
     return (x, y, z)
 
 
-def _fitted_moving(moving: Moving, scale: Vec3, offset: Vec3) -> Moving:
+def _fitted_moving(moving: MovingParts, scale: Vec3, offset: Vec3) -> MovingParts:
     joint: Joint = moving.joint
     upper = round(joint.upper * scale[0], 3) if joint.kind == "slide" else joint.upper
     parts = tuple(stretched(p, scale, offset) for p in moving.parts)
-    return Moving(moving.name, parts, structs.replace(joint, anchor=_at(joint.anchor, scale, offset), upper=upper))
+    return MovingParts(moving.name, parts, structs.replace(joint, anchor=_at(joint.anchor, scale, offset), upper=upper))
 
 
 def _fitted_surface(surface: Surface, scale: Vec3, offset: Vec3) -> Surface:

@@ -10,7 +10,7 @@ import numpy as np
 from msgspec import structs
 from numpy.typing import NDArray
 
-from thinkblox.asset import Asset, Link, Mount, Shape
+from thinkblox.scene.asset import Asset, Link, Mount, Shape
 from thinkblox.value import Vec3
 
 Array = NDArray[np.float64]

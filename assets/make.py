@@ -11,7 +11,6 @@ import msgspec
 import numpy as np
 from msgspec import structs
 
-from thinkblox.asset import Asset
 from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.assets.category import Category
 from thinkblox.assets.finish import fitted, links_of
@@ -20,6 +19,7 @@ from thinkblox.assets.palette import style_of
 from thinkblox.assets.sizing import checked_size, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.errors import InputError
+from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec3
 
 _PROVENANCE = re.compile(r"procedural:(?P<category>\w+):seed=(?P<seed>\d+)(?::(?P<words>.*))?")

@@ -30,7 +30,7 @@ _PLY_FACES = re.compile(rb"^element face (\d{1,18})\s*$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
-class Triangles:
+class MeshFile:
     """A mesh: corners (n, 3) and the indices of the corners of each triangle (m, 3)."""
 
     vertices: NDArray[np.float64]
@@ -42,7 +42,7 @@ class Triangles:
         return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
 
-def read_triangles(path: Path) -> Triangles:
+def read_triangles(path: Path) -> MeshFile:
     """Read a mesh file.
 
     Raises:
@@ -134,7 +134,7 @@ class _Beside(trimesh.resolvers.Resolver):
         raise InputError(f"{self._path}: reading a mesh writes nothing")
 
 
-def _loaded(path: Path, data: bytes) -> Triangles:
+def _loaded(path: Path, data: bytes) -> MeshFile:
     beside, kind = _Beside(path), path.suffix.lower()[1:]
     try:
         scene = trimesh.load_scene(BytesIO(data), file_type=kind, resolver=beside, process=False, skip_materials=True)
@@ -150,17 +150,17 @@ def _loaded(path: Path, data: bytes) -> Triangles:
     if not meshes:
         raise InputError(f"{path}: holds no triangles")
     starts = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
-    return Triangles(
+    return MeshFile(
         np.vstack([np.asarray(mesh.vertices, dtype=np.float64) for mesh in meshes]),
         np.vstack([np.asarray(m.faces, dtype=np.int64) + start for m, start in zip(meshes, starts, strict=False)]),
     )
 
 
-def _checked(path: Path, mesh: Triangles) -> Triangles:
+def _checked(path: Path, mesh: MeshFile) -> MeshFile:
     if mesh.faces.min() < 0 or mesh.faces.max() >= len(mesh.vertices):
         raise InputError(f"{path}: is broken: a triangle names a corner that does not exist")
     used, faces = np.unique(mesh.faces, return_inverse=True)
     corners = mesh.vertices[used]
     if not np.isfinite(corners).all():
         raise InputError(f"{path}: has a corner that is not a finite number")
-    return Triangles(corners, faces.reshape(-1, 3))
+    return MeshFile(corners, faces.reshape(-1, 3))

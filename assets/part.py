@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from thinkblox.asset import Joint, Material, Surface
+from thinkblox.scene.asset import Joint, Material, Surface
 from thinkblox.value import Vec3
 
 Range = tuple[float, float]
@@ -56,7 +56,7 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Moving:
+class MovingParts:
     """Parts that move together about a joint."""
 
     name: str
@@ -73,7 +73,7 @@ class Build:
     """
 
     body: list[Part] = field(default_factory=list)
-    moving: list[Moving] = field(default_factory=list)
+    moving: list[MovingParts] = field(default_factory=list)
     surfaces: list[Surface] = field(default_factory=list)
     front: Literal["one", "two", "any"] | None = None
 

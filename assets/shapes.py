@@ -6,8 +6,8 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from thinkblox.asset import Surface
 from thinkblox.assets.part import Finish, Kind, Part, Range, hull
+from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2, Vec3
 
 

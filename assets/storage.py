@@ -2,12 +2,12 @@
 
 from msgspec import structs
 
-from thinkblox.asset import Joint
 from thinkblox.assets.carcasses import BOARD, Cell, cabinet, door, face_of
 from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
-from thinkblox.assets.part import Build, Finish, Moving, Range, moved
+from thinkblox.assets.part import Build, Finish, MovingParts, Range, moved
 from thinkblox.assets.shapes import around, box, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Joint
 
 
 def nightstand(spec: Spec) -> Build:
@@ -193,7 +193,9 @@ def shifted(build: Build, offset: tuple[float, float, float]) -> Build:
         return (p[0] + offset[0], p[1] + offset[1], p[2] + offset[2])
 
     moving = [
-        Moving(m.name, tuple(moved(p, offset) for p in m.parts), structs.replace(m.joint, anchor=shift(m.joint.anchor)))
+        MovingParts(
+            m.name, tuple(moved(p, offset) for p in m.parts), structs.replace(m.joint, anchor=shift(m.joint.anchor))
+        )
         for m in build.moving
     ]
     return Build(body=[moved(p, offset) for p in build.body], moving=moving)
@@ -264,7 +266,7 @@ def toy_box(spec: Spec) -> Build:
     )
     lid = box(spec.style.wood, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.022, z))
     joint = Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-x / 2, 0.0, z), lower=0.0, upper=80.0)
-    build.moving = [Moving("lid", (lid,), joint)]
+    build.moving = [MovingParts("lid", (lid,), joint)]
     build.surfaces = [top_surface("lid", (-x / 2, x / 2), (-y / 2, y / 2), z)]
     return build
 

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.scene import Scene, load_scene
+from thinkblox.scene.scene import Scene, load_scene
 from thinkblox.value import read_json, to_json
 
 if TYPE_CHECKING:
     from thinkblox.generate import Generation
-    from thinkblox.sim.settle import SettledState
+    from thinkblox.sim.verdict.settle import SettledState
 
 PICTURES = ("preview.png", "top.png")
 FILES = ("scene.json", "scene.xml", "scene.usda", "report.json", "trace.jsonl", *PICTURES)
@@ -103,7 +103,7 @@ def save_pictures(scene: Scene, out: str | Path, *, size: int = 1024) -> tuple[P
     Raises:
         InputError: the folder cannot be written.
     """
-    from thinkblox.sim.settle import settle
+    from thinkblox.sim.verdict.settle import settle
 
     out = Path(out)
     try:
@@ -119,7 +119,7 @@ def save_pictures(scene: Scene, out: str | Path, *, size: int = 1024) -> tuple[P
 def _write_files(result: "Generation", room: Path, pictures: bool) -> None:
     from thinkblox.exporters.mjcf import write_mjcf
     from thinkblox.exporters.usd import write_usd
-    from thinkblox.sim.settle import settle
+    from thinkblox.sim.verdict.settle import settle
 
     settled = settle(result.scene)
     (room / "scene.json").write_bytes(to_json(result.scene))

@@ -8,11 +8,11 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from thinkblox.room import Room
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.settle import SettledState, add_keyframe, settle
+from thinkblox.sim.verdict.settle import SettledState, add_keyframe, settle
 
 AZIMUTH, ELEVATION = 125.0, -40.0
 """Where the viewer looks to at first [degrees]."""

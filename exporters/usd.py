@@ -9,19 +9,20 @@ import numpy as np
 import shapely
 from pxr import Gf, Kind, Sdf
 
-from thinkblox.asset import Asset, Joint, Link, Shape
 from thinkblox.exporters.usd_joints import add_joint, fix_to_room
 from thinkblox.exporters.usd_looks import Looks
 from thinkblox.exporters.usd_prims import Prim, T, quaternion, vector
 from thinkblox.exporters.usd_shapes import Polygons, add_colliders, add_mesh, add_visuals, box_polygons
-from thinkblox.room import Room
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled, package_version, yaw_quat
+from thinkblox.sim.geometry.solid import rotation
+from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.render.materials import Palette, palette
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.settle import SettledState, settle
-from thinkblox.sim.solid import rotation
-from thinkblox.sim.walls import wall_slabs
+from thinkblox.sim.verdict.settle import SettledState, settle
 from thinkblox.value import Quat, Vec3
 
 _LABELS = "SemanticsLabelsAPI:class"

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from thinkblox.asset import Joint
 from thinkblox.exporters.usd_prims import IDENTITY, Prim, T, quaternion, vector
+from thinkblox.scene.asset import Joint
 from thinkblox.value import Quat
 
 _AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}

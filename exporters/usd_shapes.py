@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Vt
 
-from thinkblox.asset import Shape
 from thinkblox.exporters.usd_looks import BINDING, Colour, Looks, look_name
 from thinkblox.exporters.usd_prims import Prim, T, vectors
+from thinkblox.scene.asset import Shape
+from thinkblox.sim.geometry.solid import rotation
 from thinkblox.sim.render.tessellate import Mesh, capsule, cylinder, ellipsoid, hull
-from thinkblox.sim.solid import rotation
 from thinkblox.value import Vec3
 
 Floats = NDArray[np.float64]

@@ -9,13 +9,14 @@ from importlib.metadata import PackageNotFoundError, version
 import mujoco
 import numpy as np
 
-from thinkblox.asset import Asset, Joint, Link, Shape
 from thinkblox.errors import InputError
-from thinkblox.room import Room
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.solid import solid_of, weighing
+from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.solid import solid_of, weighing
-from thinkblox.sim.walls import wall_slabs
 
 GROUND = "floor"
 """Name of the floor's geom; the walls' geoms are named after the walls."""

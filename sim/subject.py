@@ -6,8 +6,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.room import Room
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled
 from thinkblox.sim.settings import Physics
 

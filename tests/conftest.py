@@ -1,6 +1,6 @@
 import pytest
 
-from thinkblox.asset import Asset, Link, Shape
+from thinkblox.scene.asset import Asset, Link, Shape
 
 
 def unit_box() -> Asset:

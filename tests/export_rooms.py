@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
-from thinkblox.asset import Asset, Joint, Link, Shape
-from thinkblox.room import Opening, Room
-from thinkblox.scene import Scene
+from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.room import Opening, Room
+from thinkblox.scene.scene import Scene
 from thinkblox.value import Value
 from thinkblox.verdict import Report
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from thinkblox.sim.foreign import open_model
-from thinkblox.sim.model_report import model_report
+from thinkblox.sim.foreign.model_report import model_report
+from thinkblox.sim.foreign.opening import open_model
 from thinkblox.sim.subject import Subject
 from thinkblox.verdict import Report, Verdict
 

@@ -1,8 +1,9 @@
 """Tiny rooms and hand-made assets for the tests of thinkblox.sim."""
 
-from thinkblox.asset import Asset, Joint, Link, Mount, Shape
-from thinkblox.room import Room, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Joint, Link, Mount, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
 
 

@@ -12,10 +12,11 @@ from dataclasses import dataclass
 from msgspec import structs
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
-from thinkblox.asset import Asset, Shape
 from thinkblox.assets import make_asset
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.verdict import Reason
 
 Objects = tuple[tuple[Placement, Asset], ...]

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from thinkblox.asset import Asset, Shape
 from thinkblox.assets import CATALOGUE, Category, fit_asset, make_asset
 from thinkblox.errors import InputError
+from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3, from_json, to_json
 
 CASES: list[tuple[str, int, tuple[str, ...]]] = [(name, seed, ()) for name in CATALOGUE for seed in range(3)]

@@ -6,8 +6,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from thinkblox.asset import Asset, Link, Shape
 from thinkblox.assets import CATALOGUE, make_asset
+from thinkblox.scene.asset import Asset, Link, Shape
 
 FREE = [name for name in CATALOGUE if make_asset(name, seed=0).free]
 JOINTED = [name for name in CATALOGUE if len(make_asset(name, seed=0).links) > 1]

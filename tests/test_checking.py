@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from tests.sim_rooms import asset, put, scene, table
-from thinkblox.checking import Reading, verify_file
+from thinkblox.checking import VerifyOptions, verify_file
 from thinkblox.cli import main
 from thinkblox.errors import InputError
-from thinkblox.scene import Scene, load_scene
+from thinkblox.scene.scene import Scene, load_scene
 from thinkblox.value import to_json
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))
@@ -59,9 +59,9 @@ def test_suites_are_printed_by_criterion_and_by_object(room: Path, capsys: pytes
 
 def test_an_unknown_suite_or_format_lists_what_there_is(room: Path) -> None:
     with pytest.raises(InputError, match="molmospaces"):
-        verify_file(room, Reading(suites=("sage",)))
+        verify_file(room, VerifyOptions(suites=("sage",)))
     with pytest.raises(InputError, match="holodeck"):
-        verify_file(room, Reading(format="fbx"))
+        verify_file(room, VerifyOptions(format="fbx"))
 
 
 @pytest.mark.parametrize(("z", "status"), [(0.2, 0), (0.6, 1)])
@@ -101,7 +101,7 @@ def test_a_folder_without_a_scene_is_refused(tmp_path: Path) -> None:
 def test_a_model_is_not_mended_and_has_no_scene(tmp_path: Path) -> None:
     file = tmp_path / "model.xml"
     file.write_text(FALLING.format(z=0.2))
-    for reading in (Reading(fix=True), Reading(out=str(tmp_path / "scene.json"))):
+    for reading in (VerifyOptions(fix=True), VerifyOptions(out=str(tmp_path / "scene.json"))):
         with pytest.raises(InputError):
             verify_file(file, reading)
     assert not (tmp_path / "scene.json").exists()

@@ -13,8 +13,8 @@ import pytest
 from PIL import Image
 from pxr import Usd, UsdGeom, UsdPhysics
 
-from thinkblox.relations import measure
-from thinkblox.scene import Scene, load_scene
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene, load_scene
 
 PROMPTS = {
     "bedroom": "A calm bedroom, 4 m by 5 m, with a double bed, two nightstands with a lamp on each and a wardrobe.",

@@ -23,10 +23,11 @@ from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import CLOSED, gap_cost, imbalance, moment
 from thinkblox.policies.expert.zones import beside
 from thinkblox.reading import read_brief
-from thinkblox.rects import Rects, outside, overlap_depth, separation
-from thinkblox.resting import placed_at
-from thinkblox.room import rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Rects, outside, overlap_depth, separation
+from thinkblox.scene.room import rectangle
+from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import placed_at
 
 ONCE = Effort(restarts=0)
 

@@ -8,7 +8,7 @@ import pytest
 from tests.export_rooms import Line, Result, result
 from thinkblox.errors import InputError
 from thinkblox.exporters.folder import FILES, PICTURES, check_folder, save_pictures, save_room
-from thinkblox.scene import load_scene
+from thinkblox.scene.scene import load_scene
 
 WITHOUT_PICTURES = sorted(set(FILES) - set(PICTURES))
 

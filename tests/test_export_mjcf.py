@@ -8,9 +8,9 @@ import pytest
 
 from tests.export_rooms import sample_scene
 from thinkblox.exporters.mjcf import mjcf_text, write_mjcf
-from thinkblox.scene import Scene
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
-from thinkblox.sim.settle import settle
+from thinkblox.sim.verdict.settle import settle
 
 
 @pytest.fixture(scope="module")

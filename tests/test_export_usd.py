@@ -15,10 +15,10 @@ from tests.export_rooms import L_ROOM, sample_scene
 from tests.sim_rooms import put
 from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.exporters.usd import usd_text, write_usd
-from thinkblox.room import rectangle
-from thinkblox.scene import Scene
+from thinkblox.scene.room import rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
-from thinkblox.sim.settle import settle
+from thinkblox.sim.verdict.settle import settle
 
 
 @pytest.fixture(scope="module")

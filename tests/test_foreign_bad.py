@@ -8,8 +8,8 @@ import pytest
 
 from tests.foreign_models import FLOOR, crate, mjcf, opened
 from thinkblox.errors import InputError
-from thinkblox.sim import asset_limits, xml_elements
-from thinkblox.sim.foreign import open_model
+from thinkblox.sim.foreign import asset_limits, xml_elements
+from thinkblox.sim.foreign.opening import open_model
 
 BOX = crate("box", "0 0 .1")
 MESH = '<asset><mesh name="vase" file="{}"/></asset>'

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from tests.foreign_models import MODELS
 from thinkblox.errors import InputError
-from thinkblox.sim.foreign import open_model
-from thinkblox.sim.guard import guarded
-from thinkblox.sim.model_report import model_report
+from thinkblox.sim.foreign.model_report import model_report
+from thinkblox.sim.foreign.opening import open_model
+from thinkblox.sim.workers.guard import guarded
 from thinkblox.verdict import Report
 
 TABLE_FILE = "table_description/urdf/table.urdf"

@@ -9,9 +9,9 @@ from msgspec import structs
 
 import thinkblox
 from tests.foreign_models import FLOOR, MODELS, crate, mjcf, of, opened, reported
-from thinkblox.room import rectangle
-from thinkblox.sim.foreign import open_model
-from thinkblox.sim.model_report import model_report
+from thinkblox.scene.room import rectangle
+from thinkblox.sim.foreign.model_report import model_report
+from thinkblox.sim.foreign.opening import open_model
 from thinkblox.sim.subject import Subject
 from thinkblox.value import to_json
 

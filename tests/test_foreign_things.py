@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.foreign_models import FLOOR, MODELS, crate, mjcf, opened
-from thinkblox.sim.foreign import open_model
+from thinkblox.sim.foreign.opening import open_model
 
 
 def test_a_room_of_several_files_opens() -> None:

@@ -7,8 +7,8 @@ import pytest
 
 from tests.foreign_models import MODELS, of
 from thinkblox.errors import InputError
-from thinkblox.sim.foreign import open_model
-from thinkblox.sim.model_report import model_report
+from thinkblox.sim.foreign.model_report import model_report
+from thinkblox.sim.foreign.opening import open_model
 from thinkblox.sim.subject import Subject
 
 TABLE = MODELS / "table_description"

@@ -4,15 +4,15 @@ import re
 import numpy as np
 import pytest
 
-from thinkblox.consistency import residual
 from thinkblox.errors import InputError
 from thinkblox.generate import Progress, generate_room
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort
 from thinkblox.policies.expert import ExpertPolicy
-from thinkblox.resting import placed_at
-from thinkblox.room import rectangle
+from thinkblox.scene.agreement import residual
+from thinkblox.scene.room import rectangle
+from thinkblox.scene.support import placed_at
 from thinkblox.steps import Step, parse, write_step
 from thinkblox.value import to_json
 

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from thinkblox.errors import InputError
-from thinkblox.sim.foreign import open_model
-from thinkblox.sim.guard import guarded
+from thinkblox.sim.foreign.opening import open_model
+from thinkblox.sim.workers.guard import guarded
 
 SMALL_ROOM = """<mujoco><worldbody><geom type="plane" size="5 5 .1"/>
 <body name="crate" pos="0 0 .1"><freejoint/><geom type="box" size=".1 .1 .1"/></body></worldbody></mujoco>"""
@@ -99,7 +99,7 @@ def test_what_asks_for_too_much_memory_is_an_input_error() -> None:
 
 SCRIPT = """
 import sys, time
-from thinkblox.sim.guard import guarded
+from thinkblox.sim.workers.guard import guarded
 print("ready", flush=True)
 guarded(time.sleep, 600.0, seconds=600.0)
 """
@@ -143,7 +143,7 @@ def _gone(pid: int) -> bool:
 def test_a_script_without_a_main_guard_may_use_it(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(
-        "import math\nfrom thinkblox.sim.guard import guarded\nprint(guarded(math.sqrt, 2.25, seconds=60))\n"
+        "import math\nfrom thinkblox.sim.workers.guard import guarded\nprint(guarded(math.sqrt, 2.25, seconds=60))\n"
     )
     done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=60, check=False)
     assert (done.stdout, done.returncode) == ("1.5\n", 0), done.stderr

@@ -15,9 +15,9 @@ from thinkblox.importing.document import Document
 from thinkblox.importing.frames import OWN_FROM_Y_UP, about
 from thinkblox.importing.holodeck import read_holodeck
 from thinkblox.importing.library import Library
-from thinkblox.room import turn_between
-from thinkblox.scene import Placement
-from thinkblox.sim.solid import pose, solid_of
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
+from thinkblox.sim.geometry.solid import pose, solid_of
 
 DATA = Path(__file__).parent / "data" / "layouts"
 MANY = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])

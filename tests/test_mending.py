@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 import thinkblox
 from tests.sim_rooms import asset, box, put, scene, table, vase
 from thinkblox.mending import mend
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Scene
-from thinkblox.sim.world import World
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Move, Verdict
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))

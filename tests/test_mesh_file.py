@@ -11,12 +11,12 @@ from manifold3d import Manifold, OpType
 from tests.layout_rooms import chair_mesh
 from thinkblox.assets.components import components, welded
 from thinkblox.assets.decompose import FlatMeshError, convex_pieces, is_convex
-from thinkblox.assets.mesh_file import MAX_TRIANGLES, Triangles, read_triangles
+from thinkblox.assets.mesh_file import MAX_TRIANGLES, MeshFile, read_triangles
 from thinkblox.errors import InputError
 
 
 def _triangles(mesh):
-    return Triangles(np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int64))
+    return MeshFile(np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int64))
 
 
 @pytest.mark.parametrize("suffix", ["glb", "gltf", "obj", "stl", "ply"])
@@ -132,10 +132,10 @@ def test_nothing_outside_the_folder_is_opened(tmp_path):
 
 
 def test_a_plane_has_no_volume():
-    plane = Triangles(np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), np.array([[0, 1, 2], [0, 2, 3]]))
+    plane = MeshFile(np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), np.array([[0, 1, 2], [0, 2, 3]]))
     with pytest.raises(FlatMeshError, match="no volume"):
         convex_pieces(plane)
-    line = Triangles(np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), np.array([[0, 1, 2]]))
+    line = MeshFile(np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]), np.array([[0, 1, 2]]))
     with pytest.raises(FlatMeshError, match="no volume"):
         convex_pieces(line)
 

@@ -5,9 +5,9 @@ from thinkblox.brief import Brief
 from thinkblox.observe import Observation
 from thinkblox.phrases import constraints
 from thinkblox.plan import Plan, Target, Tie
-from thinkblox.resting import placed_at
-from thinkblox.room import Opening, rectangle
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Opening, rectangle
+from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import placed_at
 
 
 def observation(*feedback: str) -> Observation:

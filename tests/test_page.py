@@ -17,15 +17,15 @@ from thinkblox.errors import InputError
 from thinkblox.page import page_of, write_page
 from thinkblox.page.markup import VOID, element
 from thinkblox.page.tables import MOST_FINDINGS
-from thinkblox.room import Opening, rectangle
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Opening, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.drawn import FaultPicture, Mark
 from thinkblox.sim.render.fault_pictures import fault_pictures
 from thinkblox.sim.render.model_soup import add_model
 from thinkblox.sim.render.sights import Scenery, from_above, scenery_of
 from thinkblox.sim.render.soup import ROOM, Soup
 from thinkblox.sim.subject import subject_of
-from thinkblox.sim.verify import verify
+from thinkblox.sim.verdict.verify import verify
 from thinkblox.suite import Criterion, Finding, SuiteResult
 from thinkblox.verdict import Absence, Access, Move, Push, Reason, RelationResult, Report, Swing, Verdict
 

@@ -4,10 +4,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from thinkblox.consistency import residual
 from thinkblox.phrases import SIDES, Constraint, constraints, phrase, planned_constraints
-from thinkblox.room import rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.agreement import residual
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.steps import Step
 
 lengths = st.integers(0, 9000).map(lambda mm: mm / 1000)

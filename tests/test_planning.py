@@ -14,7 +14,7 @@ from thinkblox.errors import InputError
 from thinkblox.plan import Plan
 from thinkblox.planning import plan_brief, plan_room
 from thinkblox.reading import read_brief
-from thinkblox.room import rectangle
+from thinkblox.scene.room import rectangle
 
 ROOM = rectangle(6.0, 5.0)
 

@@ -19,13 +19,13 @@ import pytest
 from msgspec import structs
 
 from tests.sim_rooms import asset, put, scene, table, vase, wardrobe
-from thinkblox.asset import Asset, Shape
 from thinkblox.errors import InputError, ThinkBloxError
-from thinkblox.scene import Scene
-from thinkblox.sim.pool import WAITING, Job, VerdictPool
-from thinkblox.sim.pool_parcel import Keys, Parcel
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.world import World
+from thinkblox.sim.workers.parcel import Keys, Parcel
+from thinkblox.sim.workers.pool import WAITING, Job, VerdictPool
 from thinkblox.value import from_json, to_json
 from thinkblox.verdict import Verdict
 
@@ -391,7 +391,7 @@ def test_numbers_out_of_range_are_refused() -> None:
 START = """
 import os, signal, sys, time
 from tests.test_pool import ENDLESS, crates
-from thinkblox.sim.pool import VerdictPool
+from thinkblox.sim.workers.pool import VerdictPool
 pool = VerdictPool(workers=2)
 pool.check([crates(1), crates(2)])
 print(*pool.pids, flush=True)

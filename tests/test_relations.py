@@ -7,12 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec import structs
 
-from thinkblox.asset import Asset, Link, Shape, Surface
 from thinkblox.brief import RelationKind
-from thinkblox.places import corners, things, walls
-from thinkblox.relations import measure
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Link, Shape, Surface
+from thinkblox.scene.landmarks import corners, things, walls
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
 
 BED, NIGHTSTAND, CHAIR, TABLE = (2.0, 1.6, 0.5), (0.4, 0.45, 0.5), (0.5, 0.5, 0.9), (0.8, 1.6, 0.75)

@@ -5,9 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from thinkblox.asset import Asset, Link, Shape
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Link, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render import (
     NOTHING,
     ROOM,
@@ -20,7 +21,7 @@ from thinkblox.sim.render import (
     render_preview,
     render_top,
 )
-from thinkblox.sim.render.labels import Thing, laid_out, names_of
+from thinkblox.sim.render.labels import Labelled, laid_out, names_of
 from thinkblox.sim.render.plan_view import plan_labels
 from thinkblox.value import Vec3
 
@@ -196,7 +197,7 @@ def test_names_are_short_for_many_of_a_kind_and_plain_for_one() -> None:
 
 
 def test_labels_of_neighbours_do_not_cover_each_other() -> None:
-    things = [Thing(f"t_{i}", ("a long name", "short"), (50 + 12.0 * i, 100, 60 + 12.0 * i, 110)) for i in range(6)]
+    things = [Labelled(f"t_{i}", ("a long name", "short"), (50 + 12.0 * i, 100, 60 + 12.0 * i, 110)) for i in range(6)]
     labels = laid_out(things, lambda text, font: (len(text) * font / 2, float(font)), size=400, fonts=(12, 10))
     boxes = [
         (

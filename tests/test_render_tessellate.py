@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from thinkblox.asset import Asset, Link, Shape
+from thinkblox.scene.asset import Asset, Link, Shape
 from thinkblox.sim.render.soup import Soup, quat_matrix
 from thinkblox.sim.render.tessellate import Mesh, edge_radius, rounded_box, tessellate
 from thinkblox.value import Vec3

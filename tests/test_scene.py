@@ -8,8 +8,9 @@ from hypothesis import strategies as st
 
 from tests.conftest import unit_box
 from thinkblox.errors import InputError
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene, load_scene
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene, load_scene
 from thinkblox.value import from_json, json_schema, to_json
 
 L_SHAPE = ((0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (3.0, 2.0), (3.0, 4.0), (0.0, 4.0))

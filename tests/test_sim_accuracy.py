@@ -10,11 +10,12 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from tests.sim_rooms import asset, box, put, scene
-from thinkblox.asset import Asset, Shape
-from thinkblox.room import Room, rectangle
-from thinkblox.scene import Placement, Scene
-from thinkblox.sim.solid import pose, rotation
-from thinkblox.sim.world import World
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room, rectangle
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.solid import pose, rotation
+from thinkblox.sim.verdict.world import World
 from thinkblox.value import Quat
 from thinkblox.verdict import Verdict
 

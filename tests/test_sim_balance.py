@@ -5,10 +5,11 @@ from hypothesis import HealthCheck, given, settings
 
 from tests.sim_rooms import asset, put, scene, table, vase
 from tests.test_sim_cut import crowded
-from thinkblox.asset import Asset
-from thinkblox.scene import Placement, Scene
-from thinkblox.sim import stage
-from thinkblox.sim.world import World
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.verdict import stage
+from thinkblox.sim.verdict.world import World
 
 CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 

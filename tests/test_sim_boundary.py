@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from msgspec import structs
 
 from tests.sim_rooms import asset, box, put
-from thinkblox.asset import Asset, Shape
 from thinkblox.assets import make_asset
-from thinkblox.room import Room, rectangle
-from thinkblox.scene import Placement
-from thinkblox.sim.boundary import boundary_distance, least_move_inside
-from thinkblox.sim.footprint import footprint_of, in_room
-from thinkblox.sim.solid import solid_of
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room, rectangle
+from thinkblox.sim.geometry.boundary import boundary_distance, least_move_inside
+from thinkblox.sim.geometry.footprint import footprint_of, in_room
+from thinkblox.sim.geometry.solid import solid_of
 
 CRATE = asset("crate", (0.5, 0.4, 0.3))
 PLANK = asset("plank", (1.0, 0.1, 0.1))

@@ -5,11 +5,11 @@ from msgspec import structs
 from shapely import Point
 
 from tests.sim_rooms import asset, put, scene, table, wardrobe
-from thinkblox.asset import Shape, Surface
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Scene
+from thinkblox.scene.asset import Shape, Surface
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
-from thinkblox.sim.walls import wall_slabs
+from thinkblox.sim.geometry.walls import wall_slabs
 
 POINTS = ((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.0, 0.3, 0.0), (0.0, 0.0, 0.3))
 

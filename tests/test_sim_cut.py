@@ -9,15 +9,16 @@ from hypothesis import strategies as st
 from tests.bench.hull_rooms import step
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
 from tests.whole_room import whole_room
-from thinkblox.asset import Asset, Shape
 from thinkblox.assets import make_asset
-from thinkblox.resting import placed_at
-from thinkblox.room import Opening, rectangle
-from thinkblox.scene import Placement, Scene
-from thinkblox.sim.access import FreeFloor
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, rectangle
+from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import placed_at
+from thinkblox.sim.geometry.access import FreeFloor
+from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.settings import Walking
-from thinkblox.sim.solid import solid_of
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Verdict
 
 AT_REST = 1e-4

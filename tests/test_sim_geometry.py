@@ -6,13 +6,14 @@ from hypothesis import strategies as st
 from msgspec import structs
 
 from tests.sim_rooms import asset, box, put, scene, table, vase
-from thinkblox.asset import Asset, Shape
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene
-from thinkblox.sim.access import access
-from thinkblox.sim.overlap import overlap_ratio, overlap_volume
-from thinkblox.sim.solid import solid_of
-from thinkblox.sim.world import World
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.access import access
+from thinkblox.sim.geometry.overlap import overlap_ratio, overlap_volume
+from thinkblox.sim.geometry.solid import solid_of
+from thinkblox.sim.verdict.world import World
 
 CRATE = asset("crate", (0.5, 0.4, 0.3))
 coordinate = st.floats(-0.6, 0.6)

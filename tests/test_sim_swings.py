@@ -8,13 +8,14 @@ from hypothesis import strategies as st
 from msgspec import structs
 
 from tests.sim_rooms import asset, box, put, scene, wardrobe
-from thinkblox.asset import Asset, Joint, Link, Shape
 from thinkblox.assets import make_asset
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled
+from thinkblox.sim.geometry.swings import Surroundings, surroundings, swings
 from thinkblox.sim.settings import Walking
-from thinkblox.sim.swings import Surroundings, surroundings, swings
 from thinkblox.verdict import Swing
 
 WARDROBE = wardrobe()

@@ -6,14 +6,14 @@ import pytest
 from msgspec import structs
 
 from tests.sim_rooms import asset, put, scene, table, vase, wardrobe
-from thinkblox.asset import Shape
-from thinkblox.room import Opening, rectangle
-from thinkblox.scene import Scene
+from thinkblox.scene.asset import Shape
+from thinkblox.scene.room import Opening, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.settle import add_keyframe, settle
-from thinkblox.sim.verify import verify
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.settle import add_keyframe, settle
+from thinkblox.sim.verdict.verify import verify
+from thinkblox.sim.verdict.world import World
 from thinkblox.value import to_json
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))

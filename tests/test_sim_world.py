@@ -2,11 +2,12 @@ import mujoco
 import pytest
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
-from thinkblox.asset import Asset, Shape
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Verdict
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))

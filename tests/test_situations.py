@@ -3,7 +3,7 @@
 import pytest
 
 from tests.situations import FALLS, SITUATIONS, Situation
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.world import World
 
 
 def row(situation: Situation) -> object:

@@ -7,7 +7,7 @@ import pytest
 
 from tests.sim_rooms import asset, box, put, scene, table, vase
 from tests.suite_subjects import EXPLODING, FLOOR, failed, failures, fixed_box, free_box, of, stuck_box, subject
-from thinkblox.room import rectangle
+from thinkblox.scene.room import rectangle
 from thinkblox.sim.subject import Subject, subject_of
 from thinkblox.sim.suites import run_suite
 

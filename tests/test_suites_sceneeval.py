@@ -6,8 +6,8 @@ import pytest
 
 from tests.sim_rooms import asset, box, put, scene, table, vase
 from tests.suite_subjects import failed, failures, fixed_box, free_box, of, subject
-from thinkblox.room import Opening, Room, rectangle
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Opening, Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.subject import subject_of
 from thinkblox.sim.suites import run_suite
 from thinkblox.sim.suites.floorplan import components

@@ -7,8 +7,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.suite_subjects import subject
+from thinkblox.sim.foreign.triangles import (
+    CHORD,
+    Triangles,
+    collision_model,
+    first_hits,
+    geom_triangles,
+    sides,
+    triangles_of,
+)
 from thinkblox.sim.subject import Subject, thing_of
-from thinkblox.sim.triangles import CHORD, Triangles, collision_model, first_hits, geom_triangles, sides, triangles_of
 
 radius = st.floats(0.01, 1.0)
 

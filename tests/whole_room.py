@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.scene import Scene
-from thinkblox.sim.bounds import Boxes, Neighbours
-from thinkblox.sim.solid import solid_of
-from thinkblox.sim.world import World
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.bounds import Boxes, Neighbours
+from thinkblox.sim.geometry.solid import solid_of
+from thinkblox.sim.verdict.world import World
 
 
 class Everybody(Neighbours):

@@ -12,41 +12,42 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from thinkblox.checking import Reading, verify_file
+    from thinkblox.checking import VerifyOptions, verify_file
     from thinkblox.errors import InputError, ThinkBloxError
     from thinkblox.exporters.folder import save_room
     from thinkblox.generate import Generation, generate_room
     from thinkblox.policies import Policy
-    from thinkblox.room import Opening, Room
-    from thinkblox.scene import Placement, Scene, load_scene
-    from thinkblox.sim.pool import Job, VerdictPool
-    from thinkblox.sim.verify import verify
-    from thinkblox.sim.world import World
+    from thinkblox.scene.placement import Placement
+    from thinkblox.scene.room import Opening, Room
+    from thinkblox.scene.scene import Scene, load_scene
+    from thinkblox.sim.verdict.verify import verify
+    from thinkblox.sim.verdict.world import World
+    from thinkblox.sim.workers.pool import Job, VerdictPool
     from thinkblox.steps import Rejection, Step, parse
     from thinkblox.verdict import Report, Verdict
 
 _HOME = {
     "Generation": "thinkblox.generate",
     "InputError": "thinkblox.errors",
-    "Job": "thinkblox.sim.pool",
-    "Opening": "thinkblox.room",
-    "Placement": "thinkblox.scene",
+    "Job": "thinkblox.sim.workers.pool",
+    "Opening": "thinkblox.scene.room",
+    "Placement": "thinkblox.scene.placement",
     "Policy": "thinkblox.policies",
-    "Reading": "thinkblox.checking",
+    "VerifyOptions": "thinkblox.checking",
     "Rejection": "thinkblox.steps",
     "Report": "thinkblox.verdict",
-    "Room": "thinkblox.room",
-    "Scene": "thinkblox.scene",
+    "Room": "thinkblox.scene.room",
+    "Scene": "thinkblox.scene.scene",
     "Step": "thinkblox.steps",
     "ThinkBloxError": "thinkblox.errors",
     "Verdict": "thinkblox.verdict",
-    "VerdictPool": "thinkblox.sim.pool",
-    "World": "thinkblox.sim.world",
+    "VerdictPool": "thinkblox.sim.workers.pool",
+    "World": "thinkblox.sim.verdict.world",
     "generate_room": "thinkblox.generate",
-    "load_scene": "thinkblox.scene",
+    "load_scene": "thinkblox.scene.scene",
     "parse": "thinkblox.steps",
     "save_room": "thinkblox.exporters.folder",
-    "verify": "thinkblox.sim.verify",
+    "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
 }
 __all__ = [
@@ -56,7 +57,6 @@ __all__ = [
     "Opening",
     "Placement",
     "Policy",
-    "Reading",
     "Rejection",
     "Report",
     "Room",
@@ -65,6 +65,7 @@ __all__ = [
     "ThinkBloxError",
     "Verdict",
     "VerdictPool",
+    "VerifyOptions",
     "World",
     "generate_room",
     "load_scene",

@@ -7,7 +7,7 @@ import msgspec
 from msgspec import structs
 
 from thinkblox.errors import InputError
-from thinkblox.scene import load_scene
+from thinkblox.scene.scene import load_scene
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, to_json
 from thinkblox.verdict import Absence, Report
@@ -24,7 +24,7 @@ TIMEOUT = 600.0
 """How long the measuring of a foreign file may take unless told otherwise [s]."""
 
 
-class Reading(Value, frozen=True, kw_only=True):
+class VerifyOptions(Value, frozen=True, kw_only=True):
     """How a file is to be read and what is to be made of it.
 
     Attributes:
@@ -52,10 +52,10 @@ class Reading(Value, frozen=True, kw_only=True):
     page: str | None = None
 
 
-def verify_file(path: str | Path, reading: Reading | None = None, *, timeout: float = TIMEOUT) -> Report:
+def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeout: float = TIMEOUT) -> Report:
     """Measure the scene in a file or folder.
 
-    Our own scenes are measured as `thinkblox.sim.verify.verify` does. Models keep their own options. Layouts of other
+    Our own scenes are measured as `thinkblox.verify` does. Models keep their own options. Layouts of other
     generators become scenes first. What is not ours is read and simulated in a process of its own.
 
     Args:
@@ -66,17 +66,17 @@ def verify_file(path: str | Path, reading: Reading | None = None, *, timeout: fl
     Raises:
         InputError: it cannot be read, or takes too long; says what was wrong, where, and what to do.
     """
-    path, reading = Path(path), reading or Reading()
+    path, reading = Path(path), reading or VerifyOptions()
     _check_names(reading)
     kind = _format_of(path, reading.format)
     if kind == OURS:
         return _measured(str(path), kind, reading)
-    from thinkblox.sim.guard import guarded
+    from thinkblox.sim.workers.guard import guarded
 
     return guarded(_measured, str(path), kind, reading, seconds=timeout, doing=f"measuring {path}")
 
 
-def _check_names(reading: Reading) -> None:
+def _check_names(reading: VerifyOptions) -> None:
     from thinkblox.importing import FORMATS
     from thinkblox.sim.suites import SUITES
 
@@ -128,7 +128,7 @@ def _is_ours(path: Path) -> bool:
     return True
 
 
-def _measured(path: str, format: str, reading: Reading) -> Report:
+def _measured(path: str, format: str, reading: VerifyOptions) -> Report:
     """Read, mend, measure and write, all as asked."""
     subject, notes, unplaced = _opened(Path(path), format, reading)
     report = _report(subject)
@@ -150,14 +150,14 @@ def _measured(path: str, format: str, reading: Reading) -> Report:
     return report
 
 
-def _opened(path: Path, format: str, reading: Reading) -> tuple["Subject", tuple[str, ...], tuple[str, ...]]:
+def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject", tuple[str, ...], tuple[str, ...]]:
     """What is to be measured, notes on how it was read, and the names of what it does not place."""
     from thinkblox.sim.subject import subject_of
 
     if format == OURS:
         return subject_of(load_scene(path)), (), ()
     if format in MODELS:
-        from thinkblox.sim.foreign import open_model
+        from thinkblox.sim.foreign.opening import open_model
 
         return open_model(path), (), ()
     from thinkblox.importing import read_layout
@@ -177,10 +177,10 @@ def _opened(path: Path, format: str, reading: Reading) -> tuple["Subject", tuple
 
 def _report(subject: "Subject") -> Report:
     if subject.scene is not None:
-        from thinkblox.sim.verify import verify
+        from thinkblox.sim.verdict.verify import verify
 
         return verify(subject.scene)
-    from thinkblox.sim.model_report import model_report
+    from thinkblox.sim.foreign.model_report import model_report
 
     return model_report(subject)
 
@@ -200,13 +200,13 @@ def _mended(path: str, subject: "Subject", report: Report) -> tuple["Subject", R
     return subject, structs.replace(again, moves=moves)
 
 
-def _suites(subject: "Subject", reading: Reading) -> tuple[SuiteResult, ...]:
+def _suites(subject: "Subject", reading: VerifyOptions) -> tuple[SuiteResult, ...]:
     from thinkblox.sim.suites import run_suite
 
     return tuple(run_suite(name, subject, seed=reading.seed) for name in reading.suites)
 
 
-def _write(path: str, subject: "Subject", report: Report, reading: Reading) -> None:
+def _write(path: str, subject: "Subject", report: Report, reading: VerifyOptions) -> None:
     if reading.out is not None:
         if subject.scene is None:
             raise InputError(f"{path}: a model has no scene.json; --out is for scenes and layouts")

@@ -177,7 +177,7 @@ def _generate(arguments: argparse.Namespace) -> int:
     from thinkblox.exporters.folder import check_folder, save_room
     from thinkblox.generate import generate_room
     from thinkblox.placing import Effort
-    from thinkblox.room import Room
+    from thinkblox.scene.room import Room
     from thinkblox.value import read_json, to_json
 
     check_folder(arguments.out, overwrite=arguments.overwrite)
@@ -202,10 +202,10 @@ def _generate(arguments: argparse.Namespace) -> int:
 
 def _verify(arguments: argparse.Namespace) -> int:
     from thinkblox import printing
-    from thinkblox.checking import Reading, verify_file
+    from thinkblox.checking import VerifyOptions, verify_file
     from thinkblox.value import to_json
 
-    reading = Reading(
+    reading = VerifyOptions(
         format=arguments.format,
         assets=_text(arguments.assets),
         height=arguments.height,
@@ -239,7 +239,7 @@ def _render(arguments: argparse.Namespace) -> int:
     import msgspec
 
     from thinkblox.exporters.folder import save_pictures
-    from thinkblox.scene import load_scene
+    from thinkblox.scene.scene import load_scene
 
     scene = load_scene(arguments.scene)
     home = arguments.scene if arguments.scene.is_dir() else arguments.scene.parent

@@ -14,10 +14,10 @@ from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import read_brief
 from thinkblox.reporting import UNKNOWN, report_on
-from thinkblox.room import Room
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.world import World
 from thinkblox.trace import Round
 from thinkblox.verdict import Absence, Report
 

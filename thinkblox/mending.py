@@ -8,22 +8,20 @@ from typing import get_args
 import numpy as np
 from msgspec import structs
 
-from thinkblox.riders import apart, carriers, group_mass, riders, to_micrometres, with_shifted, without
-from thinkblox.scene import Placement, Scene
-from thinkblox.shifts import Shift, shifts
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.riders import apart, carriers, group_mass, riders, to_micrometres, with_shifted, without
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.shifts import Shift, shifts
 from thinkblox.sim.settings import Physics, Tolerances, Walking
-from thinkblox.sim.world import World
+from thinkblox.sim.verdict.world import World
+from thinkblox.strictness import Rules
 from thinkblox.value import Vec3
 from thinkblox.verdict import Move, Reason, Verdict
 
 FINE = 0.00025
 """How finely the least shift is found [m]."""
-TIGHT = 0.0005
-"""What was moved is left within this of touching what it rests on or hangs on [m]."""
 TIGHTER = 0.02
 """How much further something is moved to leave it so [m]."""
-STILL = 0.1
-"""What was moved tilts less than this while settling [degrees]: nothing is left on the brink."""
 CLOSE = 0.05
 """Whatever is nearer than this to something that moves is measured again [m]."""
 ANY: frozenset[Reason] = frozenset(get_args(Reason))
@@ -56,39 +54,8 @@ def mend(
         walking: what a walkable way is.
         tries: poses that are measured at most for one object.
     """
-    rules = _Rules(tolerances or Tolerances(), physics or Physics(), walking or Walking(), tries)
+    rules = Rules(tolerances or Tolerances(), physics or Physics(), walking or Walking(), tries)
     return _Mending(scene, rules).run()
-
-
-@dataclass(frozen=True)
-class _Rules:
-    tolerances: Tolerances
-    physics: Physics
-    walking: Walking
-    tries: int
-
-    @property
-    def still(self) -> Tolerances:
-        """Tolerances for what is moved, so that it is not left on the brink."""
-        usual = self.tolerances
-        return structs.replace(usual, drift=min(usual.drift, TIGHT), tilt=min(usual.tilt, STILL))
-
-    @property
-    def tight(self) -> Tolerances:
-        """Besides, so that it just touches what it rests on, hangs on and stands beside."""
-        usual = self.still
-        return structs.replace(
-            usual,
-            penetration=min(usual.penetration, TIGHT / 5),
-            outside=min(usual.outside, TIGHT / 5),
-            touching=min(usual.touching, TIGHT),
-            clearance=min(usual.clearance, TIGHT),
-            drop=min(usual.drop, TIGHT),
-        )
-
-    def world(self, scene: Scene, tolerances: Tolerances | None = None) -> World:
-        """The scene, ready to measure in."""
-        return World(scene, tolerances=tolerances or self.tolerances, physics=self.physics, walking=self.walking)
 
 
 @dataclass
@@ -96,7 +63,7 @@ class _Mending:
     """The scene as mended so far, what it was before each move, and the verdicts at the start and now."""
 
     scene: Scene
-    rules: _Rules
+    rules: Rules
     steps: list[Scene] = field(default_factory=list)
 
     def __post_init__(self) -> None:

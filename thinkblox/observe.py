@@ -5,10 +5,10 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from thinkblox.asset import Asset
 from thinkblox.brief import Relation
 from thinkblox.plan import Plan, Target, Tie
-from thinkblox.scene import Scene
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.scene import Scene
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -9,17 +9,18 @@ from zlib import crc32
 
 import numpy as np
 
-from thinkblox.asset import Asset
 from thinkblox.assets import fit_asset, make_asset
 from thinkblox.errors import InputError
-from thinkblox.nearest import nearest_poses
 from thinkblox.observe import Observation
 from thinkblox.plan import Plan, Target
 from thinkblox.policies import Policy
-from thinkblox.relations import measure
-from thinkblox.resting import placed_at
-from thinkblox.scene import Placement, Scene
-from thinkblox.sim.world import World
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.nearby import nearest_poses
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import placed_at
+from thinkblox.sim.verdict.world import World
 from thinkblox.steps import Rejection, Step, parse
 from thinkblox.trace import Round, Try
 from thinkblox.verdict import Reason, Verdict

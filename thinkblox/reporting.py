@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 from msgspec import structs
 
 from thinkblox.brief import RelationKind
-from thinkblox.places import corners
 from thinkblox.plan import Plan, Tie
-from thinkblox.relations import measure
-from thinkblox.scene import Scene
+from thinkblox.scene.landmarks import corners
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
-from thinkblox.sim.verify import verify
+from thinkblox.sim.verdict.verify import verify
 from thinkblox.verdict import Absence, RelationResult, Report
 
 TOGETHER: frozenset[RelationKind] = frozenset({"around", "in_rows"})

@@ -2,8 +2,8 @@
 
 from thinkblox.brief import Brief
 from thinkblox.plan import Plan
-from thinkblox.room import Room
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.steps import Answer
 from thinkblox.trace import Round
 from thinkblox.value import Value

@@ -14,7 +14,7 @@ Ring = tuple[Point, ...]
 
 
 @dataclass(frozen=True)
-class Outline:
+class Silhouette:
     """An object in the picture.
 
     Attributes:
@@ -59,6 +59,6 @@ class FaultPicture:
 
     image: "Image"
     box: Box
-    outlines: tuple[Outline, ...]
+    outlines: tuple[Silhouette, ...]
     marks: tuple[Mark, ...]
     badges: tuple[Badge, ...]

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from thinkblox.sim.render.drawn import Badge, Mark, Outline, Point, Ring
-from thinkblox.sim.render.labels import Box, Thing, laid_out
+from thinkblox.sim.render.drawn import Badge, Mark, Point, Ring, Silhouette
+from thinkblox.sim.render.labels import Box, Labelled, laid_out
 
 BADGE = 11.0
 """Radius of a number's disc [pixels]."""
@@ -16,9 +16,11 @@ LETTER, LINE = 6.8, 13.0
 """Width of a letter and height of a line of a mark's text [pixels]."""
 
 
-def badges_of(outlines: Iterable[Outline], numbers: Mapping[str, int], marks: Iterable[Mark], size: int) -> list[Badge]:
+def badges_of(
+    outlines: Iterable[Silhouette], numbers: Mapping[str, int], marks: Iterable[Mark], size: int
+) -> list[Badge]:
     """The numbers, each on or beside its object, none on another or on what is drawn small."""
-    things = [Thing(o.id, (str(numbers[o.id]),), _box(o.hull)) for o in outlines if o.hull]
+    things = [Labelled(o.id, (str(numbers[o.id]),), _box(o.hull)) for o in outlines if o.hull]
     spots = [spot for mark in marks for spot in (*mark.circles, *(mark.arrow or ())[1:])]
     kept = [(x - KEPT_FREE, y - KEPT_FREE, x + KEPT_FREE, y + KEPT_FREE) for x, y in spots]
     labels = laid_out(things, lambda text, font: (2 * BADGE, 2 * BADGE), size=size, fonts=(1,), reserved=kept)

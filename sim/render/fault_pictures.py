@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
-from thinkblox.sim.render.drawn import Badge, FaultPicture, Mark, Outline, Point, Ring
+from thinkblox.sim.render.drawn import Badge, FaultPicture, Mark, Point, Ring, Silhouette
 from thinkblox.sim.render.fault_labels import badges_of, with_texts
 from thinkblox.sim.render.faults import Fault, faults_of
 from thinkblox.sim.render.labels import Box
@@ -17,7 +17,7 @@ from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.plan_marks import Marks, mark_openings
-from thinkblox.sim.render.sights import Body, Scenery, Sight, from_above, scenery_of, three_quarter
+from thinkblox.sim.render.sights import Scenery, Sight, Sighted, from_above, scenery_of, three_quarter
 from thinkblox.sim.render.tessellate import Ints
 from thinkblox.sim.settings import Walking
 from thinkblox.sim.subject import Subject
@@ -91,11 +91,11 @@ def _image(scenery: Scenery, sight: Sight, size: int) -> "Image":
     return marks.over(image)
 
 
-def _outline(body: Body, number: int, sight: Sight, owners: Ints, size: int) -> Outline:
+def _outline(body: Sighted, number: int, sight: Sight, owners: Ints, size: int) -> Silhouette:
     hull = _hull(sight, body.points, size)
     seen = _region(owners == number)
     hidden = shapely.area(seen) < shapely.area(hull) / 3
-    return Outline(body.id, _rings(seen), _rings(hull)[0] if _rings(hull) else (), bool(hidden))
+    return Silhouette(body.id, _rings(seen), _rings(hull)[0] if _rings(hull) else (), bool(hidden))
 
 
 def _hull(sight: Sight, points: Array, size: int) -> BaseGeometry:
@@ -160,7 +160,7 @@ def _long_enough(start: Point, end: Point) -> tuple[Point, Point] | None:
     return start, _point(np.array(tip))
 
 
-def _trimmed(frame: Array, outlines: Sequence[Outline], badges: Sequence[Badge], size: int) -> Box:
+def _trimmed(frame: Array, outlines: Sequence[Silhouette], badges: Sequence[Badge], size: int) -> Box:
     """What of the picture is worth showing: the room, the objects and their numbers."""
     points = np.concatenate(
         [frame, *(np.array(o.hull) for o in outlines if o.hull), *(np.array([b.at]) for b in badges)]

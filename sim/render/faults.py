@@ -8,9 +8,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from thinkblox.sim.openings import door_zone, window_zone
+from thinkblox.sim.geometry.openings import door_zone, window_zone
 from thinkblox.sim.render.motions import rests, sweep
-from thinkblox.sim.render.sights import Body, Scenery
+from thinkblox.sim.render.sights import Scenery, Sighted
 from thinkblox.sim.settings import Walking
 from thinkblox.verdict import Report, Verdict
 
@@ -90,7 +90,7 @@ def _overlaps(verdicts: Sequence[Verdict], scenery: Scenery) -> Iterator[Fault]:
                 yield _overlap(scenery, body, other, f"{millimetres(collision.depth)} deep")
 
 
-def _overlap(scenery: Scenery, body: Body, other: Body, text: str) -> Fault:
+def _overlap(scenery: Scenery, body: Sighted, other: Sighted, text: str) -> Fault:
     """What two objects both fill; where no common volume is found, the engine's contacts between them."""
     common = tuple(_common(body, other))
     if common:
@@ -103,7 +103,7 @@ def _overlap(scenery: Scenery, body: Body, other: Body, text: str) -> Fault:
     return Fault("contact", body.id, tuple(point[None] for point in points), text=text)
 
 
-def _common(body: Body, other: Body) -> Iterator[Array]:
+def _common(body: Sighted, other: Sighted) -> Iterator[Array]:
     """Corners of each volume that a piece of one shares with a piece of the other."""
     from manifold3d import Manifold
 
@@ -140,7 +140,7 @@ def _contacts(scenery: Scenery, first: str, second: str, most: int = 4) -> Array
     return np.array([point for _, point in sorted(found)[:most]], np.float64).reshape(-1, 3)
 
 
-def _outside(scenery: Scenery, body: Body, distance: float) -> Iterator[Fault]:
+def _outside(scenery: Scenery, body: Sighted, distance: float) -> Iterator[Fault]:
     """The part outside the room, and an arrow as long as it reaches out."""
     room, text = scenery.room, f"{millimetres(distance)} outside"
     if room is None:
@@ -170,7 +170,7 @@ def _at(flat: Array, height: float) -> Array:
     return np.column_stack([flat, np.full(len(flat), height)])
 
 
-def _gap(scenery: Scenery, body: Body) -> Iterator[Fault]:
+def _gap(scenery: Scenery, body: Sighted) -> Iterator[Fault]:
     """Dashes from the corners of an object's base down to what lies below; for what is mounted, to its wall."""
     mounted = _to_wall(scenery, body)
     if mounted is not None:
@@ -203,7 +203,7 @@ def _below(pieces: Sequence[Array], x: float, y: float, height: float) -> float:
     return max(found)
 
 
-def _to_wall(scenery: Scenery, body: Body) -> Array | None:
+def _to_wall(scenery: Scenery, body: Sighted) -> Array | None:
     """From the back of something mounted to the wall or ceiling that it names (2, 3)."""
     scene = scenery.scene
     placement = scene[body.id] if scene is not None and body.id in scene else None

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.room import Room
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera
 from thinkblox.sim.render.interior import Shell, accent_wall, add_room
 from thinkblox.sim.render.lighting import Irradiance, lights

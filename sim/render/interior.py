@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from shapely import constrained_delaunay_triangles, get_coordinates, orient_polygons
 
-from thinkblox.room import Opening, Room, Wall
+from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, TRIM, Colour, Palette, linear
 from thinkblox.sim.render.soup import ROOM, Patch, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box

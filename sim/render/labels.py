@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
 
 Box = tuple[float, float, float, float]
 """left, top, right, bottom [pixels]."""
@@ -20,7 +20,7 @@ CROWD = 7
 
 
 @dataclass(frozen=True)
-class Thing:
+class Labelled:
     """Something to be named: its names from the fullest to the shortest, and its place in the picture [pixels]."""
 
     id: str
@@ -68,7 +68,7 @@ def _names(placement: Placement, count: int) -> tuple[str, ...]:
 
 
 def laid_out(
-    things: Sequence[Thing], measure: Measure, *, size: int, fonts: Sequence[int], reserved: Sequence[Box] = ()
+    things: Sequence[Labelled], measure: Measure, *, size: int, fonts: Sequence[int], reserved: Sequence[Box] = ()
 ) -> tuple[Label, ...]:
     """A label for every thing, small things first, none on another as far as there is room.
 
@@ -89,7 +89,7 @@ def laid_out(
 
 
 def _placed(
-    thing: Thing, things: Sequence[Thing], measure: Measure, taken: list[Box], size: int, fonts: Sequence[int]
+    thing: Labelled, things: Sequence[Labelled], measure: Measure, taken: list[Box], size: int, fonts: Sequence[int]
 ) -> tuple[Label, Box]:
     """The cheapest of all places, fonts and names."""
     best: tuple[float, Label, Box] | None = None
@@ -108,7 +108,7 @@ def _placed(
     return best[1], best[2]
 
 
-def _spots(thing: Thing, width: float, height: float) -> NDArray[np.float64]:
+def _spots(thing: Labelled, width: float, height: float) -> NDArray[np.float64]:
     """Centres to try (n, 2): the middle, a grid inside the object, rings round it."""
     (x, y), (left, top, right, bottom) = thing.centre, thing.box
     roam_x, roam_y = max(right - left - width, 0.0) / 2, max(bottom - top - height, 0.0) / 2
@@ -125,8 +125,8 @@ def _spots(thing: Thing, width: float, height: float) -> NDArray[np.float64]:
 def _cost(
     spots: NDArray[np.float64],
     half: NDArray[np.float64],
-    thing: Thing,
-    things: Sequence[Thing],
+    thing: Labelled,
+    things: Sequence[Labelled],
     taken: list[Box],
     size: int,
 ) -> NDArray[np.float64]:
@@ -151,7 +151,7 @@ def _overlap(low: NDArray[np.float64], high: NDArray[np.float64], boxes: Sequenc
     return np.asarray((np.maximum(width, 0) * np.maximum(height, 0)).sum(1))
 
 
-def _line_end(thing: Thing, at: tuple[float, float], half: NDArray[np.float64]) -> tuple[float, float] | None:
+def _line_end(thing: Labelled, at: tuple[float, float], half: NDArray[np.float64]) -> tuple[float, float] | None:
     """Where a line from the text meets the object; None when the text touches it."""
     left, top, right, bottom = thing.box
     gap_x = max(left - (at[0] + half[0]), (at[0] - half[0]) - right)

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.scene import Scene
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.frame import Frame, cast
-from thinkblox.sim.render.labels import Label, Thing, laid_out
+from thinkblox.sim.render.labels import Label, Labelled, laid_out
 from thinkblox.sim.render.plan_marks import Marks, mark_openings
 from thinkblox.sim.render.plan_view import overhead, pixel_box, plan_of, text_size
 from thinkblox.sim.render.soup import Pose
@@ -48,7 +48,7 @@ def render_marked(
     picture = marks.over(Image.fromarray(_outlined(frame)))
     draw = ImageDraw.Draw(picture)
     chosen = [p for p in scene.placements if marked is None or p.id in marked]
-    things = [Thing(p.id, (p.id,), pixel_box(camera, p, size)) for p in chosen]
+    things = [Labelled(p.id, (p.id,), pixel_box(camera, p, size)) for p in chosen]
     for label in laid_out(things, text_size, size=size, fonts=[max(round(size / 40), 7), max(round(size / 48), 7)]):
         _chip(draw, label, _TARGET if label.id in targets else _CHIP)
     return picture

@@ -5,7 +5,7 @@ from typing import get_args
 
 import numpy as np
 
-from thinkblox.asset import Material
+from thinkblox.scene.asset import Material
 from thinkblox.sim.render.tessellate import Floats
 
 Colour = tuple[float, float, float]
@@ -15,7 +15,7 @@ MATERIALS: tuple[str, ...] = (*get_args(Material), "wall", "floor", "trim", "cut
 
 
 @dataclass(frozen=True)
-class Finish:
+class Reflectance:
     """Reflection of a material.
 
     Attributes:
@@ -35,25 +35,25 @@ class Finish:
     glow: float = 0.0
 
 
-FINISHES: dict[str, Finish] = {
-    "wood": Finish(mirror=0.022, gloss=28.0),
-    "metal": Finish(diffuse=0.45, mirror=0.55, gloss=60.0, tinted=True),
-    "fabric": Finish(sheen=0.14),
-    "leather": Finish(mirror=0.03, gloss=18.0),
-    "glass": Finish(diffuse=0.15, mirror=0.08, gloss=150.0),
-    "ceramic": Finish(mirror=0.05, gloss=90.0),
-    "plastic": Finish(mirror=0.03, gloss=35.0),
-    "paper": Finish(),
-    "leaf": Finish(mirror=0.02, gloss=14.0, sheen=0.08),
-    "stone": Finish(mirror=0.03, gloss=30.0),
-    "light": Finish(diffuse=0.25, glow=1.15),
-    "screen": Finish(diffuse=0.8, mirror=0.06, gloss=160.0),
-    "wall": Finish(),
-    "floor": Finish(mirror=0.028, gloss=36.0),
-    "trim": Finish(mirror=0.02, gloss=30.0),
-    "cut": Finish(),
-    "pane": Finish(diffuse=0.0, glow=1.45),
-    "ground": Finish(),
+FINISHES: dict[str, Reflectance] = {
+    "wood": Reflectance(mirror=0.022, gloss=28.0),
+    "metal": Reflectance(diffuse=0.45, mirror=0.55, gloss=60.0, tinted=True),
+    "fabric": Reflectance(sheen=0.14),
+    "leather": Reflectance(mirror=0.03, gloss=18.0),
+    "glass": Reflectance(diffuse=0.15, mirror=0.08, gloss=150.0),
+    "ceramic": Reflectance(mirror=0.05, gloss=90.0),
+    "plastic": Reflectance(mirror=0.03, gloss=35.0),
+    "paper": Reflectance(),
+    "leaf": Reflectance(mirror=0.02, gloss=14.0, sheen=0.08),
+    "stone": Reflectance(mirror=0.03, gloss=30.0),
+    "light": Reflectance(diffuse=0.25, glow=1.15),
+    "screen": Reflectance(diffuse=0.8, mirror=0.06, gloss=160.0),
+    "wall": Reflectance(),
+    "floor": Reflectance(mirror=0.028, gloss=36.0),
+    "trim": Reflectance(mirror=0.02, gloss=30.0),
+    "cut": Reflectance(),
+    "pane": Reflectance(diffuse=0.0, glow=1.45),
+    "ground": Reflectance(),
 }
 
 WALLS: tuple[Colour, ...] = (

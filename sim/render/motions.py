@@ -25,7 +25,7 @@ STAGES = 8
 
 
 @dataclass(frozen=True)
-class Motion:
+class RigidMotion:
     """A rigid motion of the room's points: x becomes turn @ x + shift."""
 
     turn: Array
@@ -33,7 +33,7 @@ class Motion:
 
 
 @quiet_engine()
-def rests(subject: Subject, ids: Sequence[str]) -> dict[str, Motion]:
+def rests(subject: Subject, ids: Sequence[str]) -> dict[str, RigidMotion]:
     """How each free object moves when it alone is let go from the start while all others are held where they are."""
     things = {thing.id: thing for thing in subject.things if thing.free}
     found = {}
@@ -44,7 +44,7 @@ def rests(subject: Subject, ids: Sequence[str]) -> dict[str, Motion]:
     return found
 
 
-def _let_go(subject: Subject, thing: Thing) -> Motion | None:
+def _let_go(subject: Subject, thing: Thing) -> RigidMotion | None:
     model, data = subject.model, subject.data()
     positions, speeds = _addresses(model, thing)
     held, still = np.ones(model.nq, bool), np.ones(model.nv, bool)
@@ -60,7 +60,7 @@ def _let_go(subject: Subject, thing: Thing) -> Motion | None:
     if not (np.isfinite(turn).all() and np.isfinite(place).all()):
         return None
     turned = turn @ start[0].T
-    return Motion(turned, place - turned @ start[1])
+    return RigidMotion(turned, place - turned @ start[1])
 
 
 def _pose(data: mujoco.MjData, body: int) -> tuple[Array, Array]:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from thinkblox.room import Opening, Room, Wall
+from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.sim.render.camera import Camera
 from thinkblox.sim.render.interior import THICKNESS
 from thinkblox.value import Vec2

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.room import Room
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, plan_camera
 from thinkblox.sim.render.interior import THICKNESS, Shell, add_room
-from thinkblox.sim.render.labels import Box, Label, Thing, laid_out, names_of
+from thinkblox.sim.render.labels import Box, Label, Labelled, laid_out, names_of
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear, palette
 from thinkblox.sim.render.picture import Settings, paint
@@ -71,7 +72,7 @@ def plan_of(room: Room, *, margin: float = _MARGIN) -> Camera:
 def plan_labels(scene: Scene, camera: Camera, size: int, reserved: Sequence[Box] = ()) -> tuple[Label, ...]:
     """One label for each object, clear of the `reserved` boxes [pixels]."""
     names = names_of(scene.placements)
-    things = [Thing(p.id, names[p.id], pixel_box(camera, p, size)) for p in scene.placements]
+    things = [Labelled(p.id, names[p.id], pixel_box(camera, p, size)) for p in scene.placements]
     fonts = [_font_size(size, points) for points in (17, 14, 12)]
     return laid_out(things, text_size, size=size, fonts=fonts, reserved=reserved)
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from thinkblox.asset import Asset
+from thinkblox.scene.asset import Asset
 from thinkblox.sim.render.camera import framed
 from thinkblox.sim.render.interior import add_ground
 from thinkblox.sim.render.lighting import lights

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from shapely import contains_xy
 
-from thinkblox.room import Room
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, Vector, framed
 from thinkblox.sim.render.frame import inside_walls
 from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_floor, add_room

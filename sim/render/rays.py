@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.render.materials import MATERIALS
-from thinkblox.sim.render.soup import Triangles
+from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.tessellate import Floats, Ints
 
 T = TypeVar("T")
@@ -31,7 +31,7 @@ class Hits:
 class Tracer:
     """Triangles ready to be met by rays. Glass is kept apart: light passes it."""
 
-    def __init__(self, triangles: Triangles) -> None:
+    def __init__(self, triangles: SoupTriangles) -> None:
         self.triangles = triangles
         self.corner_normals: Floats = triangles.normals[triangles.faces]
         self.face_normals: Floats = _face_normals(triangles)
@@ -63,14 +63,14 @@ class Tracer:
         return hit >= 0
 
 
-def _face_normals(triangles: Triangles) -> Floats:
+def _face_normals(triangles: SoupTriangles) -> Floats:
     a, b, c = (triangles.vertices[triangles.faces[:, k]].astype(np.float64) for k in range(3))
     cross = np.cross(b - a, c - a)
     length = np.linalg.norm(cross, axis=1, keepdims=True)
     return np.asarray(cross / np.maximum(length, 1e-30), np.float32)
 
 
-def _embree(triangles: Triangles, faces: Ints) -> Any:
+def _embree(triangles: SoupTriangles, faces: Ints) -> Any:
     from embreex.mesh_construction import TriangleMesh
     from embreex.rtcore_scene import EmbreeScene
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from thinkblox.sim.render.lighting import Irradiance, Lights
 from thinkblox.sim.render.materials import MATERIALS, finish_table
-from thinkblox.sim.render.soup import Triangles
+from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats, Ints
 from thinkblox.sim.render.textures import planks, weave, wood
@@ -13,7 +13,7 @@ from thinkblox.sim.render.textures import planks, weave, wood
 class Shader:
     """The patches of a scene as tables, ready to colour points."""
 
-    def __init__(self, triangles: Triangles, lights: Lights, pixel: float) -> None:
+    def __init__(self, triangles: SoupTriangles, lights: Lights, pixel: float) -> None:
         patches = triangles.patches
         self._lights = lights
         self._pixel = np.float32(pixel)

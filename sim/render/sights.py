@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
-from thinkblox.room import Room
-from thinkblox.scene import Scene
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, framed, plan_camera
 from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_room
 from thinkblox.sim.render.materials import palette
@@ -39,7 +39,7 @@ _CORNERS = (225.0, 315.0, 135.0, 45.0)
 
 
 @dataclass(frozen=True)
-class Body:
+class Sighted:
     """An object as a picture needs it: its id, and the points (n, 3) of each of its pieces [m]."""
 
     id: str
@@ -83,8 +83,8 @@ class Scenery:
 
     subject: Subject
     soup: Soup
-    bodies: tuple[Body, ...]
-    rest: Body
+    bodies: tuple[Sighted, ...]
+    rest: Sighted
     bounds: Bounds
 
     @property
@@ -97,12 +97,12 @@ class Scenery:
         """The scene, where the subject is one of ours."""
         return self.subject.scene
 
-    def body(self, id: str) -> Body | None:
+    def body(self, id: str) -> Sighted | None:
         """The object of this id, if there is one."""
         return next((body for body in self.bodies if body.id == id), None)
 
     @property
-    def in_sight(self) -> tuple[Body, ...]:
+    def in_sight(self) -> tuple[Sighted, ...]:
         """The objects that are not so far out of the room that a picture of both would show neither."""
         low, high = self.bounds.low - STRAY * self.bounds.size, self.bounds.high + STRAY * self.bounds.size
         return tuple(b for b in self.bodies if b.pieces and bool(((b.points >= low) & (b.points <= high)).all()))
@@ -120,8 +120,8 @@ def scenery_of(subject: Subject) -> Scenery:
     pieces: dict[int, list[Array]] = {}
     for mesh, patch in zip(soup.meshes, soup.patches, strict=True):
         pieces.setdefault(patch.owner, []).append(_thinned(mesh.vertices))
-    bodies = tuple(Body(id, tuple(pieces.get(number, ()))) for number, id in enumerate(ids))
-    rest = Body("", tuple(pieces.get(ROOM, ())))
+    bodies = tuple(Sighted(id, tuple(pieces.get(number, ()))) for number, id in enumerate(ids))
+    rest = Sighted("", tuple(pieces.get(ROOM, ())))
     bounds = _room_bounds(subject.room) if subject.room else bounds_of([b.points for b in bodies], rest.pieces)
     return Scenery(subject, soup, bodies, rest, bounds)
 

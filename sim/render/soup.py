@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.asset import Asset, Shape
-from thinkblox.scene import Scene
+from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.materials import MATERIALS, linear
 from thinkblox.sim.render.tessellate import Floats, Ints, Mesh, tessellate
 from thinkblox.value import Quat, Vec3
@@ -60,13 +60,13 @@ class Soup:
             for shape in link.shapes:
                 self.add(tessellate(shape), _patch(shape, turn, origin, owner))
 
-    def triangles(self) -> "Triangles":
+    def triangles(self) -> "SoupTriangles":
         """The arrays of everything added so far."""
         counts = [len(mesh.vertices) for mesh in self.meshes]
         starts = np.concatenate([[0], np.cumsum(counts)])[: len(counts)]
         faces = [mesh.faces + int(start) for mesh, start in zip(self.meshes, starts, strict=True)]
         index = np.repeat(np.arange(len(self.meshes)), [len(mesh.faces) for mesh in self.meshes])
-        return Triangles(
+        return SoupTriangles(
             np.concatenate([mesh.vertices for mesh in self.meshes]).astype(np.float32),
             np.concatenate([mesh.normals for mesh in self.meshes]).astype(np.float32),
             np.concatenate(faces).astype(np.int32),
@@ -76,7 +76,7 @@ class Soup:
 
 
 @dataclass(frozen=True)
-class Triangles:
+class SoupTriangles:
     """Vertices (n, 3), normals (n, 3), faces (m, 3) and the patch of each face (m,)."""
 
     vertices: Floats

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from thinkblox.sim.render.camera import Camera
 from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.rays import FAR, Tracer, in_parallel
-from thinkblox.sim.render.soup import Triangles
+from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.tessellate import Floats, Ints
 
 BAND = 1 << 15
@@ -126,6 +126,6 @@ def _through_glass(
     return front, clear, shine
 
 
-def is_material(triangles: Triangles, name: str) -> NDArray[np.bool_]:
+def is_material(triangles: SoupTriangles, name: str) -> NDArray[np.bool_]:
     """For each patch, whether it is made of a material."""
     return np.array([p.material == MATERIALS.index(name) for p in triangles.patches], bool)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.asset import Shape
+from thinkblox.scene.asset import Shape
 from thinkblox.value import Vec3
 
 Floats = NDArray[np.float32]

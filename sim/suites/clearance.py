@@ -5,9 +5,9 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from thinkblox.room import Opening, Room, Wall
+from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.sim.suites.criteria import criterion, number
-from thinkblox.sim.suites.meshes import Body, Meshes
+from thinkblox.sim.suites.meshes import MeshedThing, Meshes
 from thinkblox.suite import Criterion, Finding
 
 WINDOW_DEPTH = 0.5
@@ -28,7 +28,7 @@ def clearance(meshes: Meshes) -> Criterion:
     return criterion(name, says, found, unit="share", limit=0.0)
 
 
-def _findings(room: Room, opening: Opening, bodies: tuple[Body, ...]) -> list[Finding]:
+def _findings(room: Room, opening: Opening, bodies: tuple[MeshedThing, ...]) -> list[Finding]:
     shares = {body.id: share for body in bodies if (share := covered(room, opening, body)) > 0.0}
     if not shares:
         return [Finding(object=opening.id, value=0.0, passed=True)]
@@ -38,7 +38,7 @@ def _findings(room: Room, opening: Opening, bodies: tuple[Body, ...]) -> list[Fi
     ]
 
 
-def covered(room: Room, opening: Opening, body: Body) -> float:
+def covered(room: Room, opening: Opening, body: MeshedThing) -> float:
     """Share of an opening that an object in the box before it hides, seen at right angles to the wall."""
     wall = room.walls[opening.wall]
     depth = opening.width if opening.kind == "door" else WINDOW_DEPTH
@@ -52,7 +52,7 @@ def covered(room: Room, opening: Opening, body: Body) -> float:
     return float(shapely.area(shapely.intersection(shadow, hole)) / shapely.area(hole))
 
 
-def _in_box(wall: Wall, opening: Opening, depth: float, body: Body) -> bool:
+def _in_box(wall: Wall, opening: Opening, depth: float, body: MeshedThing) -> bool:
     """Whether the object's box and the one before the opening share any space."""
     if min(body.top, opening.sill + opening.height) - max(body.base, opening.sill) <= GRAZE:
         return False

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.sim.foreign.triangles import collision_model
 from thinkblox.sim.suites.criteria import criterion
-from thinkblox.sim.suites.meshes import Body, Meshes
-from thinkblox.sim.triangles import collision_model
+from thinkblox.sim.suites.meshes import MeshedThing, Meshes
 from thinkblox.suite import Criterion, Finding
 
 APART = 0.005
@@ -29,7 +29,7 @@ def collision(meshes: Meshes) -> Criterion:
     )  # fmt: skip
 
 
-def _near(bodies: tuple[Body, ...]) -> list[tuple[Body, Body]]:
+def _near(bodies: tuple[MeshedThing, ...]) -> list[tuple[MeshedThing, MeshedThing]]:
     """Pairs whose bounding boxes meet, in the order of the objects."""
     if not bodies:
         return []
@@ -42,7 +42,7 @@ def _near(bodies: tuple[Body, ...]) -> list[tuple[Body, Body]]:
     return found
 
 
-def _collide(first: Body, second: Body, models: dict[str, Any]) -> bool:
+def _collide(first: MeshedThing, second: MeshedThing, models: dict[str, Any]) -> bool:
     points = _contacts(models[first.id], models[second.id], np.zeros(3))
     if not len(points):
         return False

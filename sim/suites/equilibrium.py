@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thinkblox.sim.settle import turn
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.criteria import exempt
 from thinkblox.sim.suites.running import Run
+from thinkblox.sim.verdict.settle import turn
 from thinkblox.suite import Finding
 
 MOVED, TURNED = 0.01, 0.1
@@ -16,7 +16,7 @@ MOVED, TURNED = 0.01, 0.1
 
 
 @dataclass(frozen=True)
-class Motion:
+class Displacement:
     """How far one object has come from where it began [m], and turned [rad]."""
 
     id: str
@@ -29,7 +29,7 @@ class Motion:
         return self.moved <= MOVED and self.turned <= TURNED
 
 
-def motions(subject: Subject, run: Run, seconds: float) -> tuple[Motion, ...]:
+def motions(subject: Subject, run: Run, seconds: float) -> tuple[Displacement, ...]:
     """Simulate, and compare every free object with its start; empty when the simulation broke down."""
     roots = [(thing.id, thing.root) for thing in subject.things if thing.free]
     start, facing = run.data.xpos.copy(), run.data.xquat.copy()
@@ -38,7 +38,7 @@ def motions(subject: Subject, run: Run, seconds: float) -> tuple[Motion, ...]:
         return ()
     end, faced = run.data.xpos, run.data.xquat
     return tuple(
-        Motion(
+        Displacement(
             id=id,
             moved=float(np.linalg.norm(end[root] - start[root])),
             turned=math.radians(turn(facing[root], faced[root])),

@@ -7,9 +7,9 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from thinkblox.room import Room
+from thinkblox.scene.room import Room
 from thinkblox.sim.suites.criteria import criterion, exempt, number
-from thinkblox.sim.suites.meshes import GROUNDED, Body, Meshes
+from thinkblox.sim.suites.meshes import GROUNDED, MeshedThing, Meshes
 from thinkblox.suite import Criterion, Finding
 
 ROBOT, PIXELS, MARGIN = 0.2, 256, 0.2
@@ -92,7 +92,7 @@ def accessibility(meshes: Meshes) -> Criterion:
     return criterion(name, says, [*found, *meshes.soft], unit="share", limit=ACCESSIBLE, least=True)
 
 
-def _access(body: Body, free: BaseGeometry) -> Finding:
+def _access(body: MeshedThing, free: BaseGeometry) -> Finding:
     sides = functional_sides(body)
     if not sides:
         return exempt(body.id, "it does not stand on the floor")
@@ -102,7 +102,7 @@ def _access(body: Body, free: BaseGeometry) -> Finding:
     return Finding(object=body.id, value=number(shares[best]), passed=shares[best] >= ACCESSIBLE, note=note)
 
 
-def functional_sides(body: Body) -> tuple[str, ...]:
+def functional_sides(body: MeshedThing) -> tuple[str, ...]:
     """From which sides an object is used; none for what does not stand on the floor."""
     if body.placement is None or body.asset is None:
         return _SIDES if body.base < GROUNDED else ()
@@ -114,7 +114,7 @@ def functional_sides(body: Body) -> tuple[str, ...]:
     return ("front", "left", "right") if any(word in words for word in _THREE_SIDES) else ("front",)
 
 
-def strip(body: Body, side: str) -> BaseGeometry:
+def strip(body: MeshedThing, side: str) -> BaseGeometry:
     """The floor before one side of an object's box."""
     (x0, y0), (x1, y1) = body.extents
     ranges = {

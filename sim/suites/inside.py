@@ -4,7 +4,7 @@ import numpy as np
 import shapely
 
 from thinkblox.sim.suites.criteria import criterion, exempt, number
-from thinkblox.sim.suites.meshes import Body, Meshes
+from thinkblox.sim.suites.meshes import MeshedThing, Meshes
 from thinkblox.suite import Criterion, Finding
 
 LEAST = 0.99
@@ -29,7 +29,7 @@ def out_of_bound(meshes: Meshes, generator: np.random.Generator) -> Criterion:
     )  # fmt: skip
 
 
-def _finding(body: Body, floor: shapely.Geometry, generator: np.random.Generator) -> Finding:
+def _finding(body: MeshedThing, floor: shapely.Geometry, generator: np.random.Generator) -> Finding:
     count = int(min(max(body.box_volume * DENSITY, FEWEST), MOST))
     points = body.triangles.sample(count, generator)
     met = shapely.intersects_xy(floor, points[:, 0], points[:, 1]) & (points[:, 2] >= -THICK)

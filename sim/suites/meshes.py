@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from thinkblox.asset import Asset
-from thinkblox.scene import Placement
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.sim.foreign.triangles import Triangles, colliding, geom_triangles, triangles_of
 from thinkblox.sim.subject import Subject, Thing
 from thinkblox.sim.suites.criteria import exempt
-from thinkblox.sim.triangles import Triangles, colliding, geom_triangles, triangles_of
 from thinkblox.suite import Finding
 
 Floats = NDArray[np.float64]
@@ -23,7 +23,7 @@ GROUNDED = 0.05
 
 
 @dataclass(frozen=True)
-class Body:
+class MeshedThing:
     """One thing with geometry.
 
     Attributes:
@@ -97,10 +97,10 @@ class Meshes:
             exempt(body.id, "nothing of it collides") for body in found if body.triangles.empty
         )
 
-    def _body(self, thing: Thing) -> Body:
+    def _body(self, thing: Thing) -> MeshedThing:
         model, scene = self.subject.model, self.subject.scene
         placement = scene[thing.id] if scene is not None and thing.id in scene else None
-        return Body(
+        return MeshedThing(
             id=thing.id,
             triangles=triangles_of(model, self.data, thing),
             yaw=_yaw(self.data.xmat[thing.root].reshape(3, 3)),

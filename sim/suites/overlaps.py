@@ -1,10 +1,10 @@
 """How deep objects are in one another and in the room, as the Drake metrics of SceneEval's fork ask it."""
 
+from thinkblox.sim.foreign.triangles import colliding
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.criteria import above, exempt
 from thinkblox.sim.suites.running import Run
 from thinkblox.sim.suites.touching import Owners, Pair
-from thinkblox.sim.triangles import colliding
 from thinkblox.suite import Finding
 
 DEPTH = 0.001

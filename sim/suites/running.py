@@ -7,9 +7,9 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.sim.settle import WARNINGS
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.stillness import INTERVAL, LEAST, Stillness
+from thinkblox.sim.verdict.settle import WARNINGS
 from thinkblox.suite import Finding
 
 MOST_WORK = 2e10

@@ -4,7 +4,7 @@ import msgspec
 
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.criteria import criterion, number, paragraphs, result
-from thinkblox.sim.suites.equilibrium import MOVED, Motion, fixed, motions
+from thinkblox.sim.suites.equilibrium import MOVED, Displacement, fixed, motions
 from thinkblox.sim.suites.overlaps import Overlaps
 from thinkblox.sim.suites.running import EARLY_END, Run
 from thinkblox.suite import Criterion, Finding, SuiteResult
@@ -64,7 +64,7 @@ def _stability(subject: Subject, simulation: Run) -> Criterion:
     )  # fmt: skip
 
 
-def _finding(motion: Motion) -> Finding:
+def _finding(motion: Displacement) -> Finding:
     note = f"turned by {motion.turned:.3f} rad"
     return Finding(object=motion.id, value=number(motion.moved), passed=motion.stable, note=note)
 

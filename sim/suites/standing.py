@@ -4,9 +4,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from thinkblox.sim.foreign.triangles import Triangles, first_hits
 from thinkblox.sim.suites.criteria import criterion, exempt
-from thinkblox.sim.suites.meshes import Body, Meshes
-from thinkblox.sim.triangles import Triangles, first_hits
+from thinkblox.sim.suites.meshes import MeshedThing, Meshes
 from thinkblox.suite import Criterion, Finding
 
 NEAR, RAISED = 0.01, 0.005
@@ -30,7 +30,7 @@ def support(meshes: Meshes, generator: np.random.Generator) -> Criterion:
     )  # fmt: skip
 
 
-def _finding(body: Body, meshes: Meshes, generator: np.random.Generator) -> Finding:
+def _finding(body: MeshedThing, meshes: Meshes, generator: np.random.Generator) -> Finding:
     direction = _direction(body)
     origins = _origins(body.triangles, direction, generator) - RAISED * direction
     points = _contacts(origins, direction, body, meshes)
@@ -45,7 +45,7 @@ def _finding(body: Body, meshes: Meshes, generator: np.random.Generator) -> Find
     return Finding(object=body.id, value=value, passed=not note, note=note)
 
 
-def _direction(body: Body) -> Floats:
+def _direction(body: MeshedThing) -> Floats:
     if body.support == "ceiling":
         return UP
     if body.support == "wall":
@@ -72,7 +72,7 @@ def _origins(mesh: Triangles, direction: Floats, generator: np.random.Generator)
     return np.vstack([lowest, (a + u * (b - a) + v * (c - a)).reshape(-1, 3)])
 
 
-def _contacts(origins: Floats, direction: Floats, body: Body, meshes: Meshes) -> Floats:
+def _contacts(origins: Floats, direction: Floats, body: MeshedThing, meshes: Meshes) -> Floats:
     """Where rays first meet each other thing and each part of the world, within NEAR [m], shape (n, 3)."""
     others = [other.triangles for other in meshes.bodies if other is not body]
     ends = np.vstack([origins, origins + NEAR * direction])

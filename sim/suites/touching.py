@@ -4,8 +4,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.sim.foreign.triangles import colliding
 from thinkblox.sim.subject import Subject
-from thinkblox.sim.triangles import colliding
 
 Pair = tuple[str, str]
 

@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from thinkblox.asset import Asset, Link, Shape, Surface
-from thinkblox.room import rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset, Link, Shape, Surface
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2, Vec3
 
 KINDS = 12

@@ -11,7 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from tests.bench.hull_rooms import step
-from thinkblox.sim.pool import Job, VerdictPool
+from thinkblox.sim.workers.pool import Job, VerdictPool
 
 OBJECTS = 50
 

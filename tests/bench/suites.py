@@ -13,8 +13,9 @@ from importlib.metadata import version
 import numpy as np
 
 from thinkblox.assets import make_asset
-from thinkblox.room import Opening, rectangle
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.subject import subject_of
 from thinkblox.sim.suites import SUITES, run_suite
 from thinkblox.suite import SuiteResult

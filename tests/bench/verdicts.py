@@ -12,8 +12,8 @@ from importlib.metadata import version
 
 from tests.bench.hull_rooms import Step, step
 from tests.whole_room import whole_room
-from thinkblox.scene import Scene
-from thinkblox.sim.world import World
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.verdict.world import World
 
 SIZES = (10, 50, 200)
 EXPECTED = [True] * 4 + [False] * 4

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thinkblox.asset import Asset, Mount, Shape
 from thinkblox.assets.decompose import FlatMeshError, convex_pieces
 from thinkblox.assets.imported import BOX_CORNERS, box_shape, hull_shape, imported_asset
 from thinkblox.assets.mesh_file import read_triangles
@@ -13,6 +12,7 @@ from thinkblox.importing.document import Document, plain
 from thinkblox.importing.draft import Item
 from thinkblox.importing.frames import Array, about, own_from_file, split_yaw
 from thinkblox.importing.usual import FRICTION, category_name, is_rug, usual, usual_mass
+from thinkblox.scene.asset import Asset, Mount, Shape
 from thinkblox.value import Vec3
 
 LARGEST, SMALLEST = 100.0, 1e-4
@@ -24,7 +24,7 @@ DIFFERENT = 0.02
 
 
 @dataclass(frozen=True)
-class Body:
+class ItemBody:
     """An object's shapes in its own frame, origin at the footprint's centre at the base, and where that stands.
 
     Attributes:
@@ -76,7 +76,7 @@ class Body:
         return [hull_shape(piece, category=category, collide=collide) for piece in self.pieces]
 
 
-def body_of(document: Document, item: Item) -> Body:
+def body_of(document: Document, item: Item) -> ItemBody:
     """Build an item.
 
     Raises:
@@ -92,7 +92,7 @@ def body_of(document: Document, item: Item) -> Body:
     origin = np.array([*(low + high)[:2] / 2, low[2]])
     extent, place = high - low, np.asarray(item.position) + about("z", yaw) @ origin
     _check(document, item, extent, place, boxed=boxed)
-    return Body(
+    return ItemBody(
         item=item,
         pieces=tuple(piece - origin for piece in turned),
         boxed=boxed,

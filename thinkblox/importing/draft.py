@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
-from thinkblox.asset import Mount
 from thinkblox.importing.frames import Array
+from thinkblox.scene.asset import Mount
 from thinkblox.value import Vec2, Vec3
 
 Anchor = Literal["centre", "base", "origin"]
@@ -24,7 +24,7 @@ class Hole:
 
 
 @dataclass(frozen=True)
-class Outline:
+class RoomOutline:
     """The room: corners of its floor in either order [m], the height of the floor and of the room [m].
 
     `height` is None where the format has none. `at` is the JSON path of the floor.
@@ -73,10 +73,10 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Draft:
+class LayoutDraft:
     """A whole layout; `unplaced` are names of objects that it lists without a pose."""
 
-    outline: Outline
+    outline: RoomOutline
     items: tuple[Item, ...]
     prompt: str = ""
     notes: tuple[str, ...] = ()

@@ -28,11 +28,11 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta
 
-from thinkblox.asset import Mount
 from thinkblox.importing.document import Degrees, Document, Extent, Foreign, Metres
-from thinkblox.importing.draft import Draft, Hole, Item, Outline
+from thinkblox.importing.draft import Hole, Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import OWN_FROM_UNITY, UNITY, Array, about
 from thinkblox.importing.library import AssetRecord, Library, Point
+from thinkblox.scene.asset import Mount
 from thinkblox.value import Vec2, Vec3
 
 BUFFER = 0.10
@@ -100,7 +100,7 @@ def is_holodeck(raw: Any) -> bool:
     return any(isinstance(room, dict) and "floorPolygon" in room for room in raw["rooms"])
 
 
-def read_holodeck(document: Document, library: Library, *, room: str | None = None) -> Draft:
+def read_holodeck(document: Document, library: Library, *, room: str | None = None) -> LayoutDraft:
     """Read one room of a house; raises InputError naming the file and JSON path of whatever is wrong.
 
     `room` is its id; it may be None where there is only one.
@@ -114,8 +114,8 @@ def read_holodeck(document: Document, library: Library, *, room: str | None = No
     items = tuple(sizes.item(i, thing) for i, thing in inside)
     left = len(house.objects) - len(inside)
     other = (f"{left} objects of other rooms were left out.",) if left else ()
-    return Draft(
-        outline=Outline(
+    return LayoutDraft(
+        outline=RoomOutline(
             corners=tuple((corner.x, corner.z) for corner in chosen.floorPolygon),
             level=min((corner.y for corner in chosen.floorPolygon), default=0.0),
             height=house.wall_height or max((w.height for w in house.walls if w.height), default=None),

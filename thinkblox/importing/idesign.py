@@ -23,11 +23,11 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
-from thinkblox.asset import Mount
 from thinkblox.importing.document import Degrees, Document, Extent, Foreign, Metres
-from thinkblox.importing.draft import Draft, Item, Outline
+from thinkblox.importing.draft import Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import about
 from thinkblox.importing.library import Library
+from thinkblox.scene.asset import Mount
 
 ROOM_PARTS = ("south_wall", "north_wall", "east_wall", "west_wall", "middle of the room", "ceiling")
 
@@ -98,7 +98,7 @@ def is_idesign(raw: Any) -> bool:
     )
 
 
-def read_idesign(document: Document, library: Library) -> Draft:
+def read_idesign(document: Document, library: Library) -> LayoutDraft:
     """Read a scene graph; raises InputError naming the file and JSON path of whatever is wrong."""
     if isinstance(document.raw, dict):
         entries, base = document.typed(_Graph).objects_in_room, "$.objects_in_room"
@@ -117,14 +117,14 @@ def read_idesign(document: Document, library: Library) -> Draft:
             parts[name] = index
     outline = _outline(document, entries, parts, base)
     placed = [(at, each) for at, each in objects if each.position is not None]
-    return Draft(
+    return LayoutDraft(
         outline=outline,
         items=tuple(_item(document, at, each, library) for at, each in placed),
         unplaced=tuple(each.new_object_id for _, each in objects if each.position is None),
     )
 
 
-def _outline(document: Document, entries: list[dict[str, Any]], parts: dict[str, int], base: str) -> Outline:
+def _outline(document: Document, entries: list[dict[str, Any]], parts: dict[str, int], base: str) -> RoomOutline:
     missing = [name for name in ("south_wall", "west_wall") if name not in parts]
     if missing:
         document.fail(
@@ -137,7 +137,7 @@ def _outline(document: Document, entries: list[dict[str, Any]], parts: dict[str,
     )
     x, y = south.length, west.length
     at = f"{base}[{parts['south_wall']}].size_in_meters"
-    return Outline(corners=((0.0, 0.0), (x, 0.0), (x, y), (0.0, y)), height=south.height, at=at)
+    return RoomOutline(corners=((0.0, 0.0), (x, 0.0), (x, y), (0.0, y)), height=south.height, at=at)
 
 
 def _item(document: Document, at: str, thing: _Object, library: Library) -> Item:

@@ -30,7 +30,7 @@ from msgspec import Meta
 from shapely.geometry.polygon import orient
 
 from thinkblox.importing.document import Degrees, Document, Extent, Foreign, Metres, plain
-from thinkblox.importing.draft import Draft, Item, Outline
+from thinkblox.importing.draft import Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import OWN_FROM_Y_UP, Y_UP, Array, about, from_quaternion
 from thinkblox.importing.library import Library
 from thinkblox.value import Vec2, Vec3
@@ -71,7 +71,7 @@ def is_il3d(raw: Any) -> bool:
     return isinstance(first, dict) and "xyz" in first
 
 
-def read_il3d(document: Document, library: Library) -> Draft:
+def read_il3d(document: Document, library: Library) -> LayoutDraft:
     """Read a layout; raises InputError naming the file and JSON path of whatever is wrong."""
     layout = document.typed(_Layout)
     at, floor = _floor(document, layout)
@@ -82,8 +82,8 @@ def read_il3d(document: Document, library: Library) -> Draft:
         name = f"{name}_{index}" if name in seen else name
         seen.add(name)
         items.append(_item(document, where, name, label, thing, library))
-    return Draft(
-        outline=Outline(corners=corners, level=min(y for _, y, _ in floor.xyz), at=at),
+    return LayoutDraft(
+        outline=RoomOutline(corners=corners, level=min(y for _, y, _ in floor.xyz), at=at),
         items=tuple(items),
         notes=("The layout has neither a room height, nor doors, nor windows.",),
     )

@@ -7,12 +7,11 @@ from typing import Any
 
 from msgspec import structs
 
-from thinkblox.asset import Mount
 from thinkblox.errors import InputError
-from thinkblox.importing.body import Body, body_of
+from thinkblox.importing.body import ItemBody, body_of
 from thinkblox.importing.detect import FORMATS, detect
 from thinkblox.importing.document import Document, plain, read_document
-from thinkblox.importing.draft import Draft, Item
+from thinkblox.importing.draft import Item, LayoutDraft
 from thinkblox.importing.holodeck import read_holodeck
 from thinkblox.importing.idesign import read_idesign
 from thinkblox.importing.il3d import read_il3d
@@ -22,9 +21,11 @@ from thinkblox.importing.library import Library
 from thinkblox.importing.mounting import mounts_of
 from thinkblox.importing.outline import room_of
 from thinkblox.importing.sceneeval import read_sceneeval
-from thinkblox.resting import support_of
-from thinkblox.room import Room
-from thinkblox.scene import MAX_PLACEMENTS, Placement, Scene
+from thinkblox.scene.asset import Mount
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import MAX_PLACEMENTS, Scene
+from thinkblox.scene.support import support_of
 from thinkblox.value import Value, Vec3
 
 HEIGHT = 2.6
@@ -100,7 +101,9 @@ def _check_options(path: Path, assets: str | Path | None, height: float, short_s
         raise InputError(f"a room whose short side is {short_side:g} m; it must be 0.5 to 100 m")
 
 
-def _draft(document: Document, format: str, library: Library, room: str | None, short_side: float | None) -> Draft:
+def _draft(
+    document: Document, format: str, library: Library, room: str | None, short_side: float | None
+) -> LayoutDraft:
     if format == "layoutgpt":
         return read_layoutgpt(document, room=room, short_side=short_side)
     if format == "holodeck":
@@ -112,7 +115,7 @@ def _draft(document: Document, format: str, library: Library, room: str | None, 
     return read_layoutvlm(document, library) if format == "layoutvlm" else read_idesign(document, library)
 
 
-def _layout(document: Document, draft: Draft, format: str, height: float) -> Layout:
+def _layout(document: Document, draft: LayoutDraft, format: str, height: float) -> Layout:
     _check_items(document, draft.items)
     room, (dx, dy), notes = room_of(document, draft.outline, height=height)
     shift = (dx, dy, -draft.outline.level)
@@ -160,7 +163,7 @@ def _ids(room: Room, items: Iterable[Item]) -> list[str]:
     return ids
 
 
-def _scene(room: Room, bodies: Sequence[Body], ids: Sequence[str], mounts: Sequence[Mount], prompt: str) -> Scene:
+def _scene(room: Room, bodies: Sequence[ItemBody], ids: Sequence[str], mounts: Sequence[Mount], prompt: str) -> Scene:
     assets = [body.asset(mount) for body, mount in zip(bodies, mounts, strict=True)]
     placements = tuple(
         Placement(

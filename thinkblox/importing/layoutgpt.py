@@ -25,7 +25,7 @@ from typing import Annotated, Any
 from msgspec import Meta
 
 from thinkblox.importing.document import Degrees, Document, Foreign, plain
-from thinkblox.importing.draft import Draft, Item, Outline
+from thinkblox.importing.draft import Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import OWN_FROM_Y_UP, Y_UP, about
 from thinkblox.importing.usual import usual_size
 
@@ -59,7 +59,7 @@ def is_layoutgpt(raw: Any) -> bool:
     return isinstance(first, dict) and "object_list" in first
 
 
-def read_layoutgpt(document: Document, *, room: str | None = None, short_side: float | None = None) -> Draft:
+def read_layoutgpt(document: Document, *, room: str | None = None, short_side: float | None = None) -> LayoutDraft:
     """Read one prediction; raises InputError naming the file and JSON path of whatever is wrong.
 
     Args:
@@ -78,8 +78,8 @@ def read_layoutgpt(document: Document, *, room: str | None = None, short_side: f
         for index, (kind, box) in enumerate(prediction.object_list)
     )
     corners = ((0.0, 0.0), (length * scale, 0.0), (length * scale, width * scale), (0.0, width * scale))
-    return Draft(
-        outline=Outline(corners=corners, at=f"{at}.prompt"),
+    return LayoutDraft(
+        outline=RoomOutline(corners=corners, at=f"{at}.prompt"),
         items=items,
         prompt=prediction.prompt,
         notes=(*notes, "The floor is the rectangle of the prompt; doors and windows are not in the file."),

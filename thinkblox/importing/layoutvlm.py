@@ -27,12 +27,12 @@ from typing import Annotated, Any
 
 from msgspec import UNSET, Meta, UnsetType
 
-from thinkblox.asset import Mount
 from thinkblox.errors import InputError
 from thinkblox.importing.document import Degrees, Document, Extent, F, Foreign, Metres, plain, read_document
-from thinkblox.importing.draft import Draft, Item, Outline
+from thinkblox.importing.draft import Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import about
 from thinkblox.importing.library import AssetRecord, Library
+from thinkblox.scene.asset import Mount
 from thinkblox.value import Vec3
 
 Numbers = Annotated[list[Metres], Meta(min_length=2, max_length=3)]
@@ -109,13 +109,13 @@ def _is_poses(raw: Mapping[str, Any]) -> bool:
     )
 
 
-def read_layoutvlm(document: Document, library: Library) -> Draft:
+def read_layoutvlm(document: Document, library: Library) -> LayoutDraft:
     """Read a layout; raises InputError naming the file and JSON path of whatever is wrong."""
     both = _with_records(_together(document), library)
     items = tuple(_item(both, name, pose, library) for name, pose in both.poses.items())
     boundary = both.scene.boundary
-    return Draft(
-        outline=Outline(
+    return LayoutDraft(
+        outline=RoomOutline(
             corners=tuple((corner[0], corner[1]) for corner in boundary.floor_vertices),
             level=_level(boundary),
             height=boundary.wall_height,

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.asset import Mount
-from thinkblox.importing.body import Body
+from thinkblox.importing.body import ItemBody
 from thinkblox.importing.frames import Array
 from thinkblox.importing.usual import is_rug
-from thinkblox.room import Room
+from thinkblox.scene.asset import Mount
+from thinkblox.scene.room import Room
 
 TOUCHING = 0.02
 """A base this near the floor or another's top stands on it; a top this near the ceiling hangs from it [m]."""
@@ -18,7 +18,7 @@ NEAR_WALL = 0.03
 """What comes this near to a wall, and touches nothing else, hangs on it [m]; Holodeck leaves 0.01."""
 
 
-def mounts_of(room: Room, bodies: Sequence[Body]) -> list[Mount]:
+def mounts_of(room: Room, bodies: Sequence[ItemBody]) -> list[Mount]:
     """The mount of each body; what touches nothing is said to stand on the floor, so that it is found to float."""
     boxes = _boxes(bodies)
     return [body.item.mount or _mount(room, body, index, boxes) for index, body in enumerate(bodies)]
@@ -33,7 +33,7 @@ class _Boxes:
     owner: NDArray[np.int64]
 
 
-def _boxes(bodies: Sequence[Body]) -> _Boxes:
+def _boxes(bodies: Sequence[ItemBody]) -> _Boxes:
     found = [
         (piece.min(axis=0), piece.max(axis=0), index)
         for index, body in enumerate(bodies)
@@ -44,7 +44,7 @@ def _boxes(bodies: Sequence[Body]) -> _Boxes:
     return _Boxes(low, high, np.array([entry[2] for entry in found], dtype=np.int64))
 
 
-def _mount(room: Room, body: Body, index: int, boxes: _Boxes) -> Mount:
+def _mount(room: Room, body: ItemBody, index: int, boxes: _Boxes) -> Mount:
     base, points = body.position[2], np.vstack(body.in_room)
     if base <= TOUCHING:
         return "floor"

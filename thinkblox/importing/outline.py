@@ -8,8 +8,8 @@ from shapely import Polygon
 
 from thinkblox.errors import InputError
 from thinkblox.importing.document import Document, plain
-from thinkblox.importing.draft import Hole, Outline
-from thinkblox.room import Opening, Room, Wall
+from thinkblox.importing.draft import Hole, RoomOutline
+from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.value import Vec2
 
 IN_WALL = 0.15
@@ -18,7 +18,7 @@ LEAST = 0.05
 """Smallest width and height of an opening [m]."""
 
 
-def room_of(document: Document, outline: Outline, *, height: float) -> tuple[Room, Vec2, tuple[str, ...]]:
+def room_of(document: Document, outline: RoomOutline, *, height: float) -> tuple[Room, Vec2, tuple[str, ...]]:
     """The room, by how much it was shifted to the origin, and what to say about it.
 
     Args:
@@ -49,7 +49,7 @@ def room_of(document: Document, outline: Outline, *, height: float) -> tuple[Roo
     return structs.replace(bare, openings=tuple(openings)), shift, tuple(notes)
 
 
-def _check_height(document: Document, outline: Outline, room: Room) -> None:
+def _check_height(document: Document, outline: RoomOutline, room: Room) -> None:
     """Constructing a value checks no bounds of its numbers; only decoding does."""
     if not 1.5 <= room.height <= 50.0:
         document.fail(outline.at, f"a room {room.height:g} m high; it must be 1.5 to 50 m")

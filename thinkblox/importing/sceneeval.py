@@ -25,7 +25,7 @@ import numpy as np
 from msgspec import Meta
 
 from thinkblox.importing.document import Document, Foreign, Metres
-from thinkblox.importing.draft import Draft, Hole, Item, Outline
+from thinkblox.importing.draft import Hole, Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import own_from_file
 from thinkblox.importing.library import Library
 from thinkblox.value import Vec2
@@ -88,7 +88,7 @@ def is_sceneeval(raw: Any) -> bool:
     return isinstance(raw, dict) and raw.get("format") == "sceneState"
 
 
-def read_sceneeval(document: Document, library: Library, *, room: str | None = None) -> Draft:
+def read_sceneeval(document: Document, library: Library, *, room: str | None = None) -> LayoutDraft:
     """Read one room of a scene state; raises InputError naming the file and JSON path of whatever is wrong.
 
     `room` is the floor's roomId; it may be None where there is only one floor.
@@ -99,7 +99,7 @@ def read_sceneeval(document: Document, library: Library, *, room: str | None = N
     index, floor = _floor(document, scene, room)
     scale = scene.arch.scaleToMeters
     walls = [(i, e) for i, e in enumerate(scene.arch.elements) if e.type == "Wall" and (room is None or _of(e, floor))]
-    outline = Outline(
+    outline = RoomOutline(
         corners=tuple((x * scale, y * scale) for x, y, _ in floor.points),
         level=min((z * scale for _, _, z in floor.points), default=0.0),
         height=max((wall.height * scale for _, wall in walls if wall.height), default=None),
@@ -108,7 +108,7 @@ def read_sceneeval(document: Document, library: Library, *, room: str | None = N
     )
     items = tuple(_item(document, i, thing, scene.unit, library) for i, thing in enumerate(scene.object))
     _check_meshes(document, items)
-    return Draft(outline=outline, items=items)
+    return LayoutDraft(outline=outline, items=items)
 
 
 def _floor(document: Document, scene: _Scene, room: str | None) -> tuple[int, _Element]:

@@ -5,7 +5,7 @@ import io
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from thinkblox.page.markup import Markup, element, joined
-from thinkblox.sim.render.drawn import Badge, FaultPicture, Mark, Outline, Ring
+from thinkblox.sim.render.drawn import Badge, FaultPicture, Mark, Ring, Silhouette
 from thinkblox.sim.render.fault_labels import BADGE
 from thinkblox.sim.render.faults import Kind
 
@@ -73,7 +73,7 @@ def _data_uri(picture: FaultPicture) -> str:
 
 
 def _bodies(
-    outlines: Iterable[Outline], numbered: Collection[str], rows: Mapping[str, int], cut_off: Collection[str]
+    outlines: Iterable[Silhouette], numbered: Collection[str], rows: Mapping[str, int], cut_off: Collection[str]
 ) -> list[Markup]:
     """The outlines of all objects, those that fail on top."""
     drawn = []

@@ -9,7 +9,7 @@ import numpy as np
 
 from thinkblox.brief import Brief
 from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
-from thinkblox.room import Opening, Room, Wall
+from thinkblox.scene.room import Opening, Room, Wall
 
 DOOR = (0.9, 2.1)
 """Width and height of a door [m]."""

@@ -10,7 +10,7 @@ from thinkblox.planning.members import Member, Members
 from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.sizes import size_note, size_of
 from thinkblox.planning.walls import relations_in
-from thinkblox.room import Room
+from thinkblox.scene.room import Room
 
 _PLACED = ("against_wall", "in_corner", "in_centre", "near", "in_rows")
 _NAMED_PLACE_BONUS = 1.0

@@ -9,7 +9,7 @@ from thinkblox.planning.openings import with_openings
 from thinkblox.planning.space import across_need, needed_area, wall_needs
 from thinkblox.reading.assumptions import room_types
 from thinkblox.reading.sizes import MAX_SIDE
-from thinkblox.room import Room, rectangle
+from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
 
 _NOTCH = 0.4

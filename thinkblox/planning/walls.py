@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from msgspec.structs import replace
 
 from thinkblox.brief import Brief, Relation
-from thinkblox.room import Room
+from thinkblox.scene.room import Room
 
 COMPASS = ("north_wall", "east_wall", "south_wall", "west_wall")
 """Clockwise, as on a plan."""

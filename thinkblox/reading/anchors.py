@@ -2,7 +2,7 @@
 
 from thinkblox.brief import RelationKind
 from thinkblox.reading.attach import FLANKS, bind, place_bond, relation_kind, subjects_of
-from thinkblox.reading.draft import Bond, Thing
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.memory import Memory, Waiting
 from thinkblox.reading.phrases import Phrase
 
@@ -11,11 +11,11 @@ class Anchors(Memory):
     """Finds what relations refer to and binds the two."""
 
     @property
-    def listed(self) -> list[Thing]:
+    def listed(self) -> list[Mention]:
         """The list that what is said of its last member is said of: "a vase and two candles", not "a rug, a lamp"."""
         return self.run if self.joined else []
 
-    def resolve(self, phrase: Phrase, waiting: Waiting) -> tuple[str, tuple[Thing | str, ...]]:
+    def resolve(self, phrase: Phrase, waiting: Waiting) -> tuple[str, tuple[Mention | str, ...]]:
         """Return the relation and anchors that a noun phrase after a preposition means; no anchors when none."""
         kind, subject = waiting.kind, waiting.subject
         match phrase.kind:
@@ -46,7 +46,7 @@ class Anchors(Memory):
         ahead = (self.next_item(n) for n in (1, 2))
         return next((p.value for p in ahead if isinstance(p, Phrase) and p.kind == "object"), "")
 
-    def _whole(self, phrase: Phrase) -> Thing | None:
+    def _whole(self, phrase: Phrase) -> Mention | None:
         """The object of "the middle of the table"; None where it is the room's."""
         second = self.next_item(2)
         if not self.object_of() or not isinstance(second, Phrase):
@@ -54,7 +54,7 @@ class Anchors(Memory):
         self.items[self.at + 2] = Phrase("ignored", "")
         return self.references.named(second) or self.new_thing(second)
 
-    def _and_opening(self, subject: Thing | None) -> bool:
+    def _and_opening(self, subject: Mention | None) -> bool:
         """Read the second half of "between the sofa and the window"; whether there is one."""
         second = self.next_item(2)
         if not self.next_is("and") or not isinstance(second, Phrase) or second.value not in ("window", "door"):
@@ -66,7 +66,7 @@ class Anchors(Memory):
     def _part_of(self, phrase: Phrase) -> str:
         return {"foot": "at_foot_of", "side": "next_to", "head": "next_to", "top": "on"}[phrase.value]
 
-    def named(self, phrase: Phrase, waiting: Waiting) -> tuple[Thing | str, ...]:
+    def named(self, phrase: Phrase, waiting: Waiting) -> tuple[Mention | str, ...]:
         """The thing an anchor phrase names, and a second one after "between ... and"."""
         kind = waiting.kind
         pointing = phrase.definite or phrase.each or phrase.whose or kind == "per" or phrase.bare
@@ -85,9 +85,9 @@ class Anchors(Memory):
     def attach(
         self,
         kind: str,
-        anchors: tuple[Thing | str, ...],
+        anchors: tuple[Mention | str, ...],
         *,
-        subject: Thing | None,
+        subject: Mention | None,
         pronoun: bool = False,
         each: bool = False,
     ) -> None:
@@ -97,7 +97,7 @@ class Anchors(Memory):
         if isinstance(anchors[0], str):
             self.attach_place(kind, anchors[0], subject, each=each)
             return
-        if subject is None or (kind == "per" and not isinstance(anchors[0], Thing)):
+        if subject is None or (kind == "per" and not isinstance(anchors[0], Mention)):
             return
         if kind in ("per", "for"):
             tie = self.habits.tie(subject.noun, anchors[0].noun) or "next_to"
@@ -114,7 +114,7 @@ class Anchors(Memory):
             if len(anchors) == 1 and relation in ("next_to", "facing", "opposite", "left_of", "right_of"):
                 self.references.pairs.append((one, anchors[0]))
 
-    def _flanked(self, kind: str, subject: Thing, anchor: Thing) -> RelationKind:
+    def _flanked(self, kind: str, subject: Mention, anchor: Mention) -> RelationKind:
         """One of a thing "on either side" is two, two seats "on each side" are four; seats are drawn up to a table."""
         seats = self.habits.is_in(subject.noun, "seats")
         if subject.count == 1 or (seats and kind == "flank_each" and subject.count):
@@ -122,7 +122,7 @@ class Anchors(Memory):
         usual = self.habits.tie(subject.noun, anchor.noun)
         return usual if usual in ("at", "around") else relation_kind(kind)
 
-    def attach_place(self, kind: str, place: str, subject: Thing | None, *, each: bool, places: int = 1) -> None:
+    def attach_place(self, kind: str, place: str, subject: Mention | None, *, each: bool, places: int = 1) -> None:
         """Bind a thing, or the door or window just mentioned, to a place of the room, or to so many of them."""
         if self.opening is not None and place.endswith("_wall") and " " not in place and subject is None:
             self.opening.wall = place

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from thinkblox.brief import RelationKind
 from thinkblox.reading.attach import relation_kind
-from thinkblox.reading.draft import Bond, Draft, Thing
+from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.habits import load_habits
 from thinkblox.reading.reference import are_alike
 
@@ -99,7 +99,7 @@ def _is_bare(draft: Draft) -> bool:
 
 def _fill(draft: Draft) -> None:
     present = {thing.noun for thing in draft.things}
-    made: dict[str, Thing] = {thing.noun: thing for thing in draft.things}
+    made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
     for usual in room_types()[draft.room or "room"].usual:
         if any(are_alike(usual.category, noun) for noun in present | draft.excluded):
             continue
@@ -136,7 +136,7 @@ def _seat(draft: Draft) -> None:
             _chairs(draft, thing, thing.seats * (thing.count or 1))
     for seat in [t for t in draft.things if t.count is None and load_habits().is_in(t.noun, "seats")]:
         tables = [b.anchors[0] for b in draft.bonds_of(seat) if b.kind == "around"]
-        people = sum(t.seats * (t.count or 1) for t in tables if isinstance(t, Thing)) or draft.people
+        people = sum(t.seats * (t.count or 1) for t in tables if isinstance(t, Mention)) or draft.people
         seat.count = people if people and tables and draft.room in _SEATING else seat.count
     if draft.people and draft.room in _SEATING and not _has(draft, "seats"):
         table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
@@ -150,12 +150,12 @@ def _staff(draft: Draft) -> None:
             desk.count = draft.people
 
 
-def _chairs(draft: Draft, table: Thing, count: int) -> None:
+def _chairs(draft: Draft, table: Mention, count: int) -> None:
     seat = _add(draft, "chair", count)
     draft.bonds.append(Bond(_seated(table), seat, (table,), each=table.many, asked=False))
 
 
-def _seated(table: Thing) -> RelationKind:
+def _seated(table: Mention) -> RelationKind:
     return "at" if load_habits().is_in(table.noun, "desks") else "around"
 
 
@@ -191,12 +191,12 @@ def _build_in(draft: Draft) -> None:
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
 
 
-def _lies_somewhere(draft: Draft, thing: Thing) -> bool:
+def _lies_somewhere(draft: Draft, thing: Mention) -> bool:
     """Whether a small thing is on or beside another, or may stand on the floor."""
     habits = load_habits()
     if any(habit.kind != "on" for habit in habits.of(thing.noun)):
         return True
-    anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Thing)]
+    anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Mention)]
     return any(b.kind == "on" for b in draft.bonds_of(thing)) or any(habits.is_in(a.noun, "small") for a in anchors)
 
 
@@ -209,7 +209,7 @@ def _carrier(draft: Draft, carriers: list[str]) -> str:
     return "side_table" if large and not public and "side_table" in carriers else carriers[0]
 
 
-def _add(draft: Draft, noun: str, count: int) -> Thing:
-    thing = Thing(noun, count, asked=False)
+def _add(draft: Draft, noun: str, count: int) -> Mention:
+    thing = Mention(noun, count, asked=False)
     draft.things.append(thing)
     return thing

@@ -1,7 +1,7 @@
 """Makes bonds: which relation really holds, who its subject is, and what a place of the room means for it."""
 
 from thinkblox.brief import RelationKind
-from thinkblox.reading.draft import MISSING, Bond, Draft, Thing
+from thinkblox.reading.draft import MISSING, Bond, Draft, Mention
 from thinkblox.reading.habits import load_habits
 
 _KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to", "flank_each": "next_to"}
@@ -40,7 +40,7 @@ def relation_kind(kind: str) -> RelationKind:
 def bind(draft: Draft, bond: Bond) -> None:
     """Add a bond, turned the right way round, in place of a weaker one that it makes more exact."""
     anchor = bond.anchors[0] if bond.anchors else None
-    if isinstance(anchor, Thing):
+    if isinstance(anchor, Mention):
         if anchor is bond.subject and bond.kind not in ("facing", "next_to"):
             return
         if bond.kind == "between" and (neighbours := _neighbours(bond)):
@@ -54,7 +54,7 @@ def bind(draft: Draft, bond: Bond) -> None:
     draft.bonds.append(bond)
 
 
-def _turned(bond: Bond, anchor: Thing) -> Bond:
+def _turned(bond: Bond, anchor: Mention) -> Bond:
     """The bond that is meant: chairs "under" a desk are at it, a bed "on" a rug has the rug under it."""
     habits = load_habits()
     usual = habits.tie(bond.subject.noun, anchor.noun)
@@ -75,7 +75,7 @@ def _turned(bond: Bond, anchor: Thing) -> Bond:
 def _neighbours(bond: Bond) -> list[Bond]:
     """The bed "between two nightstands" or the fridge between two appliances comes first, what is beside it then."""
     tie = load_habits().tie
-    things = [a for a in bond.anchors if isinstance(a, Thing) and tie(a.noun, bond.subject.noun) == "next_to"]
+    things = [a for a in bond.anchors if isinstance(a, Mention) and tie(a.noun, bond.subject.noun) == "next_to"]
     return [Bond("next_to", a, (bond.subject,)) for a in things] if len(things) == len(bond.anchors) else []
 
 
@@ -86,13 +86,13 @@ def _is_sharper(bond: Bond, old: Bond) -> bool:
 
 def subjects_of(
     draft: Draft,
-    current: Thing,
+    current: Mention,
     kind: str,
-    anchors: tuple[Thing | str, ...],
-    run: list[Thing],
+    anchors: tuple[Mention | str, ...],
+    run: list[Mention],
     *,
     pronoun: bool,
-) -> list[Thing]:
+) -> list[Mention]:
     """Which things a relation that follows `current` is about.
 
     "a desk with a chair by the window": the desk. "a vase and two candles on the table": both.

@@ -1,6 +1,6 @@
 """How many of each: what was said, shared out over anchors, or a sensible number for a bare plural."""
 
-from thinkblox.reading.draft import Bond, Draft, Thing
+from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.habits import load_habits
 
 MAX_OF_A_KIND = 200
@@ -29,7 +29,7 @@ def limit_things(draft: Draft) -> None:
         known = set(map(id, kept))
         draft.missing.append(f"{len(extra)} more things, from {extra[0].text!r} on")
         draft.bonds = [
-            b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))
+            b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Mention))
         ]
 
 
@@ -43,9 +43,9 @@ def settle_counts(draft: Draft) -> None:
     _limit(draft)
 
 
-def _anchors_first(things: list[Thing], bonds: dict[int, list[Bond]]) -> list[Thing]:
+def _anchors_first(things: list[Mention], bonds: dict[int, list[Bond]]) -> list[Mention]:
     """Every thing after what it is bound to, as far as there are no circles."""
-    order: dict[int, Thing] = {}
+    order: dict[int, Mention] = {}
     entered: set[int] = set()
     stack = list(reversed(things))
     while stack:
@@ -54,45 +54,45 @@ def _anchors_first(things: list[Thing], bonds: dict[int, list[Bond]]) -> list[Th
             order.setdefault(id(thing), thing)
             continue
         entered.add(id(thing))
-        anchors = [a for bond in bonds.get(id(thing), []) for a in bond.anchors if isinstance(a, Thing)]
+        anchors = [a for bond in bonds.get(id(thing), []) for a in bond.anchors if isinstance(a, Mention)]
         stack += [thing, *(anchor for anchor in anchors if id(anchor) not in entered)]
     return list(order.values())
 
 
-def _settle(draft: Draft, thing: Thing, bonds: list[Bond]) -> None:
+def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
     shares = next((bond for bond in bonds if bond.each and thing.asked), None)
     anchors = shares.anchors if shares else ()
     if shares and any(isinstance(a, str) and a == "corner" for a in anchors):
         thing.count = (thing.count or 1) * _CORNERS
     elif shares and any(isinstance(a, str) and a == "wall" for a in shares.anchors):
         thing.count = (thing.count or 1) * _WALLS
-    elif shares and any(isinstance(a, Thing) for a in anchors):
+    elif shares and any(isinstance(a, Mention) for a in anchors):
         each = thing.count if thing.count is not None else _each(thing, shares.anchors)
-        thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Thing))
+        thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Mention))
     elif thing.count is None and (one_each := _one_each(thing, bonds)):
         one_each.each = True
-        thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Thing))
+        thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Mention))
     elif thing.count is None:
         thing.count = _bare(thing, bonds)
     _carriers(draft, thing)
 
 
-def _each(thing: Thing, anchors: tuple[Thing | str, ...]) -> int:
+def _each(thing: Mention, anchors: tuple[Mention | str, ...]) -> int:
     """So many of a bare plural belong to each anchor: "tables with chairs", "desks with chairs"."""
-    table = any(isinstance(a, Thing) and load_habits().is_in(a.noun, "meal_tables") for a in anchors)
+    table = any(isinstance(a, Mention) and load_habits().is_in(a.noun, "meal_tables") for a in anchors)
     return 4 if table and thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
 
 
-def _one_each(thing: Thing, bonds: list[Bond]) -> Bond | None:
+def _one_each(thing: Mention, bonds: list[Bond]) -> Bond | None:
     """The bond by which a bare plural is one for each of several: "pendant lamps above the tables"."""
     lamp = load_habits().is_in(thing.noun, "lamps")
     several = (
-        b for b in bonds if b.kind in ("above", "on") and any(isinstance(a, Thing) and a.many for a in b.anchors)
+        b for b in bonds if b.kind in ("above", "on") and any(isinstance(a, Mention) and a.many for a in b.anchors)
     )
     return next(several, None) if lamp and thing.plural else None
 
 
-def _bare(thing: Thing, bonds: list[Bond]) -> int:
+def _bare(thing: Mention, bonds: list[Bond]) -> int:
     if thing.rows:
         return (_ROWS if thing.rows < 0 else thing.rows) * (_PER_ROW if thing.rows != 1 else _PER_ROW + 1)
     rows = next((bond.rows for bond in bonds if bond.kind == "in_rows"), None)
@@ -101,14 +101,14 @@ def _bare(thing: Thing, bonds: list[Bond]) -> int:
     return _BARE.get(thing.noun, 3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
 
 
-def _carriers(draft: Draft, thing: Thing) -> None:
+def _carriers(draft: Draft, thing: Mention) -> None:
     """Base cabinets that carry a sink, a hob and a microwave are at least three."""
     if thing.noun == "base_cabinet" and thing.plural and thing.text and not _is_counted(thing):
         carried = sum(b.kind == "on" and thing in b.anchors for b in draft.bonds)
         thing.count = max(thing.count or 1, carried)
 
 
-def _is_counted(thing: Thing) -> bool:
+def _is_counted(thing: Mention) -> bool:
     return thing.count is not None and thing.count != _BARE.get(thing.noun) and not thing.vague
 
 

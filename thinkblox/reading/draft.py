@@ -10,7 +10,7 @@ MISSING = "missing"
 
 
 @dataclass(eq=False)
-class Thing:
+class Mention:
     """Objects of one kind that were mentioned together.
 
     Attributes:
@@ -31,8 +31,8 @@ class Thing:
     attributes: list[str] = field(default_factory=list)
     text: str = ""
     asked: bool = True
-    owner: "Thing | None" = None
-    host: "Thing | None" = None
+    owner: "Mention | None" = None
+    host: "Mention | None" = None
     seats: int = 0
     size: Size | None = None
     general: bool = False
@@ -48,8 +48,8 @@ class Bond:
     """A relation between things, or of a thing to places of the room (strings)."""
 
     kind: RelationKind
-    subject: Thing
-    anchors: tuple[Thing | str, ...] = ()
+    subject: Mention
+    anchors: tuple[Mention | str, ...] = ()
     each: bool = False
     asked: bool = True
     rows: int = 0
@@ -69,7 +69,7 @@ class Gap:
 class Draft:
     """Everything read from a prompt."""
 
-    things: list[Thing] = field(default_factory=list)
+    things: list[Mention] = field(default_factory=list)
     bonds: list[Bond] = field(default_factory=list)
     openings: list[Gap] = field(default_factory=list)
     room: str = ""
@@ -82,11 +82,11 @@ class Draft:
     excluded: set[str] = field(default_factory=set)
     empty: bool = False
 
-    def bonds_of(self, thing: Thing) -> list[Bond]:
+    def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""
         return [bond for bond in self.bonds if bond.subject is thing]
 
-    def drop(self, thing: Thing) -> None:
+    def drop(self, thing: Mention) -> None:
         """Forget a thing and its bonds."""
         self.things = [t for t in self.things if t is not thing]
         self.bonds = [b for b in self.bonds if b.subject is not thing and thing not in b.anchors]

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Draft
-from thinkblox.reading.memory import Frame, Front, Waiting
+from thinkblox.reading.memory import Front, OpenList, Waiting
 from thinkblox.reading.nouns import Nouns
 from thinkblox.reading.phrases import Item, Link, Phrase, Unknown
 from thinkblox.reading.sizes import Size
@@ -125,7 +125,7 @@ class Walker(Nouns):
         self.front = None
         self.chain = None
         self.run = []
-        self.frame = Frame(head, kind, each=each) if head is not None else None
+        self.frame = OpenList(head, kind, each=each) if head is not None else None
 
     def _previous_is_each(self, *, alone: bool = False) -> bool:
         """Whether "each" or, unless it is to stand alone, "each desk" comes just before."""
@@ -152,7 +152,7 @@ class Walker(Nouns):
             head.attributes.append("filled")
             self.waiting = Waiting("of", head)
         else:
-            self.frame = Frame(head, "carry")
+            self.frame = OpenList(head, "carry")
 
     def _adverb(self, value: str) -> None:
         self._elided()

@@ -3,8 +3,8 @@
 from thinkblox.brief import RelationKind
 from thinkblox.reading.anchors import Anchors
 from thinkblox.reading.attach import bind, relation_kind
-from thinkblox.reading.draft import Bond, Thing
-from thinkblox.reading.memory import Frame
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.memory import OpenList
 from thinkblox.reading.reference import are_alike
 
 _LISTED = ("on", "at", "around")
@@ -14,7 +14,7 @@ _LISTED = ("on", "at", "around")
 class Lists(Anchors):
     """Ties new things to the list or the fronted relation they belong to."""
 
-    def take_front(self, thing: Thing) -> None:
+    def take_front(self, thing: Mention) -> None:
         """Give a thing the relation that stood before it ("on the desk a lamp and a vase")."""
         front = self.front
         if front is None:
@@ -28,7 +28,7 @@ class Lists(Anchors):
         if front.kind not in ("on", "above", "along"):
             self.front = None
 
-    def take_member(self, thing: Thing) -> None:
+    def take_member(self, thing: Mention) -> None:
         """Take a thing into the open list, or close the list when it does not belong to its head."""
         frame = self.frame
         if frame is None:
@@ -46,7 +46,7 @@ class Lists(Anchors):
         each = tie != "between" and (frame.each or _shares(thing, frame.head, tie))
         bind(self.draft, Bond(tie, thing, (frame.head,), each=each, implied=True))
 
-    def _tie(self, thing: Thing, frame: Frame) -> RelationKind | None:
+    def _tie(self, thing: Mention, frame: OpenList) -> RelationKind | None:
         """How a listed thing belongs to the head; None when it does not, which ends the list."""
         usual = self.habits.tie(thing.noun, frame.head.noun)
         small = self.habits.is_in(thing.noun, "small")
@@ -63,7 +63,7 @@ class Lists(Anchors):
         return relation_kind(frame.kind) if not frame.members or self.separator == "and" else None
 
 
-def _shares(thing: Thing, head: Thing, tie: str) -> bool:
+def _shares(thing: Mention, head: Mention, tie: str) -> bool:
     """Whether "two desks with a chair" means a chair at each."""
     if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
         return False

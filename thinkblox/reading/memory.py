@@ -2,21 +2,21 @@
 
 from dataclasses import dataclass, field
 
-from thinkblox.reading.draft import Bond, Draft, Gap, Thing
+from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.habits import load_habits
 from thinkblox.reading.phrases import Item, Link, Phrase
 from thinkblox.reading.reference import References
 
 
 @dataclass
-class Frame:
+class OpenList:
     """An open list of what `head` has; `kind` is "with" where the words do not say how."""
 
-    head: Thing
+    head: Mention
     kind: str
     each: bool = False
     closing: bool = False
-    members: list[Thing] = field(default_factory=list)
+    members: list[Mention] = field(default_factory=list)
 
 
 @dataclass
@@ -24,7 +24,7 @@ class Waiting:
     """A relation whose anchor has not been read yet; `shared` in "four chairs each facing a mirror"."""
 
     kind: str
-    subject: Thing | None
+    subject: Mention | None
     fronted: bool = False
     shared: bool = False
 
@@ -34,7 +34,7 @@ class Front:
     """A relation, anchor and all, whose subject has not been read yet."""
 
     kind: str
-    anchors: tuple[Thing | str, ...]
+    anchors: tuple[Mention | str, ...]
     each: bool
 
 
@@ -67,18 +67,18 @@ class Memory:
         self.draft = Draft()
         self.references = References(self.draft)
         self.habits = load_habits()
-        self.current: Thing | None = None
+        self.current: Mention | None = None
         self.opening: Gap | None = None
-        self.frame: Frame | None = None
+        self.frame: OpenList | None = None
         self.waiting: Waiting | None = None
         self.front: Front | None = None
-        self.run: list[Thing] = []
-        self.everyone: list[Thing] = []
-        self.parted: Thing | None = None
+        self.run: list[Mention] = []
+        self.everyone: list[Mention] = []
+        self.parted: Mention | None = None
         self.sided = False
         self.joined = False
         self.begun = 0
-        self.chain: Thing | None = None
+        self.chain: Mention | None = None
         self.fresh = True
         self.separator = "stop"
         self.negating = False
@@ -101,7 +101,7 @@ class Memory:
         second = self.next_item(2)
         return self.next_is("of") and isinstance(second, Phrase) and second.kind == "object"
 
-    def mention(self, thing: Thing) -> None:
+    def mention(self, thing: Mention) -> None:
         """Make a thing the one that is spoken of."""
         self.current = thing
         self.references.mention(thing)
@@ -109,13 +109,13 @@ class Memory:
         self.fresh = False
         self.chain = self.chain or thing
 
-    def new_thing(self, phrase: Phrase) -> Thing:
+    def new_thing(self, phrase: Phrase) -> Mention:
         """Add the thing that a phrase asks for."""
         rows = phrase.rows
         count = phrase.count if phrase.count is not None else (None if phrase.plural else 1)
         if rows > 0 and count is not None:
             count *= rows
-        thing = Thing(phrase.value, count, phrase.vague, phrase.plural, rows, phrase.attributes, phrase.text)
+        thing = Mention(phrase.value, count, phrase.vague, phrase.plural, rows, phrase.attributes, phrase.text)
         thing.seats = phrase.seats
         self.draft.things.append(thing)
         if rows:
@@ -126,7 +126,7 @@ class Memory:
             self.draft.empty, self.only = True, False
         return thing
 
-    def antecedent(self, subject: Thing | None, kind: str, noun: str = "") -> tuple[Thing | str, ...]:
+    def antecedent(self, subject: Mention | None, kind: str, noun: str = "") -> tuple[Mention | str, ...]:
         """Return what a pronoun, or no anchor at all, points back to; `noun` stands for a subject to come."""
         if kind == "between":
             return self.references.several(subject, kind)

@@ -1,7 +1,7 @@
 """What each kind of noun phrase does: name a thing, a room, a door, a number of people, or anchor a relation."""
 
 from thinkblox.reading.attach import bind
-from thinkblox.reading.draft import MISSING, Bond, Gap, Thing
+from thinkblox.reading.draft import MISSING, Bond, Gap, Mention
 from thinkblox.reading.memory import Front, Waiting
 from thinkblox.reading.parts import Parts
 from thinkblox.reading.phrases import Link, Phrase
@@ -157,7 +157,7 @@ class Nouns(Parts):
 
     def _missing(self, phrase: Phrase) -> None:
         self.draft.missing.append(phrase.text)
-        thing = Thing(MISSING, text=phrase.text)
+        thing = Mention(MISSING, text=phrase.text)
         self.joined = self.separator == "and"
         self.run.append(thing)
         self.mention(thing)
@@ -207,7 +207,7 @@ class Nouns(Parts):
             self.attach_place(kind, anchors[0], waiting.subject, each=each, places=phrase.count or 1)
             return
         self.attach(kind, anchors, subject=waiting.subject, pronoun=phrase.kind == "pronoun", each=each)
-        if phrase.kind == "object" and isinstance(anchors[0], Thing):
+        if phrase.kind == "object" and isinstance(anchors[0], Mention):
             self.current = anchors[0]
             self.references.mention(anchors[0])
             self.run = []

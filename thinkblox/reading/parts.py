@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.reading.attach import FLANKS
-from thinkblox.reading.draft import Thing
+from thinkblox.reading.draft import Mention
 from thinkblox.reading.lists import Lists
 from thinkblox.reading.memory import Waiting
 from thinkblox.reading.phrases import Link, Phrase
@@ -48,7 +48,7 @@ class Parts(Lists):
         subject = waiting.subject
         self.draft.bonds = [b for b in self.draft.bonds if b.subject is not subject or not b.implied]
         kind, anchors = self.resolve(phrase, waiting)
-        whole = self.parted or next((a for a in anchors if isinstance(a, Thing)), None)
+        whole = self.parted or next((a for a in anchors if isinstance(a, Mention)), None)
         if whole is None:
             return
         if phrase.kind == "number" and whole.many:
@@ -69,15 +69,15 @@ class Parts(Lists):
             self.current.attributes += phrase.attributes
         return True
 
-    def _whole_of_parts(self) -> Thing | None:
+    def _whole_of_parts(self) -> Mention | None:
         """The several things that a number now parts."""
         recent = [self.current, *reversed(self.run), *reversed(self.references.mentions[-3:])]
         return self.parted or next((t for t in recent if t is not None and t.many and t in self.draft.things), None)
 
-    def _is_placed(self, thing: Thing) -> bool:
+    def _is_placed(self, thing: Mention) -> bool:
         return any(not bond.implied for bond in self.draft.bonds_of(thing))
 
-    def _set_apart(self, whole: Thing, count: int) -> None:
+    def _set_apart(self, whole: Mention, count: int) -> None:
         """Set so many of `whole` apart; the last of them stay `whole` itself."""
         left = (whole.count or 2 * count) - count
         if left <= 0:
@@ -89,10 +89,10 @@ class Parts(Lists):
         self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]
         self._take(part)
 
-    def _copy(self, thing: Thing, count: int) -> Thing:
+    def _copy(self, thing: Mention, count: int) -> Mention:
         return replace(thing, count=count, plural=False, attributes=[*thing.attributes])
 
-    def _take(self, thing: Thing) -> None:
+    def _take(self, thing: Mention) -> None:
         self.draft.things.append(thing)
         self.run.append(thing)
         self.mention(thing)

@@ -7,7 +7,7 @@ from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.reading.assumptions import assume, room_types, stock
 from thinkblox.reading.counts import limit_things, settle_counts
-from thinkblox.reading.draft import Bond, Draft, Gap, Thing
+from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import read_items
 from thinkblox.reading.measures import object_size
@@ -42,7 +42,7 @@ def read_brief(prompt: str) -> Brief:
 def _finish(draft: Draft) -> None:
     known = set(map(id, draft.things))
     draft.bonds = [
-        b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Thing))
+        b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Mention))
     ]
     _drop_impossible_sizes(draft)
     limit_things(draft)
@@ -106,7 +106,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     )
 
 
-def _keys(things: list[Thing]) -> dict[int, str]:
+def _keys(things: list[Mention]) -> dict[int, str]:
     counts: dict[str, int] = {}
     keys: dict[int, str] = {}
     for thing in things:
@@ -115,7 +115,7 @@ def _keys(things: list[Thing]) -> dict[int, str]:
     return keys
 
 
-def _request(thing: Thing, keys: dict[int, str]) -> Request:
+def _request(thing: Mention, keys: dict[int, str]) -> Request:
     return Request(
         key=keys[id(thing)],
         category=thing.noun,

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from thinkblox.reading.draft import Draft, Thing
+from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.habits import load_habits
 from thinkblox.reading.phrases import Phrase
 
@@ -43,11 +43,11 @@ class References:
 
     def __init__(self, draft: Draft) -> None:
         self.draft = draft
-        self.pairs: list[tuple[Thing, Thing]] = []
-        self.mentions: list[Thing] = []
-        self.topic: Thing | None = None
+        self.pairs: list[tuple[Mention, Mention]] = []
+        self.mentions: list[Mention] = []
+        self.topic: Mention | None = None
 
-    def named(self, phrase: Phrase, besides: Thing | None = None) -> Thing | None:
+    def named(self, phrase: Phrase, besides: Mention | None = None) -> Mention | None:
         """The latest thing that "the <noun>" can mean, `besides` one; None when nothing like it was mentioned."""
         word = _last_word(phrase.text)
         recent = [t for t in reversed(self.draft.things[-_REACH:]) if t is not besides or t.many]
@@ -57,16 +57,16 @@ class References:
         called = (t for t in recent if _last_word(t.text) == word)
         return next(very, None) or next(same, None) or next(like, None) or next(called, None)
 
-    def called(self, phrase: Phrase) -> Thing | None:
+    def called(self, phrase: Phrase) -> Mention | None:
         """The latest thing whose last word a phrase repeats: "the machines" after "two washing machines"."""
         word = _last_word(phrase.text).removesuffix("s")
         return next((t for t in reversed(self.draft.things) if _last_word(t.text).removesuffix("s") == word), None)
 
-    def mention(self, thing: Thing) -> None:
+    def mention(self, thing: Mention) -> None:
         """Remember that a thing was spoken of just now."""
         self.mentions.append(thing)
 
-    def single(self, subject: Thing | None, kind: str, noun: str = "") -> Thing | None:
+    def single(self, subject: Mention | None, kind: str, noun: str = "") -> Mention | None:
         """What "it" means as the anchor of a relation of this kind of a subject or `noun`; None when there is nothing.
 
         First what such a thing usually has that relation to, then what "it" meant before in the same sentence.
@@ -94,7 +94,7 @@ class References:
                 return found
         return None
 
-    def beside(self, subject: Thing | None, kind: str, noun: str = "") -> Thing | None:
+    def beside(self, subject: Mention | None, kind: str, noun: str = "") -> Mention | None:
         """As `single`, but what is carried stands for what carries it: a fridge at the end of the cabinets."""
         found = self.topic = self.single(subject, kind, noun)
         if found is None or kind not in _ON_THE_FLOOR:
@@ -107,12 +107,12 @@ class References:
         slight = kind == "next_to" and load_habits().is_in(found.noun, "lamps", "plants")
         return self._flanked(found, ("next_to",)) or found if slight else found
 
-    def _flanked(self, thing: Thing, kinds: tuple[str, ...]) -> Thing | None:
+    def _flanked(self, thing: Mention, kinds: tuple[str, ...]) -> Mention | None:
         """What a thing stands at the side of: "a bed, to its left a nightstand, to its right a wardrobe"."""
         bonds = (b for b in self.draft.bonds_of(thing) if b.kind in kinds)
-        return next((a for b in bonds for a in b.anchors if isinstance(a, Thing)), None)
+        return next((a for b in bonds for a in b.anchors if isinstance(a, Mention)), None)
 
-    def several(self, subject: Thing | None, kind: str) -> tuple[Thing, ...]:
+    def several(self, subject: Mention | None, kind: str) -> tuple[Mention, ...]:
         """What "them" means: a plural thing, or two that were just related or joined."""
         for thing in self._before(subject):
             pair = next((p for p in reversed(self.pairs) if thing in p and subject not in p), None)
@@ -126,18 +126,18 @@ class References:
         found = self.single(subject, kind)
         return (found,) if found is not None else ()
 
-    def shared(self, subject: Thing | None) -> tuple[Thing, ...]:
+    def shared(self, subject: Mention | None) -> tuple[Mention, ...]:
         """What "each" shares out over: the plural thing that the subject belongs to, or the latest."""
         if subject is not None and subject.host is not None and subject.host.many:
             return (subject.host,)
         return self.several(subject, "each")
 
-    def _recent(self, subject: Thing | None) -> list[Thing]:
+    def _recent(self, subject: Mention | None) -> list[Mention]:
         """Things but the subject, the one spoken of last first."""
         spoken = dict.fromkeys([*reversed(self.mentions[-_MEMORY:]), *reversed(self.draft.things[-_MEMORY:])])
         return [t for t in spoken if t is not subject and t in self.draft.things[-_MEMORY:]]
 
-    def _before(self, subject: Thing | None) -> Iterator[Thing]:
+    def _before(self, subject: Mention | None) -> Iterator[Mention]:
         return (
             t
             for t in self._recent(subject)
@@ -159,11 +159,11 @@ def _families() -> list[set[str]]:
     return [{member for name in family for member in groups.get(name, (name,))} for family in _RELATIVES]
 
 
-def _is_small(thing: Thing) -> bool:
+def _is_small(thing: Mention) -> bool:
     return load_habits().is_in(thing.noun, "small")
 
 
-def _fits(thing: Thing, kind: str) -> bool:
+def _fits(thing: Mention, kind: str) -> bool:
     habits = load_habits()
     match kind:
         case "on":

@@ -4,7 +4,7 @@ import tomllib
 from functools import lru_cache
 from pathlib import Path
 
-from thinkblox.reading.draft import Bond, Draft, Thing
+from thinkblox.reading.draft import Bond, Draft, Mention
 
 _ROUNDS = 2
 
@@ -36,19 +36,19 @@ def choose_senses(draft: Draft) -> None:
         company = {thing.noun for thing in draft.things}
         bonds: dict[int, list[Bond]] = {}
         for bond in draft.bonds:
-            for thing in {bond.subject, *(a for a in bond.anchors if isinstance(a, Thing))}:
+            for thing in {bond.subject, *(a for a in bond.anchors if isinstance(a, Mention))}:
                 bonds.setdefault(id(thing), []).append(bond)
         final = [_sense(thing, draft.room, company, bonds.get(id(thing), [])) for thing in draft.things]
         for thing, noun in zip(draft.things, final, strict=True):
             thing.noun = noun
 
 
-def _sense(thing: Thing, room: str, company: set[str], bonds: list[Bond]) -> str:
+def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> str:
     facts = {
         "attr": set(thing.attributes),
         "room": {room},
         "rel": {str(b.kind) for b in bonds if b.subject is thing},
-        "to": {a.noun for b in bonds if b.subject is thing for a in b.anchors if isinstance(a, Thing)},
+        "to": {a.noun for b in bonds if b.subject is thing for a in b.anchors if isinstance(a, Mention)},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
         "has": company,
     }
@@ -58,7 +58,7 @@ def _sense(thing: Thing, room: str, company: set[str], bonds: list[Bond]) -> str
     return thing.noun
 
 
-def _holds(condition: str, facts: dict[str, set[str]], thing: Thing) -> bool:
+def _holds(condition: str, facts: dict[str, set[str]], thing: Mention) -> bool:
     if condition == "many":
         return thing.many
     name, _, values = condition.partition(":")

@@ -10,8 +10,8 @@ from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.rects import Rects, outside, overlap_depth
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.value import Vec2
 
 PLACE_WIDTH = 0.6

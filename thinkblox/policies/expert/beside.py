@@ -7,7 +7,7 @@ from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.needs import BEDS
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2
 
 GAPS = {

@@ -9,7 +9,7 @@ from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import run_of
 from thinkblox.policies.expert.zones import beside, fewest
-from thinkblox.rects import Array, Rects, overlap_depth
+from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""

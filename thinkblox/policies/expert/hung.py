@@ -6,8 +6,8 @@ from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import named_walls
-from thinkblox.room import Opening, Room, Wall, turn_between
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Opening, Room, Wall, turn_between
 
 CENTRES = {
     "picture": 1.5,

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-from thinkblox.consistency import wall_gap
 from thinkblox.phrases import Constraint
-from thinkblox.room import Room
-from thinkblox.scene import Placement
+from thinkblox.scene.agreement import wall_gap
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
 from thinkblox.value import Vec2, Vec3
 
 SEATS = frozenset("chair office_chair armchair rocking_chair sofa bench bean_bag child_chair stool bar_stool".split())

@@ -3,14 +3,14 @@
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
-from thinkblox.asset import Mount
-from thinkblox.places import WORKED_AT, corners
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
 from thinkblox.policies.expert.idea import SEATS, Idea
 from thinkblox.policies.expert.needs import BOARDS
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.scene import Placement
+from thinkblox.scene.asset import Mount
+from thinkblox.scene.landmarks import WORKED_AT, corners
+from thinkblox.scene.placement import Placement
 
 STAND_FREE = frozenset(
     (

@@ -15,9 +15,9 @@ from thinkblox.policies.expert.hung import AT_WINDOWS
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.ways import imbalance, moment
-from thinkblox.rects import Array, Rects, outside, overlap_depth
-from thinkblox.relations import measure
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
+from thinkblox.scene.relations import measure
 from thinkblox.value import Vec3
 
 HOPELESS = 50.0

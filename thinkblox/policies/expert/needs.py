@@ -6,9 +6,9 @@ The figures are those of the handbooks of interior layout (Neufert, Architects' 
 from typing import NamedTuple
 
 from thinkblox.assets import CATALOGUE
-from thinkblox.places import WORKED_AT
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.idea import SEATS
+from thinkblox.scene.landmarks import WORKED_AT
 from thinkblox.value import Vec3
 
 ALL_ROUND = ("front", "back", "left", "right")

@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
-from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import SEATS, Idea, turned
 from thinkblox.policies.expert.needs import BEFORE_BOARD
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.room import turn_between
-from thinkblox.scene import Placement
+from thinkblox.scene.landmarks import WORKED_AT
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
 
 VIEWING = {"sofa": (2.4, 2.0, 2.8, 1.7, 3.2), "armchair": (2.2, 1.8, 2.6, 1.4), "desk": (0.02, 0.6, 1.2)}

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterator
 
-from thinkblox.asset import Surface
 from thinkblox.policies.expert.idea import SEATS
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.scene import Placement
+from thinkblox.scene.asset import Surface
+from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2
 
 SETTINGS: dict[str, Vec2] = {

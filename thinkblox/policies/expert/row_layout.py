@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from thinkblox.places import WORKED_AT
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.room import turn_between
+from thinkblox.scene.landmarks import WORKED_AT
+from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
 
 BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5, 0.2, 0.02), "bookcase": (0.005,), "locker": (0.005,)}

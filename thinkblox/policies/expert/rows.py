@@ -17,8 +17,8 @@ from thinkblox.policies.expert.needs import MAIN_WAY, need
 from thinkblox.policies.expert.row_layout import Layout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import imbalance, moment
-from thinkblox.rects import Array, Rects, outside, overlap_depth
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
 
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2, Vec3
 
 BEDS = frozenset(("bed", "crib", "hospital_bed"))

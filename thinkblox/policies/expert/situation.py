@@ -3,16 +3,17 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from thinkblox.asset import Asset
 from thinkblox.assets import CATALOGUE
 from thinkblox.observe import Observation
 from thinkblox.plan import Target
 from thinkblox.policies.expert.idea import SEATS
 from thinkblox.policies.expert.needs import Need, need, uses
 from thinkblox.policies.expert.zones import beside, joined
-from thinkblox.rects import Rects, outside, overlap_depth
-from thinkblox.room import Opening, Room
-from thinkblox.scene import Placement, Scene
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Rects, outside, overlap_depth
+from thinkblox.scene.room import Opening, Room
+from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2, Vec3
 
 WINDOW_DEPTH = 0.3

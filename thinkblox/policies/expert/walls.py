@@ -9,8 +9,8 @@ from thinkblox.policies.expert.beside import sides_of
 from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, turned
 from thinkblox.policies.expert.needs import BEDS, DOUBLE
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.room import Room, Wall
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room, Wall
 from thinkblox.value import Vec2, Vec3
 
 FOCAL = frozenset(

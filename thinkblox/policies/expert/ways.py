@@ -9,9 +9,9 @@ import numpy as np
 from thinkblox.assets import CATALOGUE
 from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY
 from thinkblox.policies.expert.situation import Situation, is_large
-from thinkblox.rects import Array, Rects, separation
-from thinkblox.room import Room
-from thinkblox.scene import Placement
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Array, Rects, separation
+from thinkblox.scene.room import Room
 
 CLOSED = 0.07
 """A gap up to this is no gap: backs to walls, rows of cupboards [m]."""

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from thinkblox.rects import Array, Rects
+from thinkblox.scene.rectangles import Array, Rects
 
 _AXES: dict[str, tuple[int, int]] = {"front": (0, 1), "back": (0, -1), "left": (1, 1), "right": (1, -1)}
 """The axis of a box, and the way along it, that leads out of each side."""

@@ -1,0 +1,209 @@
+"""The walkable way: where somebody who comes in by a door can stand, and what that person can reach."""
+
+from collections.abc import Sequence
+from functools import cached_property, lru_cache
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.openings import STANDING, door_zone
+from thinkblox.sim.geometry.solid import Solid, solid_of
+from thinkblox.sim.settings import Walking
+from thinkblox.verdict import Access
+
+ROUNDNESS = 2
+"""Segments of a quarter circle where an outline is widened."""
+BRIM = 0.02
+"""Width of the brim round an obstacle on which one can walk round it [m]."""
+SPECK = 1e-4
+"""Free floor smaller than this is none [m2]."""
+
+
+class FreeFloor:
+    """Where a walker's middle can be, between the obstacles so far, and what must be within reach from there."""
+
+    def __init__(self, room: Room, walking: Walking) -> None:
+        self._walking = walking
+        self._free: BaseGeometry = shapely.buffer(room.polygon, -walking.width / 2, quad_segs=ROUNDNESS)
+        self._goals: dict[str, BaseGeometry] = {
+            door.id: door_zone(room, door, walking) for door in room.openings if door.kind == "door"
+        }
+        self._doors = frozenset(self._goals)
+
+    @classmethod
+    def of(cls, scene: Scene, walking: Walking) -> "FreeFloor":
+        """The free floor of a scene."""
+        empty = cls(scene.room, walking)
+        return empty._with([(p, solid_of(scene.asset_of(p))) for p in scene.placements])
+
+    def with_object(self, placement: Placement, solid: Solid) -> "FreeFloor":
+        """This floor with one object more on it."""
+        return self._with([(placement, solid)])
+
+    def access(self) -> Access:
+        """How much hangs together with a door, and what does not; without doors, with the largest free part."""
+        free = sum(part.area for part in self._parts)
+        reach = 0.0 if self._main is None else self._main.area / free
+        return Access(width=self._walking.width, reach=round(reach, 4), unreachable=self._unreachable)
+
+    def cut_off(self, placement: Placement, solid: Solid) -> tuple[str, ...]:
+        """Ids that have no way from a door once an object stands there, but had one before; itself among them."""
+        large, bars = is_large(placement, solid, self._walking), bars_way(placement, solid, self._walking)
+        if not (large or bars):
+            return ()
+        if self._main is not None and self._goes_round(self._main, placement, solid, large=large, bars=bars):
+            return ()
+        after = self.with_object(placement, solid)._unreachable
+        return tuple(id for id in after if id not in self._unreachable)
+
+    def _goes_round(self, main: BaseGeometry, placement: Placement, solid: Solid, *, large: bool, bars: bool) -> bool:
+        """Whether it is plain from the surroundings that nothing is cut off.
+
+        If the free floor right round an obstacle hangs together, every way through where it stands can lead round it.
+        Then only what lies near can have lost the place from which it was reached.
+        """
+        goal, reach = _outlines([(placement, solid)])[0], self._walking.reach
+        if not bars:
+            return bool(shapely.dwithin(main, goal, reach))
+        parts = _obstacles([(placement, solid)], self._walking)
+        if len(parts) != 1:
+            return False
+        obstacle = parts[0]
+        x0, y0, x1, y1 = shapely.bounds(obstacle)
+        wide = reach + 2 * BRIM
+        window = (x0 - wide, y0 - wide, x1 + wide, y1 + wide)
+        left = shapely.difference(shapely.clip_by_rect(main, *window), obstacle)
+        brim = shapely.intersection(left, shapely.buffer(obstacle, BRIM, quad_segs=ROUNDNESS))
+        if shapely.area(brim) < SPECK or _count(brim) != 1:
+            return False
+        if large and not shapely.dwithin(left, goal, reach):
+            return False
+        near = [id for id, meets in zip(self._goals, _meet(self._goal_bounds, window), strict=True) if meets]
+        return all(self._within_reach(left, id) or not self._within_reach(main, id) for id in near)
+
+    def _with(self, objects: Sequence[tuple[Placement, Solid]]) -> "FreeFloor":
+        more = FreeFloor.__new__(FreeFloor)
+        more._walking, more._doors, more._free = self._walking, self._doors, self._free
+        walking = self._walking
+        large = [(p, s) for p, s in objects if is_large(p, s, walking)]
+        more._goals = {**self._goals, **dict(zip((p.id for p, _ in large), _outlines(large), strict=True))}
+        bars = [(p, s) for p, s in objects if bars_way(p, s, walking)]
+        if bars:
+            more._free = shapely.difference(self._free, shapely.disjoint_subset_union_all(_obstacles(bars, walking)))
+        return more
+
+    @cached_property
+    def _parts(self) -> list[BaseGeometry]:
+        return [part for part in shapely.get_parts(self._free) if part.area > SPECK]
+
+    @cached_property
+    def _main(self) -> BaseGeometry | None:
+        doors = [self._goals[id] for id in self._doors]
+        main = max(
+            self._parts,
+            key=lambda part: (any(shapely.intersects(part, door) for door in doors), part.area),
+            default=None,
+        )
+        if main is not None:
+            shapely.prepare(main)
+        return main
+
+    @cached_property
+    def _goal_bounds(self) -> NDArray[np.float64]:
+        return shapely.bounds(list(self._goals.values())).reshape(-1, 4)
+
+    @cached_property
+    def _unreachable(self) -> tuple[str, ...]:
+        if self._main is None:
+            return tuple(self._goals)
+        goals = list(self._goals.values())
+        reach = np.array([0.0 if id in self._doors else self._walking.reach for id in self._goals])
+        near = np.asarray(shapely.dwithin(self._main, goals, reach))  # type: ignore[call-overload]
+        return tuple(id for id, within in zip(self._goals, near.tolist(), strict=True) if not within)
+
+    def _within_reach(self, floor: BaseGeometry, id: str) -> bool:
+        reach = 0.0 if id in self._doors else self._walking.reach
+        return bool(shapely.dwithin(floor, self._goals[id], reach))
+
+
+def stands_on_floor(placement: Placement, asset: Asset) -> bool:
+    """Whether it is a solid thing that stands on the floor."""
+    return asset.mount == "floor" and asset.collides and placement.position[2] < STANDING
+
+
+def is_large(placement: Placement, solid: Solid, walking: Walking) -> bool:
+    """Whether the object must be reachable: it stands on the floor and covers more than `walking.large`."""
+    size = solid.asset.size
+    return stands_on_floor(placement, solid.asset) and size[0] * size[1] > walking.large
+
+
+def bars_way(placement: Placement, solid: Solid, walking: Walking) -> bool:
+    """Whether the object is in a walker's way: it is no light thing to push aside, nor out of the walker's height."""
+    heavy = not solid.asset.free or solid.asset.mass >= walking.movable
+    base = placement.position[2]
+    return solid.asset.collides and heavy and base < walking.headroom and base + solid.highest > walking.step
+
+
+def access(scene: Scene, walking: Walking | None = None) -> Access:
+    """What somebody who comes in by a door can walk to and reach."""
+    return FreeFloor.of(scene, walking or Walking()).access()
+
+
+def _obstacles(objects: Sequence[tuple[Placement, Solid]], walking: Walking) -> NDArray[np.object_]:
+    """The floor on which a walker's middle cannot be because of the objects, part by part, holes filled."""
+    return _placed([(p, ring) for p, solid in objects for ring in _widened(solid, round(p.position[2], 3), walking)])
+
+
+def _outlines(objects: Sequence[tuple[Placement, Solid]]) -> NDArray[np.object_]:
+    """What each object covers of the floor, its hull where that is in parts."""
+    return _placed([(p, _hull(solid)) for p, solid in objects])
+
+
+def _placed(rings: Sequence[tuple[Placement, NDArray[np.float64]]]) -> NDArray[np.object_]:
+    """Polygons of rings (n, 2) that are given in the frames of placements."""
+    if not rings:
+        return np.array([], dtype=object)
+    which = np.repeat(np.arange(len(rings)), [len(ring) for _, ring in rings])
+    turn = np.radians([placement.yaw for placement, _ in rings])[which]
+    place = np.array([placement.position[:2] for placement, _ in rings])[which]
+    x, y = np.vstack([ring for _, ring in rings]).T
+    c, s = np.cos(turn), np.sin(turn)
+    placed = np.column_stack([c * x - s * y, s * x + c * y]) + place
+    if len(rings) == 1:
+        return np.array([shapely.polygons(placed)], dtype=object)
+    polygons: NDArray[np.object_] = shapely.polygons(shapely.linearrings(placed, indices=which))
+    return polygons
+
+
+@lru_cache(maxsize=1024)
+def _hull(solid: Solid) -> NDArray[np.float64]:
+    outline = solid.outline()
+    whole = outline if isinstance(outline, Polygon) else shapely.convex_hull(outline)
+    corners: NDArray[np.float64] = shapely.get_coordinates(shapely.get_exterior_ring(whole))
+    return corners
+
+
+@lru_cache(maxsize=1024)
+def _widened(solid: Solid, base: float, walking: Walking) -> tuple[NDArray[np.float64], ...]:
+    """Corners (n, 2) of each part of the outline in the walker's height, widened, in the asset's frame."""
+    outline = solid.outline(above=walking.step - base, below=walking.headroom - base)
+    wide = shapely.buffer(shapely.simplify(outline, 0.005), walking.width / 2, quad_segs=ROUNDNESS)
+    parts = [part for part in shapely.get_parts(wide) if not part.is_empty]
+    return tuple(shapely.get_coordinates(shapely.simplify(part.exterior, 0.01)) for part in parts)
+
+
+def _count(area: BaseGeometry) -> int:
+    return sum(part.area > SPECK / 10 for part in shapely.get_parts(area))
+
+
+def _meet(bounds: NDArray[np.float64], window: tuple[float, float, float, float]) -> list[bool]:
+    """Which boxes (n, 4) meet a window."""
+    inside = np.column_stack([bounds[:, :2] <= window[2:], bounds[:, 2:] >= window[:2]])
+    return [all(sides) for sides in inside.tolist()]

@@ -1,0 +1,1 @@
+"""Verdicts: candidates instantiated in MuJoCo, measured, let go, and judged."""

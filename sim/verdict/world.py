@@ -1,0 +1,200 @@
+"""A room with what stands in it, ready to measure candidates for the next object one after the other."""
+
+import math
+from collections.abc import Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.build import add_placement, build_spec
+from thinkblox.sim.geometry.access import FreeFloor
+from thinkblox.sim.geometry.bounds import Boxes, Neighbours, piece_boxes
+from thinkblox.sim.geometry.solid import solid_of
+from thinkblox.sim.geometry.swings import Surroundings, surroundings
+from thinkblox.sim.settings import Physics, Tolerances, Walking
+from thinkblox.sim.verdict.gate import Gate
+from thinkblox.sim.verdict.judge import Static, fixed_supports, judge_motion, judge_pose, verdict
+from thinkblox.sim.verdict.stage import Settled, Stage
+from thinkblox.verdict import Reason, Verdict
+
+CANDIDATE = "//candidate"
+"""Name of the candidate's body; no placement can be called so by the step language."""
+PARKED = 50.0
+"""Height above the ceiling at which the candidate waits [m]."""
+
+
+class Cut(NamedTuple):
+    """How much of a room a candidate is settled in.
+
+    Attributes:
+        reach: what comes within this of the candidate is there [m], with all that hangs together with it.
+        gap: free objects nearer than this to each other hang together [m].
+    """
+
+    reach: float
+    gap: float
+
+    def holds(self, settled: Settled) -> bool:
+        """Whether nothing moved so far that it might have touched what was left out."""
+        return settled.moved <= self.reach - self.gap / 2 and settled.stirred <= self.gap / 2
+
+
+NARROW, WHOLE = Cut(0.01, 0.01), Cut(math.inf, math.inf)
+KEPT = 32
+"""Compiled parts of a room that a world keeps."""
+WIDER = 0.05
+"""How much wider than the way that the candidate went the second cut is [m]."""
+
+
+class World:
+    """The objects of a scene, still and asleep; `check` measures candidates for one object more among them.
+
+    A candidate is measured among what it can touch and what that hangs together with. When anything moves so far that
+    it might touch more, it is measured again in a wider part of the room, at last in all of it. The verdict is the one
+    that the whole room gives.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        tolerances: Tolerances | None = None,
+        physics: Physics | None = None,
+        walking: Walking | None = None,
+    ) -> None:
+        self.scene = scene
+        self._tolerances = tolerances or Tolerances()
+        self._physics = physics or Physics()
+        self._walking = walking or Walking()
+        self._stages: dict[tuple[Asset, frozenset[str]], Stage] = {}
+        self._without: dict[str, World] = {}
+
+    def check(self, candidates: Sequence[Placement], asset: Asset, *, way: bool = True) -> list[Verdict]:
+        """Measure every candidate placement of one object, each by itself among the scene's objects.
+
+        Args:
+            candidates: placements of `asset`; an object of the same id in the scene is looked past.
+            asset: what they all place.
+            way: whether the room must keep a walkable way to its doors and large objects.
+
+        Raises:
+            InputError: the engine cannot build the asset; says what it said.
+        """
+        verdicts: dict[int, Verdict] = {}
+        for id in dict.fromkeys(candidate.id for candidate in candidates):
+            numbers = [number for number, candidate in enumerate(candidates) if candidate.id == id]
+            world = self._looking_past(id)
+            verdicts.update(zip(numbers, world._check([candidates[n] for n in numbers], asset, way), strict=True))
+        return [verdicts[number] for number in range(len(candidates))]
+
+    def with_placement(self, placement: Placement, asset: Asset) -> "World":
+        """The world of a scene with one object more, made out of this one: cheaper than a new one, and the same."""
+        grown = self._like(self.scene.with_placement(placement, asset))
+        if placement.id not in self.scene:
+            grown._neighbours = self._neighbours.with_object(placement, solid_of(asset))
+            grown._floor = self._floor.with_object(placement, solid_of(asset))
+            grown._surroundings = self._surroundings.with_objects([(placement, asset)])
+        return grown
+
+    def cut_off(self, candidate: Placement, asset: Asset) -> tuple[str, ...]:
+        """Ids of the doors and large objects, itself among them, that have no walkable way once it stands there."""
+        return self._floor.cut_off(candidate, solid_of(asset))
+
+    def _looking_past(self, id: str) -> "World":
+        if id not in self.scene:
+            return self
+        if id not in self._without:
+            world = self._like(self.scene.without(id))
+            world._neighbours, world._surroundings = self._neighbours.without(id), self._surroundings
+            self._without = {id: world}
+        return self._without[id]
+
+    def _like(self, scene: Scene) -> "World":
+        return World(scene, tolerances=self._tolerances, physics=self._physics, walking=self._walking)
+
+    def _check(self, candidates: Sequence[Placement], asset: Asset, way: bool) -> list[Verdict]:
+        if not asset.collides:
+            return [self._judge(candidate, asset, None, way) for candidate in candidates]
+        gate = Gate(self.scene, self._neighbours, asset, candidates, self._physics)
+        return [self._judge(candidate, asset, gate, way) for candidate in candidates]
+
+    def _judge(self, candidate: Placement, asset: Asset, gate: Gate | None, way: bool) -> Verdict:
+        collisions = () if gate is None else gate.collisions(candidate, self._tolerances.penetration)
+        swings = self._surroundings.swings(candidate, asset) if asset.collides else ()
+        static = judge_pose(
+            self.scene.room,
+            candidate,
+            asset,
+            self._tolerances,
+            self._walking,
+            collisions=collisions,
+            swings=swings,
+        )
+        cut_off = self.cut_off(candidate, asset) if way and not static.gated else ()
+        if not asset.free:
+            return verdict(candidate, static, supports=fixed_supports(candidate, asset, static), cut_off=cut_off)
+        if static.gated:
+            return verdict(candidate, static, cut_off=cut_off)
+        return self._settled_verdict(candidate, static, self._settled(candidate, asset), cut_off)
+
+    def _settled_verdict(
+        self, candidate: Placement, static: Static, settled: Settled, cut_off: tuple[str, ...]
+    ) -> Verdict:
+        moved = judge_motion(settled.motion, self._tolerances)
+        carried = sum(support.share for support in settled.supports)
+        loose = carried < self._tolerances.carried and not moved
+        more: frozenset[Reason] = moved | (frozenset({"unsupported"}) if loose else frozenset())
+        return verdict(candidate, static, motion=settled.motion, supports=settled.supports, more=more, cut_off=cut_off)
+
+    def _settled(self, candidate: Placement, asset: Asset) -> Settled:
+        """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough."""
+        boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW
+        settled = self._settled_in(cut, boxes, candidate, asset)
+        for widen in (_wider, _whole):
+            if cut.holds(settled):
+                break
+            cut = widen(settled)
+            settled = self._settled_in(cut, boxes, candidate, asset)
+        return settled
+
+    def _settled_in(self, cut: Cut, boxes: Boxes, candidate: Placement, asset: Asset) -> Settled:
+        there = self._neighbours.hanging_together(self._neighbours.meetings(boxes, cut.reach), cut.gap)
+        return self._stage(asset, there).settle(CANDIDATE, candidate)
+
+    def _stage(self, asset: Asset, there: frozenset[str]) -> Stage:
+        if (asset, there) not in self._stages:
+            if len(self._stages) >= KEPT:
+                del self._stages[next(iter(self._stages))]
+            spec = build_spec(self.scene, physics=self._physics, sleeping=True, only=there)
+            add_placement(spec, _parked(asset, self.scene.room.height + PARKED), asset, free=True)
+            self._stages[asset, there] = Stage(spec, self._physics)
+        return self._stages[asset, there]
+
+    @cached_property
+    def _neighbours(self) -> Neighbours:
+        return Neighbours(self.scene)
+
+    @cached_property
+    def _surroundings(self) -> Surroundings:
+        return surroundings(self.scene, self._walking)
+
+    @cached_property
+    def _floor(self) -> FreeFloor:
+        return FreeFloor.of(self.scene, self._walking)
+
+
+def _wider(settled: Settled) -> Cut:
+    return Cut(settled.moved + WIDER, WIDER)
+
+
+def _whole(_: Settled) -> Cut:
+    return WHOLE
+
+
+def _parked(asset: Asset, height: float) -> Placement:
+    return Placement(
+        id=CANDIDATE, category=asset.category, asset=asset.id, position=(0.0, 0.0, height), yaw=0.0, size=asset.size,
+        support="",
+    )  # fmt: skip

@@ -1,0 +1,69 @@
+"""An asset at a pose in a room."""
+
+import math
+from typing import Annotated
+
+from msgspec import Meta
+from shapely import Polygon
+
+from thinkblox.value import Value, Vec2
+
+Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
+Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
+
+
+class Placement(Value, frozen=True, kw_only=True):
+    """An asset at a pose.
+
+    Attributes:
+        id: unique in its scene, "<category>_<n>".
+        asset: key into the scene's assets.
+        position: centre of the footprint at the object's base, in the room [m].
+        yaw: counter-clockwise [degrees]; at 0 the front faces +x.
+        size: (along the front axis, across, up) [m].
+        support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id.
+    """
+
+    id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*$", max_length=120)]
+    category: str
+    asset: str
+    position: tuple[Finite, Finite, Finite]
+    yaw: Finite
+    size: tuple[Extent, Extent, Extent]
+    support: str
+
+    @property
+    def front(self) -> Vec2:
+        """Unit vector its front faces."""
+        return (math.cos(math.radians(self.yaw)), math.sin(math.radians(self.yaw)))
+
+    @property
+    def left(self) -> Vec2:
+        """Unit vector to its own left, seen facing the way it faces."""
+        return (-self.front[1], self.front[0])
+
+    @property
+    def footprint(self) -> Polygon:
+        """Its bounding rectangle on the floor."""
+        return Polygon(self.corners)
+
+    @property
+    def corners(self) -> tuple[Vec2, Vec2, Vec2, Vec2]:
+        """Corners of the footprint, counter-clockwise from its right rear [m]."""
+        x, y = self.size[0] / 2, self.size[1] / 2
+        return (self.to_room((-x, -y)), self.to_room((x, -y)), self.to_room((x, y)), self.to_room((-x, y)))
+
+    @property
+    def top(self) -> float:
+        """Height of its highest point [m]."""
+        return self.position[2] + self.size[2]
+
+    def to_room(self, local: Vec2) -> Vec2:
+        """A point of its own frame (x to the front, y to the left) in the room's frame [m]."""
+        (fx, fy), (lx, ly) = self.front, self.left
+        return (self.position[0] + fx * local[0] + lx * local[1], self.position[1] + fy * local[0] + ly * local[1])
+
+    def to_local(self, point: Vec2) -> Vec2:
+        """A point of the room in its own frame [m]: the inverse of `to_room`."""
+        dx, dy = point[0] - self.position[0], point[1] - self.position[1]
+        return (dx * self.front[0] + dy * self.front[1], dx * self.left[0] + dy * self.left[1])
