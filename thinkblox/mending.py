@@ -1,6 +1,6 @@
 """Moving what fails by the least that mends it: shifted, never turned, and measured like any other placement."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import get_args
@@ -8,8 +8,8 @@ from typing import get_args
 import numpy as np
 from msgspec import structs
 
-from thinkblox.scene.placement import Placement
-from thinkblox.scene.riders import apart, carriers, group_mass, riders, to_micrometres, with_shifted, without
+from thinkblox.scene.actions import Move as MoveAction
+from thinkblox.scene.placement import Placement, apart, to_micrometres
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.geometry.shifts import Shift, shifts
 from thinkblox.sim.settings import Physics, Tolerances, Walking
@@ -101,32 +101,32 @@ class _Mending:
 
     def _verdict(self, id: str, past: set[str]) -> Verdict:
         """The verdict on an object now, without what is looked past, and then without what rests on it either."""
-        gone = past | {p.id for p in riders(self.scene, id)} if past else set()
-        return self.rules.world(without(self.scene, gone)).check([self.scene[id]], self.scene.asset_of(self.scene[id]))[
-            0
-        ]
+        gone = past | {p.id for p in self.scene.riders(id)} if past else set()
+        return self.rules.world(_without(self.scene, gone)).check(
+            [self.scene[id]], self.scene.asset_of(self.scene[id])
+        )[0]
 
     def _carriers_first(self) -> list[str]:
         order = self._lighter_first()
-        return sorted(order, key=lambda id: len(carriers(self.scene, id)))
+        return sorted(order, key=lambda id: len(self.scene.carriers(id)))
 
     def _lighter_first(self, reasons: frozenset[Reason] = ANY) -> list[str]:
         failing = [v.id for v in self.now.values() if reasons.intersection(v.reasons)]
-        return sorted(failing, key=lambda id: (group_mass(self.scene, id), id))
+        return sorted(failing, key=lambda id: (_group_mass(self.scene, id), id))
 
     def _stuck(self, id: str) -> set[str]:
         """What will be moved away from the others it collides with, save the object itself and what carries it."""
-        failing = [v for v in self.now.values() if v.collisions and v.id not in (id, *carriers(self.scene, id))]
+        failing = [v for v in self.now.values() if v.collisions and v.id not in (id, *self.scene.carriers(id))]
         stuck = {v.id for v in failing if any(self._lighter(v.id, c.other) for c in v.collisions)}
-        return stuck | {rider.id for other in stuck for rider in riders(self.scene, other)} - {id}
+        return stuck | {rider.id for other in stuck for rider in self.scene.riders(other)} - {id}
 
     def _lighter(self, id: str, other: str) -> bool:
-        return other in self.scene and group_mass(self.scene, id) <= group_mass(self.scene, other)
+        return other in self.scene and _group_mass(self.scene, id) <= _group_mass(self.scene, other)
 
     def _mend(self, id: str, past: set[str]) -> None:
         """Move one object to the nearest pose that is valid and spoils nothing, if one is found."""
         for moved in self._poses(id, past):
-            shifted = with_shifted(self.scene, moved)
+            shifted = self.scene.apply(MoveAction(id=id, position=moved.position))
             after = self._after(shifted, id, past)
             if after is not None:
                 self.steps.append(self.scene)
@@ -135,8 +135,8 @@ class _Mending:
 
     def _poses(self, id: str, past: set[str]) -> Iterator[Placement]:
         """Valid poses among what stays where it is, nearest first, each brought as near as it gets."""
-        placement, group = self.scene[id], riders(self.scene, id)
-        rest = without(self.scene, {p.id for p in group} | past)
+        placement, group = self.scene[id], self.scene.riders(id)
+        rest = _without(self.scene, {p.id for p in group} | past)
         near = shifts(self.scene, placement, group, self.rules.walking, past=past)[: self.rules.tries]
         usual = self.rules.world(rest)
         yield from islice(self._seated_first(rest, placement, near), ACCEPTED)
@@ -165,7 +165,7 @@ class _Mending:
         def check(position: Vec3) -> Placement | None:
             candidate = structs.replace(placement, position=position)
             verdict = world.check([candidate], asset)[0]
-            return _carried(candidate, verdict, world.scene) if verdict.valid else None
+            return candidate if verdict.valid else None
 
         best = check(shift.placement.position)
         if best is None:
@@ -179,7 +179,7 @@ class _Mending:
 
     def _after(self, shifted: Scene, id: str, past: set[str]) -> dict[str, Verdict] | None:
         """The new verdicts of all that a move may concern, or None when it spoils something or does not mend."""
-        world = self.rules.world(without(shifted, past))
+        world = self.rules.world(_without(shifted, past))
         found: dict[str, Verdict] = {}
         for placement in _concerned(self.scene, shifted, id):
             if placement.id not in past:
@@ -219,22 +219,23 @@ class _Mending:
 
     def _reasons_below(self, id: str) -> tuple[Reason, ...]:
         """Why what carries an object was moved."""
-        return next(
-            (self.before[below].reasons for below in carriers(self.start, id) if self.before[below].reasons), ()
-        )
+        return next((self.before[below].reasons for below in self.start.carriers(id) if self.before[below].reasons), ())
 
 
-def _carried(candidate: Placement, verdict: Verdict, scene: Scene) -> Placement:
-    """The candidate with the support that carries it now, where that is another one than before."""
-    carriers = [s.by for s in verdict.supports if s.by == "floor" or s.by in scene]
-    if not verdict.settled or not carriers or candidate.support in carriers:
-        return candidate
-    return structs.replace(candidate, support=carriers[0])
+def _group_mass(scene: Scene, id: str) -> float:
+    """Mass of an object with all that rests on it [kg]."""
+    return sum(scene.asset_of(p).mass for p in (scene[id], *scene.riders(id)))
+
+
+def _without(scene: Scene, ids: Collection[str]) -> Scene:
+    for id in sorted(ids):
+        scene = scene.without(id)
+    return scene
 
 
 def _concerned(scene: Scene, shifted: Scene, id: str) -> list[Placement]:
     """The moved object and its riders, and whatever is near to where one of them was or is."""
-    group = {id, *(p.id for p in riders(scene, id))}
+    group = {id, *(p.id for p in scene.riders(id))}
     places = [where[member] for where in (scene, shifted) for member in sorted(group)]
     near = [p for p in shifted.placements if p.id in group or any(apart(p, place) < CLOSE for place in places)]
     return [shifted[id], *(p for p in near if p.id != id)]

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Asset
-from thinkblox.scene.placement import Placement
-from thinkblox.scene.riders import apart, to_micrometres
+from thinkblox.scene.placement import Placement, apart, to_micrometres
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import ON_FLOOR
 from thinkblox.sim.geometry.free_space import (

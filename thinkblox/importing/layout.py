@@ -5,8 +5,6 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from msgspec import structs
-
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
 from thinkblox.importing.detect import FORMATS, detect
@@ -25,7 +23,6 @@ from thinkblox.scene.asset import Mount
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import MAX_PLACEMENTS, Scene
-from thinkblox.scene.support import support_of
 from thinkblox.value import Value, Vec3
 
 HEIGHT = 2.6
@@ -173,10 +170,7 @@ def _scene(room: Room, bodies: Sequence[ItemBody], ids: Sequence[str], mounts: S
             position=body.position,
             yaw=body.yaw,
             size=asset.size,
-            support="floor",
         )
         for id, body, asset in zip(ids, bodies, assets, strict=True)
     )
-    scene = Scene(room=room, prompt=prompt, placements=placements, assets={asset.id: asset for asset in assets})
-    rested = tuple(structs.replace(p, support=support_of(scene, scene.asset_of(p), p)) for p in placements)
-    return structs.replace(scene, placements=rested)
+    return Scene(room=room, prompt=prompt, placements=placements, assets={asset.id: asset for asset in assets})

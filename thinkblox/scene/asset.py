@@ -114,6 +114,29 @@ class Surface(Value, frozen=True, kw_only=True, omit_defaults=True):
     round: bool = False
 
 
+class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
+    """What of an asset a policy may know, and a relation depends on; attributes as of Asset.
+
+    Attributes:
+        collides: whether any part of it can be touched; a rug cannot.
+    """
+
+    id: str
+    category: str
+    description: str
+    size: Vec3
+    mount: Mount
+    front: Literal["one", "two", "any"] = "one"
+    clearance: float = 0.0
+    surfaces: tuple[Surface, ...] = ()
+    collides: bool = True
+
+    @property
+    def free(self) -> bool:
+        """Whether it can move: it is not fixed to a wall or a ceiling, and is not a rug."""
+        return self.mount in ("floor", "surface") and self.collides
+
+
 class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True):
     """Something placeable, made of convex shapes: what is seen is what collides.
 
@@ -155,3 +178,18 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=Tru
     def free(self) -> bool:
         """Whether it can move: it is not fixed to a wall or a ceiling, and is not a rug."""
         return self.mount in ("floor", "surface") and self.collides
+
+    @property
+    def card(self) -> AssetCard:
+        """What a policy may know of it."""
+        return AssetCard(
+            id=self.id,
+            category=self.category,
+            description=self.description,
+            size=self.size,
+            mount=self.mount,
+            front=self.front,
+            clearance=self.clearance,
+            surfaces=self.surfaces,
+            collides=self.collides,
+        )

@@ -8,9 +8,9 @@ from typing import Literal
 from shapely import LineString, Point, Polygon
 from shapely.geometry.base import BaseGeometry
 
+from thinkblox.scene.arrangement import Arrangement
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, Wall
-from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
 WINDOW_ZONE = 0.5
@@ -77,7 +77,7 @@ class Landmark:
         return (self.centre[0] + fx * x - fy * y, self.centre[1] + fy * x + fx * y)
 
 
-def things(scene: Scene, name: str) -> tuple[Landmark, ...]:
+def things(scene: Arrangement, name: str) -> tuple[Landmark, ...]:
     """Everything in the scene that `name` can mean: one object by its id, or the parts of the room of that Place.
 
     A wall's own name ("north_wall_2") and an opening's id ("window_1") are understood too. Empty when there is none.
@@ -131,7 +131,7 @@ def corners(room: Room, places: Sequence[str] = ()) -> tuple[Landmark, ...]:
     return tuple(found)
 
 
-def _object(scene: Scene, placement: Placement) -> Landmark:
+def _object(scene: Arrangement, placement: Placement) -> Landmark:
     asset, (x, y, z) = scene.asset_of(placement), placement.position
     return Landmark(
         name=placement.id,

@@ -4,10 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from thinkblox.scene.asset import Asset
+from thinkblox.scene.arrangement import Arrangement, Known
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
-from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
 
 REACH = 2.0
@@ -15,7 +14,7 @@ REACH = 2.0
 RINGS, SPOKES = 16, 16
 
 
-def nearest_poses(scene: Scene, asset: Asset, failed: Placement) -> Iterator[Placement]:
+def nearest_poses(scene: Arrangement, asset: Known, failed: Placement) -> Iterator[Placement]:
     """Poses by distance from the failed one that look free from above: shifted, and turned by quarter turns.
 
     On the floor and on surfaces the shift is horizontal; on walls it is along the wall and up or down.
@@ -33,7 +32,7 @@ def nearest_poses(scene: Scene, asset: Asset, failed: Placement) -> Iterator[Pla
         yield tries[int(index)]
 
 
-def _shifts(scene: Scene, asset: Asset, failed: Placement) -> list[Placement]:
+def _shifts(scene: Arrangement, asset: Known, failed: Placement) -> list[Placement]:
     if asset.mount == "wall":
         return _on_wall(scene, asset, failed)
     turns = (0.0,) if asset.front == "any" else (0.0, 90.0, 180.0, 270.0)
@@ -47,7 +46,7 @@ def _shifts(scene: Scene, asset: Asset, failed: Placement) -> list[Placement]:
     return poses
 
 
-def _on_wall(scene: Scene, asset: Asset, failed: Placement) -> list[Placement]:
+def _on_wall(scene: Arrangement, asset: Known, failed: Placement) -> list[Placement]:
     steps = np.linspace(-REACH, REACH, 4 * RINGS + 1)
     heights = [h for h in (0.0, 0.15, -0.15, 0.3, -0.3, 0.5, -0.5) if failed.position[2] + h >= 0.0]
     (lx, ly), (x, y, z) = failed.left, failed.position

@@ -1,12 +1,13 @@
 """An asset at a pose in a room."""
 
 import math
+from collections.abc import Iterable
 from typing import Annotated
 
 from msgspec import Meta
 from shapely import Polygon
 
-from thinkblox.value import Value, Vec2
+from thinkblox.value import Value, Vec2, Vec3
 
 Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
@@ -21,7 +22,8 @@ class Placement(Value, frozen=True, kw_only=True):
         position: centre of the footprint at the object's base, in the room [m].
         yaw: counter-clockwise [degrees]; at 0 the front faces +x.
         size: (along the front axis, across, up) [m].
-        support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id.
+        support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id; the scene
+            that it is part of derives it.
     """
 
     id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*$", max_length=120)]
@@ -30,7 +32,7 @@ class Placement(Value, frozen=True, kw_only=True):
     position: tuple[Finite, Finite, Finite]
     yaw: Finite
     size: tuple[Extent, Extent, Extent]
-    support: str
+    support: str = ""
 
     @property
     def front(self) -> Vec2:
@@ -67,3 +69,15 @@ class Placement(Value, frozen=True, kw_only=True):
         """A point of the room in its own frame [m]: the inverse of `to_room`."""
         dx, dy = point[0] - self.position[0], point[1] - self.position[1]
         return (dx * self.front[0] + dy * self.front[1], dx * self.left[0] + dy * self.left[1])
+
+
+def apart(a: Placement, b: Placement) -> float:
+    """Horizontal distance between the circles round two footprints: their own distance is no less [m]."""
+    radii = (math.hypot(*a.size[:2]) + math.hypot(*b.size[:2])) / 2
+    return math.hypot(a.position[0] - b.position[0], a.position[1] - b.position[1]) - radii
+
+
+def to_micrometres(position: Iterable[float]) -> Vec3:
+    """A position rounded as it is written."""
+    x, y, z = (round(float(c), 6) for c in position)
+    return (x, y, z)

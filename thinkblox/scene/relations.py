@@ -13,9 +13,9 @@ from shapely.geometry.base import BaseGeometry
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
+from thinkblox.scene.arrangement import Arrangement
 from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.room import turn_between
-from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 from thinkblox.verdict import RelationResult
 
@@ -63,7 +63,7 @@ _Finding = tuple[bool, str]
 
 
 def measure(
-    scene: Scene,
+    scene: Arrangement,
     kind: RelationKind,
     subject: str | Sequence[str],
     anchors: Sequence[str],
@@ -105,7 +105,7 @@ _DEFAULT_ANCHOR = {"against_wall": ("wall",), "in_corner": ("corner",), "in_cent
 
 
 def _measure_all(
-    scene: Scene, kind: RelationKind, members: list[Landmark], anchors: list[Landmark], rows: int, each: bool
+    scene: Arrangement, kind: RelationKind, members: list[Landmark], anchors: list[Landmark], rows: int, each: bool
 ) -> _Finding:
     if kind == "in_rows":
         return _in_rows(members, rows)
@@ -228,7 +228,7 @@ def _in_centre(subject: Landmark, anchor: Landmark) -> _Finding:
     return inside, f"{subject.name} {x:.2f} m and {y:.2f} m from the middle of {anchor.name}"
 
 
-def _across(scene: Scene) -> Callable[[Landmark, Landmark], _Finding]:
+def _across(scene: Arrangement) -> Callable[[Landmark, Landmark], _Finding]:
     """Opposite, in a room of this size: in front of the anchor, fronts against each other, well apart."""
     in_front = _on_side(1, 0, math.inf)
     apart = min(OPPOSITE, OPPOSITE_SHARE * min(scene.room.extent))

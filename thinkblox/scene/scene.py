@@ -1,23 +1,28 @@
 """A room and what stands in it, as a value: every change gives a new scene."""
 
-import math
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from msgspec import structs
 
 from thinkblox.errors import InputError
+from thinkblox.scene.actions import Action, check_pose, outcome
+from thinkblox.scene.arrangement import Arrangement, Known
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
-from thinkblox.value import Value, Vec3, read_json
+from thinkblox.scene.support import Supported, supported
+from thinkblox.value import Vec3, read_json
 
 SCENE_VERSION = 1
 MAX_PLACEMENTS = 2000
 """Most objects in a scene that is read."""
 
 
-class Scene(Value, frozen=True, kw_only=True):
+class Scene(Arrangement, frozen=True, kw_only=True):
     """A room, the assets it uses and their placements, in the order in which they were placed.
+
+    What each placement rests on is derived when the scene is made, whatever the placement said.
 
     Raises:
         InputError: a version this release does not read, too many placements, two of one id or one called as a part of
@@ -46,57 +51,67 @@ class Scene(Value, frozen=True, kw_only=True):
             seen.add(placement.id)
             if placement.asset not in self.assets:
                 raise InputError(f"placement {placement.id!r}: the scene holds no asset {placement.asset!r}")
-
-    def __contains__(self, id: str) -> bool:
-        return any(p.id == id for p in self.placements)
-
-    def __getitem__(self, id: str) -> Placement:
-        """The placement called `id`; raises KeyError that lists the ids that exist."""
-        for placement in self.placements:
-            if placement.id == id:
-                return placement
-        raise KeyError(f"no object {id!r}; there are {', '.join(p.id for p in self.placements) or 'none'}")
+        structs.force_setattr(self, "placements", supported(self, self.room, self.assets))
 
     def asset_of(self, placement: Placement) -> Asset:
         """The asset that a placement shows."""
         return self.assets[placement.asset]
 
-    def resting_on(self, id: str) -> tuple[Placement, ...]:
-        """The placements directly supported by `id`."""
-        return tuple(p for p in self.placements if p.support == id)
+    def apply(self, action: Action) -> "Scene":
+        """Return the scene after an action; what it does not concern stays bit-identical.
 
-    def with_placement(self, placement: Placement, asset: Asset) -> "Scene":
+        What rests on a moved thing rides along; `thinkblox.scene.actions.outcome` says what did, and what was left.
+
+        Raises:
+            KeyError: an id that the scene does not have; the message lists those that it has.
+            InputError: an action that cannot be done, such as adding an id that exists.
+        """
+        return outcome(self, action).scene
+
+    def with_placement(self, placement: Placement, asset: Known) -> "Scene":
         """Return this scene and one object more, or that object replaced in its place in the order."""
+        if not isinstance(asset, Asset):
+            raise InputError(f"{placement.id}: a scene holds whole assets; this is a {type(asset).__name__}")
         kept = [placement if p.id == placement.id else p for p in self.placements]
         if placement.id not in self:
             kept.append(placement)
-        return self._with(kept, {**self.assets, asset.id: asset})
+        before = self.assets.get(asset.id, asset)
+        same = before is asset or before == asset
+        return self._with(kept, {**self.assets, asset.id: asset}, [placement.id] if same else None)
+
+    def with_placements(self, placements: Iterable[Placement]) -> "Scene":
+        """Return this scene with some of its objects at other poses; raises KeyError for an unknown id."""
+        new = {placement.id: placement for placement in placements}
+        for id in new:
+            self[id]
+        return self._with([new.get(p.id, p) for p in self.placements], self.assets, list(new))
 
     def without(self, id: str) -> "Scene":
         """Return this scene without one object; what rested on it stays. Raises KeyError for an unknown id."""
         gone = self[id]
-        return self._with([p for p in self.placements if p is not gone], self.assets)
+        return self._with([p for p in self.placements if p is not gone], self.assets, [id])
 
     def moved(self, id: str, *, position: Vec3 | None = None, yaw: float | None = None) -> "Scene":
-        """Return this scene with one object at another pose.
+        """Return this scene with one object alone at another pose; what rests on it stays where it is.
 
         Raises:
             KeyError: an unknown id.
             InputError: a coordinate that is not a finite number.
         """
         old = self[id]
-        if not all(math.isfinite(value) for value in (*(position or ()), yaw or 0.0)):
-            raise InputError(f"{id} cannot be moved to {position} and turned to {yaw}: that is not a pose")
+        check_pose(id, position or old.position, yaw)
         new = structs.replace(
             old, position=old.position if position is None else position, yaw=old.yaw if yaw is None else yaw
         )
-        return self._with([new if p is old else p for p in self.placements], self.assets)
+        return self.with_placements([new])
 
-    def _with(self, placements: list[Placement], assets: dict[str, Asset]) -> "Scene":
+    def _with(
+        self, placements: Sequence[Placement], assets: dict[str, Asset], changed: Sequence[str] | None
+    ) -> "Scene":
         used = {p.asset for p in placements}
-        return structs.replace(
-            self, placements=tuple(placements), assets={k: a for k, a in assets.items() if k in used}
-        )
+        kept = {k: a for k, a in assets.items() if k in used}
+        known = None if changed is None else Supported.of(placements, self.room, kept, changed)
+        return structs.replace(self, placements=tuple(placements) if known is None else known, assets=kept)
 
 
 def load_scene(path: str | Path) -> Scene:

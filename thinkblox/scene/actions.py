@@ -1,0 +1,203 @@
+"""What can be done to a scene, as values; a scene applies them, and what they do not concern stays bit-identical."""
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+from msgspec import structs
+
+from thinkblox.errors import InputError
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.support import placed_at
+from thinkblox.value import Value, Vec3
+
+if TYPE_CHECKING:
+    from thinkblox.scene.scene import Scene
+
+
+class Add(Value, frozen=True, kw_only=True, tag_field="action", tag="add"):
+    """One object more. Position [m] and yaw [degrees] as of a Placement."""
+
+    id: str
+    asset: Asset
+    position: Vec3
+    yaw: float
+
+
+class Move(Value, frozen=True, kw_only=True, tag_field="action", tag="move"):
+    """An object goes elsewhere, and what rests on it rides along; turned too, where a yaw is given."""
+
+    id: str
+    position: Vec3
+    yaw: float | None = None
+
+
+class Turn(Value, frozen=True, kw_only=True, tag_field="action", tag="turn"):
+    """An object turns about its own middle to another yaw, and what rests on it with it."""
+
+    id: str
+    yaw: float
+
+
+class Replace(Value, frozen=True, kw_only=True, tag_field="action", tag="replace"):
+    """Another asset under the same id, at the same place unless another is given.
+
+    What hangs keeps its back at its wall and its middle at its height. What rested on the old one comes to rest on the
+    new one where that has a surface under it; the rest is left where it was.
+    """
+
+    id: str
+    asset: Asset
+    position: Vec3 | None = None
+    yaw: float | None = None
+
+
+class Remove(Value, frozen=True, kw_only=True, tag_field="action", tag="remove"):
+    """An object goes; what rested on it is left where it was."""
+
+    id: str
+
+
+class Swap(Value, frozen=True, kw_only=True, tag_field="action", tag="swap"):
+    """Two objects change places and directions, each with what rests on it; backs stay at their walls."""
+
+    id: str
+    other: str
+
+
+Action = Add | Move | Turn | Replace | Remove | Swap
+
+
+class Outcome(NamedTuple):
+    """A scene after an action.
+
+    Attributes:
+        scene: with the action done.
+        carried: ids of what rode along, in their order.
+        left: ids of what rested on what moved or went, and was left where it was.
+    """
+
+    scene: "Scene"
+    carried: tuple[str, ...] = ()
+    left: tuple[str, ...] = ()
+
+
+def outcome(scene: "Scene", action: Action) -> Outcome:
+    """Do an action.
+
+    Raises:
+        KeyError: an id that the scene does not have.
+        InputError: an id that it has already (to add), a pose that is none, an object swapped with itself or with what
+            rests on it.
+    """
+    match action:
+        case Add():
+            return Outcome(_added(scene, action))
+        case Move():
+            return _moved(scene, action.id, action.position, action.yaw)
+        case Turn():
+            return _moved(scene, action.id, scene[action.id].position, action.yaw)
+        case Replace():
+            return _replaced(scene, action)
+        case Remove():
+            left = tuple(p.id for p in scene.resting_on(action.id))
+            return Outcome(scene.without(action.id), (), left)
+        case Swap():
+            return _swapped(scene, action.id, action.other)
+
+
+def _added(scene: "Scene", action: Add) -> "Scene":
+    if action.id in scene:
+        raise InputError(f"{action.id} cannot be added: the scene has an object of that id; move or replace it")
+    check_pose(action.id, action.position, action.yaw)
+    placement = placed_at(scene, action.asset, id=action.id, position=action.position, yaw=action.yaw)
+    return scene.with_placement(placement, action.asset)
+
+
+def check_pose(id: str, position: Vec3, yaw: float | None) -> None:
+    """Raise InputError unless all the numbers are finite."""
+    if not all(math.isfinite(value) for value in (*position, yaw or 0.0)):
+        raise InputError(f"{id} cannot be moved to {position} and turned to {yaw}: that is not a pose")
+
+
+def _moved(scene: "Scene", id: str, position: Vec3, yaw: float | None) -> Outcome:
+    old = scene[id]
+    check_pose(id, position, yaw)
+    new = structs.replace(old, position=position, yaw=old.yaw if yaw is None else (yaw % 360.0) % 360.0)
+    riders = scene.riders(id)
+    moved = [new, *(_carried_along(rider, old, new) for rider in riders)]
+    return Outcome(scene.with_placements(moved), tuple(p.id for p in riders))
+
+
+def _carried_along(rider: Placement, old: Placement, new: Placement) -> Placement:
+    """A rider where its carrier's motion takes it."""
+    x, y = new.to_room(old.to_local((rider.position[0], rider.position[1])))
+    z = rider.position[2] + new.position[2] - old.position[2]
+    yaw = rider.yaw if new.yaw == old.yaw else round((rider.yaw + new.yaw - old.yaw) % 360.0, 4) % 360.0
+    return structs.replace(rider, position=(round(x, 6), round(y, 6), round(z, 6)), yaw=yaw)
+
+
+def _replaced(scene: "Scene", action: Replace) -> Outcome:
+    old, asset = scene[action.id], action.asset
+    position = action.position or _same_place(old, asset, scene)
+    yaw = old.yaw if action.yaw is None else (action.yaw % 360.0) % 360.0
+    check_pose(old.id, position, yaw)
+    new = structs.replace(
+        old, category=asset.category, asset=asset.id, position=position, yaw=yaw, size=asset.size, support=""
+    )
+    after = scene.with_placement(new, asset)
+    carried: list[str] = []
+    left: list[str] = []
+    for rider in scene.resting_on(old.id):
+        seated = _seated(rider, old, new, scene, asset)
+        if seated is None:
+            left.append(rider.id)
+            continue
+        group = [seated, *(_carried_along(upper, rider, seated) for upper in scene.riders(rider.id))]
+        after = after.with_placements(group)
+        carried += [p.id for p in group]
+    return Outcome(after, tuple(carried), tuple(left))
+
+
+def _same_place(old: Placement, asset: Asset, scene: "Scene") -> Vec3:
+    """Where another asset stands so that it takes the place of an old one: by its back, or by its top or middle."""
+    x, y, z = old.position
+    backed = asset.mount == "wall" or (asset.front == "one" and scene.asset_of(old).front == "one")
+    if backed and asset.mount in ("wall", "floor"):
+        x, y = old.to_room(((asset.size[0] - old.size[0]) / 2, 0.0))
+    if asset.mount == "wall":
+        z = min(max(0.0, z + (old.size[2] - asset.size[2]) / 2), max(0.0, scene.room.height - asset.size[2]))
+    elif asset.mount == "ceiling":
+        z = scene.room.height - asset.size[2]
+    return (round(x, 6), round(y, 6), round(z, 6))
+
+
+def _seated(rider: Placement, old: Placement, new: Placement, scene: "Scene", asset: Asset) -> Placement | None:
+    """A rider on the surface of the new carrier that is nearest to its height and under its middle."""
+    carried = _carried_along(rider, old, new)
+    x, y = new.to_local((carried.position[0], carried.position[1]))
+    heights = [
+        new.position[2] + s.position[2]
+        for s in asset.surfaces
+        if abs(x - s.position[0]) <= s.size[0] / 2
+        and abs(y - s.position[1]) <= s.size[1] / 2
+        and (s.headroom is None or rider.size[2] <= s.headroom)
+    ]
+    if not heights:
+        return None
+    height = min(heights, key=lambda h: abs(h - carried.position[2]))
+    return structs.replace(carried, position=(*carried.position[:2], round(height, 6)))
+
+
+def _swapped(scene: "Scene", first: str, second: str) -> Outcome:
+    one, other = scene[first], scene[second]
+    if first == second or first in scene.carriers(second) or second in scene.carriers(first):
+        raise InputError(f"{first} and {second} cannot change places: one is the other, or rests on it")
+    groups = []
+    for mine, theirs in ((one, other), (other, one)):
+        place = _same_place(theirs, scene.asset_of(mine), scene)
+        new = structs.replace(mine, position=place, yaw=theirs.yaw)
+        groups.append([new, *(_carried_along(rider, mine, new) for rider in scene.riders(mine.id))])
+    moved = [placement for group in groups for placement in group]
+    carried = tuple(p.id for p in moved if p.id not in (first, second))
+    return Outcome(scene.with_placements(moved), carried)
