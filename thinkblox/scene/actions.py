@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec import structs
 
 from thinkblox.errors import InputError
-from thinkblox.scene.asset import Asset
+from thinkblox.scene.asset import Asset, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.support import placed_at
 from thinkblox.value import Value, Vec3
@@ -149,7 +149,7 @@ def _replaced(scene: "Scene", action: Replace) -> Outcome:
     carried: list[str] = []
     left: list[str] = []
     for rider in scene.resting_on(old.id):
-        seated = _seated(rider, old, new, scene, asset)
+        seated = _seated(rider, old, new, asset)
         if seated is None:
             left.append(rider.id)
             continue
@@ -172,21 +172,26 @@ def _same_place(old: Placement, asset: Asset, scene: "Scene") -> Vec3:
     return (round(x, 6), round(y, 6), round(z, 6))
 
 
-def _seated(rider: Placement, old: Placement, new: Placement, scene: "Scene", asset: Asset) -> Placement | None:
-    """A rider on the surface of the new carrier that is nearest to its height and under its middle."""
-    carried = _carried_along(rider, old, new)
-    x, y = new.to_local((carried.position[0], carried.position[1]))
-    heights = [
-        new.position[2] + s.position[2]
-        for s in asset.surfaces
-        if abs(x - s.position[0]) <= s.size[0] / 2
-        and abs(y - s.position[1]) <= s.size[1] / 2
-        and (s.headroom is None or rider.size[2] <= s.headroom)
-    ]
-    if not heights:
-        return None
-    height = min(heights, key=lambda h: abs(h - carried.position[2]))
-    return structs.replace(carried, position=(*carried.position[:2], round(height, 6)))
+def _seated(rider: Placement, old: Placement, new: Placement, asset: Asset) -> Placement | None:
+    """A rider on the new carrier, right where it is or else where it was on the old one; None where neither is a place.
+
+    Of the surfaces under it, it takes the one nearest to its height.
+    """
+    for at in (rider, _carried_along(rider, old, new)):
+        x, y = new.to_local((at.position[0], at.position[1]))
+        heights = [new.position[2] + s.position[2] for s in asset.surfaces if _fits(rider, s, x, y)]
+        if heights:
+            height = min(heights, key=lambda h: abs(h - at.position[2]))
+            return structs.replace(at, position=(*at.position[:2], round(height, 6)))
+    return None
+
+
+def _fits(rider: Placement, surface: Surface, x: float, y: float) -> bool:
+    """Whether a rider stands on a surface at a point of the carrier's frame: its middle is well over it."""
+    inset = min(rider.size[:2]) / 4
+    over = abs(x - surface.position[0]) + inset <= surface.size[0] / 2
+    along = abs(y - surface.position[1]) + inset <= surface.size[1] / 2
+    return over and along and (surface.headroom is None or rider.size[2] <= surface.headroom)
 
 
 def _swapped(scene: "Scene", first: str, second: str) -> Outcome:
