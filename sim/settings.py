@@ -44,7 +44,7 @@ class Physics(Value, kw_only=True, frozen=True):
         solref: time constant [s] and damping ratio of contacts; at least two timesteps.
         impratio: ratio of frictional to normal constraint impedance, against creep.
         gravity: [m/s2].
-        settle_time: longest settle of a candidate [s].
+        settle_time: how long a candidate may take to come to rest, and everything that it set in motion [s].
         least_settle_time: shortest settle of a candidate before stillness is believed [s], unless it stands squarely.
         rest_time: longest settle of a whole scene before its keyframe is taken [s].
         hold_time: how long a settled scene must stand still [s].
@@ -58,7 +58,7 @@ class Physics(Value, kw_only=True, frozen=True):
     solref: Vec2 = (0.008, 1.0)
     impratio: float = 10.0
     gravity: Vec3 = (0.0, 0.0, -9.81)
-    settle_time: float = 1.0
+    settle_time: float = 5.0
     least_settle_time: float = 0.5
     rest_time: float = 2.0
     hold_time: float = 5.0

@@ -4,7 +4,7 @@ import math
 from typing import Literal
 
 from thinkblox.suite import SuiteResult
-from thinkblox.value import Value
+from thinkblox.value import Value, Vec3
 
 Reason = Literal[
     "collision",  # deeper in another object than tolerated
@@ -13,11 +13,13 @@ Reason = Literal[
     "drift",  # slid while settling
     "drop",  # fell further than its clearance
     "tilt",  # leaned or toppled
+    "restless",  # did not come to rest, or left something else moving
     "pushes",  # moved something else while settling
     "blocks_door",  # stands in a door's swing or way
     "blocks_window",  # stands higher than the sill right in front of a window
     "blocks_opening",  # keeps a door or drawer of furniture shut, its own or another's
     "blocks_way",  # leaves no walkable way from a door to a large object
+    "riders",  # what rests on it, or rested on it, fails where the action leaves that
     "size",  # asks for a size that the asset cannot have
     "unstable",  # the simulation itself failed
     "error",  # no verdict could be had; `message` says why
@@ -62,6 +64,13 @@ class Swing(Value, frozen=True, kw_only=True):
     hits: tuple[str, ...] = ()
 
 
+class Pose(Value, frozen=True, kw_only=True):
+    """Where an object stands: position [m] and yaw [degrees], as of a Placement."""
+
+    position: Vec3
+    yaw: float
+
+
 class Verdict(Value, frozen=True, kw_only=True):
     """What physics measured about one placement.
 
@@ -78,11 +87,13 @@ class Verdict(Value, frozen=True, kw_only=True):
         drop: distance sunk in the settle [m].
         tilt: change of orientation in the settle [degrees].
         rest: when it came to rest in the settle [s]; None when it did not, or no settle was run.
+        settled_pose: where the settle left it; None when none was run, or it did not come to rest.
         pushed: what it moved while settling, furthest first.
         swings: doors and drawers that do not open through all of their range, its own and those it is in the way of.
         blocked: ids of the openings it stands in the way of, or of the objects it cuts off.
         reachable: whether the robot of `Report.robot` comes within reach of it from a door; None where that was not
             measured, or for what does not stand on the floor.
+        riders: verdicts on what rests on it, or rested on it, where an action moved or left that.
         message: why there is no verdict.
     """
 
@@ -99,10 +110,12 @@ class Verdict(Value, frozen=True, kw_only=True):
     drop: float = 0.0
     tilt: float = 0.0
     rest: float | None = None
+    settled_pose: Pose | None = None
     pushed: tuple[Push, ...] = ()
     swings: tuple[Swing, ...] = ()
     blocked: tuple[str, ...] = ()
     reachable: bool | None = None
+    riders: tuple["Verdict", ...] = ()
     message: str = ""
 
     @property
@@ -140,6 +153,8 @@ class Verdict(Value, frozen=True, kw_only=True):
             "drift": f"slid {self.drift * 1000:.1f} mm while settling",
             "drop": f"fell {self.drop * 1000:.1f} mm while settling",
             "tilt": f"tilted {self.tilt:.1f} degrees while settling",
+            "restless": "did not come to rest",
+            "riders": "what rests on it fails: " + "; ".join(str(rider) for rider in self.riders if not rider.valid),
             "pushes": "pushed " + ", ".join(f"{p.other} ({p.distance * 1000:.1f} mm)" for p in self.pushed),
             "blocks_door": f"stands in the way of {blocked}",
             "blocks_window": f"stands in front of {blocked}",

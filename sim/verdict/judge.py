@@ -1,6 +1,9 @@
 """From what was measured to a Verdict: every tolerance that was exceeded becomes a reason."""
 
+from collections.abc import Sequence
 from typing import get_args
+
+from msgspec import structs
 
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
@@ -11,7 +14,7 @@ from thinkblox.sim.geometry.openings import blocked_openings
 from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.settings import Tolerances, Walking
 from thinkblox.value import Value
-from thinkblox.verdict import Collision, Push, Reason, Support, Swing, Verdict
+from thinkblox.verdict import Collision, Pose, Push, Reason, Support, Swing, Verdict
 
 ORDER: tuple[Reason, ...] = get_args(Reason)
 GATE = frozenset({"collision", "outside", "size"})
@@ -23,6 +26,8 @@ class Motion(Value, kw_only=True, frozen=True):
 
     Attributes:
         rest: when it came to rest [s]; None when it did not.
+        restless: something still moved when the time was over.
+        pose: where it came to rest.
         pushed: what else it moved, furthest first.
         unstable: the engine gave up, and the numbers mean nothing.
     """
@@ -31,6 +36,8 @@ class Motion(Value, kw_only=True, frozen=True):
     drop: float = 0.0
     tilt: float = 0.0
     rest: float | None = None
+    restless: bool = False
+    pose: Pose | None = None
     pushed: tuple[Push, ...] = ()
     unstable: bool = False
 
@@ -83,6 +90,7 @@ def judge_motion(motion: Motion, tolerances: Tolerances) -> frozenset[Reason]:
         "drift": motion.drift > tolerances.drift,
         "drop": motion.drop > tolerances.drop + tolerances.clearance,
         "tilt": motion.tilt > tolerances.tilt,
+        "restless": motion.restless,
         "pushes": any(push.distance > tolerances.pushed for push in motion.pushed),
         "unstable": motion.unstable,
     }
@@ -119,10 +127,18 @@ def verdict(
         drop=moved.drop,
         tilt=moved.tilt,
         rest=moved.rest,
+        settled_pose=moved.pose,
         pushed=moved.pushed,
         swings=static.swings,
         blocked=static.blocked + cut_off,
     )
+
+
+def with_riders(verdict: Verdict, riders: Sequence[Verdict]) -> Verdict:
+    """The verdict on an object together with those on what an action carried along with it, or left behind."""
+    found = set(verdict.reasons) | ({"riders"} if any(not rider.valid for rider in riders) else set())
+    reasons = tuple(reason for reason in ORDER if reason in found)
+    return structs.replace(verdict, valid=not reasons, reasons=reasons, riders=tuple(riders))
 
 
 def fixed_supports(placement: Placement, asset: Asset, static: Static) -> tuple[Support, ...]:

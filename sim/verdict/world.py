@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
@@ -15,7 +16,7 @@ from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.geometry.swings import Surroundings, surroundings
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.gate import Gate
-from thinkblox.sim.verdict.judge import Static, fixed_supports, judge_motion, judge_pose, verdict
+from thinkblox.sim.verdict.judge import Motion, Static, fixed_supports, judge_motion, judge_pose, verdict, with_riders
 from thinkblox.sim.verdict.stage import Settled, Stage
 from thinkblox.verdict import Reason, Verdict
 
@@ -44,6 +45,8 @@ class Cut(NamedTuple):
 NARROW, WHOLE = Cut(0.01, 0.01), Cut(math.inf, math.inf)
 KEPT = 32
 """Compiled parts of a room that a world keeps."""
+WOBBLES = 1.0
+"""What takes longer than this to come to rest wobbles [s]."""
 WIDER = 0.05
 """How much wider than the way that the candidate went the second cut is [m]."""
 
@@ -75,7 +78,8 @@ class World:
         """Measure every candidate placement of one object, each by itself among the scene's objects.
 
         Args:
-            candidates: placements of `asset`; an object of the same id in the scene is looked past.
+            candidates: placements of `asset`. An object of the same id in the scene is looked past; where things rest
+                on it and the candidate puts it elsewhere, they ride along and are measured with it.
             asset: what they all place.
             way: whether the room must keep a walkable way to its doors and large objects.
 
@@ -83,11 +87,54 @@ class World:
             InputError: the engine cannot build the asset; says what it said.
         """
         verdicts: dict[int, Verdict] = {}
+        grouped = [number for number, candidate in enumerate(candidates) if self._takes_along(candidate)]
+        for number in grouped:
+            verdicts[number] = self.measure(self._as_action(candidates[number], asset), way=way)
         for id in dict.fromkeys(candidate.id for candidate in candidates):
-            numbers = [number for number, candidate in enumerate(candidates) if candidate.id == id]
+            numbers = [n for n, candidate in enumerate(candidates) if candidate.id == id and n not in verdicts]
             world = self._looking_past(id)
             verdicts.update(zip(numbers, world._check([candidates[n] for n in numbers], asset, way), strict=True))
         return [verdicts[number] for number in range(len(candidates))]
+
+    def measure(self, action: Action, *, way: bool = True) -> Verdict:
+        """Measure an action: what it moves where that goes, what rides along, and what it leaves without its support.
+
+        The verdict is that on the object that the action names, and holds those on the others as `riders`; for a
+        removal it is about what rested on it, and for a swap the other object is among the riders.
+
+        Args:
+            action: of ids that the scene has.
+            way: as for `check`.
+
+        Raises:
+            KeyError, InputError: as `Scene.apply`; the engine cannot build an asset.
+        """
+        after, carried, left = outcome(self.scene, action)
+        if isinstance(action, Add):
+            return self.check([after[action.id]], action.asset, way=way)[0]
+        world = self._like(after)
+        others = (*((action.other,) if isinstance(action, Swap) else ()), *carried, *left)
+        riders = [world._standing(id, way) for id in others]
+        if isinstance(action, Remove):
+            return with_riders(Verdict(id=action.id, valid=True), riders)
+        return with_riders(world._standing(action.id, way), riders)
+
+    def _standing(self, id: str, way: bool) -> Verdict:
+        """The verdict on an object where it stands."""
+        placement = self.scene[id]
+        return self.check([placement], self.scene.asset_of(placement), way=way)[0]
+
+    def _takes_along(self, candidate: Placement) -> bool:
+        if candidate.id not in self.scene or not self.scene.resting_on(candidate.id):
+            return False
+        old = self.scene[candidate.id]
+        return (old.position, old.yaw, old.asset) != (candidate.position, candidate.yaw, candidate.asset)
+
+    def _as_action(self, candidate: Placement, asset: Asset) -> Action:
+        """Another pose of an object that the scene has, and maybe another asset, as an action."""
+        if self.scene[candidate.id].asset == asset.id:
+            return Move(id=candidate.id, position=candidate.position, yaw=candidate.yaw)
+        return Replace(id=candidate.id, asset=asset, position=candidate.position, yaw=candidate.yaw)
 
     def with_placement(self, placement: Placement, asset: Asset) -> "World":
         """The world of a scene with one object more, made out of this one: cheaper than a new one, and the same."""
@@ -149,13 +196,14 @@ class World:
         return verdict(candidate, static, motion=settled.motion, supports=settled.supports, more=more, cut_off=cut_off)
 
     def _settled(self, candidate: Placement, asset: Asset) -> Settled:
-        """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough."""
+        """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough.
+
+        What wobbles on ends as rounding errors have it, and so it is what it does in the whole room that counts.
+        """
         boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW
         settled = self._settled_in(cut, boxes, candidate, asset)
-        for widen in (_wider, _whole):
-            if cut.holds(settled):
-                break
-            cut = widen(settled)
+        while cut is not WHOLE and (_wobbles(settled.motion) or not cut.holds(settled)):
+            cut = WHOLE if cut is not NARROW or _wobbles(settled.motion) else _wider(settled)
             settled = self._settled_in(cut, boxes, candidate, asset)
         return settled
 
@@ -189,12 +237,11 @@ def _wider(settled: Settled) -> Cut:
     return Cut(settled.moved + WIDER, WIDER)
 
 
-def _whole(_: Settled) -> Cut:
-    return WHOLE
+def _wobbles(motion: Motion) -> bool:
+    return motion.restless or (motion.rest is not None and motion.rest > WOBBLES)
 
 
 def _parked(asset: Asset, height: float) -> Placement:
     return Placement(
         id=CANDIDATE, category=asset.category, asset=asset.id, position=(0.0, 0.0, height), yaw=0.0, size=asset.size,
-        support="",
     )  # fmt: skip
