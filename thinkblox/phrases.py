@@ -44,8 +44,8 @@ class Constraint(Value, frozen=True, kw_only=True):
     values: tuple[float, ...] = ()
 
 
-_NUM = r"(-?\d+(?:\.\d+)?)"
-_PLAIN_ID = r"[a-z][a-z0-9_]*_\d+"
+_NUM = r"(?<![\d.])(-?\d{1,6}(?:\.\d{1,6})?)(?![\d.]*\d)"
+_PLAIN_ID = r"[a-z][a-z0-9_]{0,80}_\d{1,6}\b"
 _ID = f"({_PLAIN_ID})"
 _SIDES_OF_ROOM = "north-east|north-west|south-east|south-west|north|south|east|west"
 _PLAIN_WALL = rf"the (?:{_SIDES_OF_ROOM}) wall(?: \d+)?"

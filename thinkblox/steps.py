@@ -6,11 +6,15 @@
     </think>
     <answer>{"id": "bed_1", "position": [2.0, 3.9, 0.0], "yaw": 270.0, "size": [2.1, 1.6, 1.0]}</answer>
 
+The answer is an action: "add" where it does not say, or "move", "turn", "replace", "remove", "swap":
+
+    <answer>{"action": "move", "id": "chair_1", "position": [1.0, 2.0, 0.0]}</answer>
+
 `parse` is total: any text gives a Step or a Rejection. What the reasoning says about the pose is said in the phrases of
 `thinkblox.phrases`, so that it can be read back and compared with the answer.
 """
 
-import re
+from collections.abc import Sequence
 from typing import Annotated, Literal
 
 import msgspec
@@ -21,31 +25,69 @@ from thinkblox.value import Value, Vec3
 MAX_TEXT = 20_000
 """Longest text that is read [characters]."""
 
-_STEP = re.compile(r"\s*<think>(?P<think>.*?)</think>\s*<answer>(?P<answer>.*?)</answer>\s*", re.DOTALL)
+ActionName = Literal["add", "move", "turn", "replace", "remove", "swap"]
+NEEDED: dict[ActionName, tuple[str, ...]] = {
+    "add": ("position", "yaw", "size"),
+    "move": ("position",),
+    "turn": ("yaw",),
+    "replace": (),
+    "remove": (),
+    "swap": ("other",),
+}
+"""What the answer of each action must say besides the id."""
+ALLOWED: dict[ActionName, tuple[str, ...]] = {
+    "add": ("position", "yaw", "size"),
+    "move": ("position", "yaw"),
+    "turn": ("yaw",),
+    "replace": ("position", "yaw", "size", "category", "attributes"),
+    "remove": (),
+    "swap": ("other",),
+}
+"""And what it may say."""
 _TAGS = ("<think>", "</think>", "<answer>", "</answer>")
 
 Coordinate = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Degrees = Annotated[float, Meta(ge=-3600.0, le=3600.0)]
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
+Id = Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*_[0-9]+\Z", max_length=80)]
+Word = Annotated[str, Meta(min_length=1, max_length=60)]
 
 
-class Answer(Value, frozen=True, kw_only=True):
-    """The action: what goes where. Units and frames as in `Placement`."""
+class Answer(Value, frozen=True, kw_only=True, omit_defaults=True):
+    """An action in JSON: what goes where. Units and frames as in `Placement`.
 
-    id: Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*_[0-9]+$", max_length=80)]
-    position: tuple[Coordinate, Coordinate, Coordinate]
-    yaw: Degrees
-    size: tuple[Extent, Extent, Extent]
+    Attributes:
+        action: what is done with the object.
+        position, yaw, size: where it goes, and how big it is; "move" and "replace" keep what they do not say.
+        category, attributes: what comes instead, for "replace"; the same category when left out.
+        other: the object to change places with, for "swap".
+    """
+
+    action: ActionName = "add"
+    id: Id
+    position: tuple[Coordinate, Coordinate, Coordinate] | None = None
+    yaw: Degrees | None = None
+    size: tuple[Extent, Extent, Extent] | None = None
+    category: Word | None = None
+    attributes: Annotated[tuple[Word, ...], Meta(max_length=16)] = ()
+    other: Id | None = None
 
 
 class Step(Value, frozen=True, kw_only=True):
-    """One reasoning-and-action text, read."""
+    """One reasoning-and-action text, read; attributes as of `Answer`, the yaw within 0 to 360 degrees.
+
+    `position`, `yaw` and `size` are there where the action needs them; None where it leaves them as they are.
+    """
 
     think: str
+    action: ActionName = "add"
     id: str
-    position: Vec3
-    yaw: float
-    size: Vec3
+    position: Vec3 | None = None
+    yaw: float | None = None
+    size: Vec3 | None = None
+    category: str | None = None
+    attributes: tuple[str, ...] = ()
+    other: str | None = None
 
 
 class Rejection(Value, frozen=True, kw_only=True):
@@ -53,11 +95,12 @@ class Rejection(Value, frozen=True, kw_only=True):
 
     Attributes:
         reason: "format" (the tags), "json" (the answer's text), "fields" (its keys, types or ranges), "id" (another
-            object than was asked for), "size" (one that the asset cannot have).
+            object than was asked for), "action" (one that cannot be done here), "size" (one that the asset cannot
+            have), "policy" (the policy failed and gave no text).
         message: one line that a person or a policy can act on.
     """
 
-    reason: Literal["format", "json", "fields", "id", "size"]
+    reason: Literal["format", "json", "fields", "id", "action", "size", "policy"]
     message: str
 
 
@@ -65,15 +108,25 @@ def parse(text: str) -> Step | Rejection:
     """Read a policy's text; never raises, whatever the text."""
     if len(text) > MAX_TEXT:
         return Rejection(reason="format", message=f"the text has {len(text)} characters; at most {MAX_TEXT} are read")
-    counts = {tag: text.count(tag) for tag in _TAGS}
-    match = _STEP.fullmatch(text)
-    if match is None or any(count != 1 for count in counts.values()):
-        found = ", ".join(f"{count} {tag}" for tag, count in counts.items())
+    parts = _parts(text)
+    if parts is None:
+        found = ", ".join(f"{text.count(tag)} {tag}" for tag in _TAGS)
         return Rejection(
             reason="format",
             message=f"expected <think>...</think><answer>...</answer>, each once and nothing else; found {found}",
         )
-    return _read_answer(match["think"].strip(), match["answer"])
+    return _read_answer(*parts)
+
+
+def _parts(text: str) -> tuple[str, str] | None:
+    """What stands in the two pairs of tags; None when they are not there once each, with nothing else about them."""
+    if any(text.count(tag) != 1 for tag in _TAGS):
+        return None
+    before, _, rest = text.partition("<think>")
+    think, _, rest = rest.partition("</think>")
+    between, _, rest = rest.partition("<answer>")
+    answer, end, after = rest.partition("</answer>")
+    return (think.strip(), answer) if end and not (before + between + after).strip() else None
 
 
 def _read_answer(think: str, answer: str) -> Step | Rejection:
@@ -83,17 +136,49 @@ def _read_answer(think: str, answer: str) -> Step | Rejection:
         return Rejection(reason="fields", message=f"the answer's object is wrong: {error}")
     except (msgspec.DecodeError, RecursionError) as error:
         return Rejection(reason="json", message=f"the answer is not one JSON object: {error}")
-    return Step(think=think, id=read.id, position=read.position, yaw=read.yaw % 360.0, size=read.size)
+    said = {name for name in ALLOWED["replace"] + ("other",) if getattr(read, name) not in (None, ())}
+    missing = [name for name in NEEDED[read.action] if name not in said]
+    extra = sorted(said.difference(ALLOWED[read.action]))
+    if missing or extra:
+        wrong = [f"needs {', '.join(missing)}"] if missing else []
+        wrong += [f"takes no {', '.join(extra)}"] if extra else []
+        return Rejection(reason="fields", message=f"the answer's object is wrong: {read.action} {' and '.join(wrong)}")
+    return Step(
+        think=think,
+        action=read.action,
+        id=read.id,
+        position=read.position,
+        yaw=None if read.yaw is None else (read.yaw % 360.0) % 360.0,
+        size=read.size,
+        category=read.category,
+        attributes=read.attributes,
+        other=read.other,
+    )
 
 
-def write_step(think: list[str], *, id: str, position: Vec3, yaw: float, size: Vec3) -> str:
-    """Say `think` line by line and answer with a pose; `parse` reads it back to 0.1 mm and 0.01 degrees."""
+def write_step(
+    think: Sequence[str],
+    *,
+    id: str,
+    position: Vec3 | None = None,
+    yaw: float | None = None,
+    size: Vec3 | None = None,
+    action: ActionName = "add",
+    category: str | None = None,
+    attributes: tuple[str, ...] = (),
+    other: str | None = None,
+) -> str:
+    """Say `think` line by line and answer with an action; `parse` reads it back to 0.1 mm and 0.01 degrees."""
     lines = "\n".join(f"{number}. {line}" for number, line in enumerate(think, 1))
     answer = Answer(
+        action=action,
         id=id,
-        position=_rounded(position),
-        yaw=round(float(yaw) % 360.0, 2) % 360.0,
-        size=_rounded(size),
+        position=None if position is None else _rounded(position),
+        yaw=None if yaw is None else round(float(yaw) % 360.0, 2) % 360.0,
+        size=None if size is None else _rounded(size),
+        category=category,
+        attributes=attributes,
+        other=other,
     )
     return f"<think>\n{lines}\n</think>\n<answer>{msgspec.json.encode(answer).decode()}</answer>"
 
