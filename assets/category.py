@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
+from thinkblox.assets.facts import Facts
 from thinkblox.assets.part import Build
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Mount
@@ -12,9 +13,9 @@ from thinkblox.value import Vec3
 Generator = Callable[[Spec], Build]
 
 
-@dataclass(frozen=True)
-class Category:
-    """One kind of thing that can be made.
+@dataclass(frozen=True, kw_only=True)
+class Category(Facts):
+    """One kind of thing that can be made, and all that is known of it.
 
     Attributes:
         name: in snake_case, as in ids.

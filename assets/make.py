@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from msgspec import structs
 
-from thinkblox.assets.catalogue import CATALOGUE
+from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.category import Category
 from thinkblox.assets.finish import fitted, links_of
 from thinkblox.assets.masses import mass_of
@@ -40,7 +40,7 @@ def make_asset(category: str, *, seed: int, attributes: Sequence[str] = (), size
     if seed < 0:
         raise InputError(f"seed {seed} is negative; give 0 or more")
     kind = category_of(category)
-    return _made(kind.name, seed, tuple(attributes), None if size is None else checked_size(kind, size))
+    return _made(kind.name, seed, tuple(attributes), None if size is None else checked_size(kind, size), revision())
 
 
 def fit_asset(asset: Asset, size: Vec3) -> Asset:
@@ -67,7 +67,7 @@ def category_of(name: str) -> Category:
 
 
 @lru_cache(maxsize=512)
-def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None) -> Asset:
+def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, revision: int) -> Asset:
     category = CATALOGUE[name]
     words = frozenset(w.lower().replace("_", "-") for w in attributes)
     rng = np.random.default_rng([seed, zlib.crc32(name.encode())])
@@ -91,4 +91,4 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None) 
         provenance=f"procedural:{name}:seed={seed}" + (f":{','.join(attributes)}" if attributes else ""),
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
-    return structs.replace(asset, id=f"{name}-{digest}")
+    return structs.replace(asset, id=f"{name}-{digest}", gaze=category.gaze)

@@ -6,11 +6,11 @@ import pytest
 
 from thinkblox.assets import CATALOGUE
 from thinkblox.brief import Brief, Place
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import room_types
+from thinkblox.knowledge.senses import categories_meant, generic_nouns
 from thinkblox.reading import read_brief
-from thinkblox.reading.assumptions import room_types
-from thinkblox.reading.habits import load_habits
 from thinkblox.reading.lexicon import LANGUAGES, load
-from thinkblox.reading.senses import categories_meant, generic_nouns
 
 PLACES = set(get_args(Place))
 

@@ -3,7 +3,7 @@
 import re
 from functools import lru_cache
 
-from thinkblox.assets.catalogue import CATALOGUE
+from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.category import Category
 from thinkblox.value import Vec3
 
@@ -25,9 +25,13 @@ def category_name(kind: str) -> str:
     return "_".join(words_of(kind))[:60] or "object"
 
 
-@lru_cache(maxsize=1024)
 def usual(kind: str) -> Category | None:
     """The catalogue's category that the last words of a name say, the longest first; None where it has none."""
+    return _usual(kind, revision())
+
+
+@lru_cache(maxsize=1024)
+def _usual(kind: str, revision: int) -> Category | None:
     words = words_of(kind)
     for start in range(len(words)):
         name = "_".join(words[start:])

@@ -3,9 +3,9 @@
 import math
 
 from thinkblox.brief import Brief, Relation, RelationKind
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.plan import Tie
 from thinkblox.planning.members import Member, Members
-from thinkblox.reading.habits import load_habits
 
 _TOGETHER = ("between", "above", "around", "facing", "opposite", "behind", "under", "near")
 """Relations that one object can have to several anchors at once."""

@@ -2,10 +2,10 @@
 
 from msgspec.structs import replace
 
+from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.plan import Tie
 from thinkblox.planning.asked import rows_for, share
 from thinkblox.planning.members import Member, Members
-from thinkblox.reading.habits import Habit, load_habits
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _WITHOUT_PLACE = ("facing", "opposite")
@@ -14,7 +14,6 @@ _EXCLUSIVE = ("at", "above", "under", "in_front_of", "at_foot_of", "opposite", "
 """Relations whose space is taken by whatever came first."""
 _CAPACITY = {"at": 1, "above": 1, "under": 1, "in_front_of": 1, "at_foot_of": 1, "opposite": 1, "in_centre": 1}
 _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
-_LONG_SIDES = ("kitchen_island", "counter", "bar_counter", "workbench", "reception_desk")
 _UNLIMITED = 1000
 
 
@@ -43,7 +42,7 @@ def _stay_on_floor(members: Members, member: Member) -> None:
 
 
 def _needs_place(member: Member) -> bool:
-    if member.category == "wall_tv" and all(tie.anchors == ("wall",) for tie in member.ties):
+    if load_habits().is_in(member.category, "watched") and all(tie.anchors == ("wall",) for tie in member.ties):
         return True
     if member.mount == "surface":
         return not any(tie.kind == "on" for tie in member.ties)
@@ -144,7 +143,7 @@ def _put(member: Member, habit: Habit, anchor: str) -> None:
 def _free(members: Members, member: Member, habit: Habit, anchor: str) -> int:
     """How many more can have this relation to the anchor."""
     capacity = _CAPACITY.get(habit.kind, _UNLIMITED)
-    if habit.kind == "at" and anchor.rsplit("_", 1)[0] in _LONG_SIDES:
+    if habit.kind == "at" and load_habits().is_in(anchor.rsplit("_", 1)[0], "long_sides"):
         capacity = _UNLIMITED
     rivals = (m for m in members.all if m.mount == member.mount and m.flat == member.flat)
     if habit.kind not in _EXCLUSIVE:

@@ -5,10 +5,9 @@ import math
 import numpy as np
 
 from thinkblox.brief import Brief
+from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.openings import with_openings
 from thinkblox.planning.space import across_need, needed_area, wall_needs
-from thinkblox.reading.assumptions import room_types
-from thinkblox.reading.sizes import MAX_SIDE
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.value import Vec2
 
@@ -28,7 +27,7 @@ def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
     """
     draw = np.random.default_rng(rng)
     width, depth = _sides(brief, draw)
-    height = brief.height or room_types().get(brief.room_type, room_types()["room"]).height
+    height = brief.height or room_type(brief.room_type).height
     room = _l_shape(width, depth, height) if brief.shape == "L" else rectangle(width, depth, height=height)
     return with_openings(room, brief, draw)
 

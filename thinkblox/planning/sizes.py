@@ -6,8 +6,8 @@ from thinkblox.assets import CATALOGUE
 from thinkblox.assets.category import Category
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.planning.members import Member, Members
-from thinkblox.reading.habits import load_habits
 
 _PLACE = 0.6
 """Width of a place at a counter [m]."""

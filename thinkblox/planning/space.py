@@ -4,14 +4,13 @@ from functools import lru_cache
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, revision
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Request
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.asked import rows_for
 from thinkblox.planning.walls import COMPASS, SIDES
-from thinkblox.reading.assumptions import room_types
-from thinkblox.reading.habits import load_habits
-from thinkblox.reading.sizes import MAX_SIDE
 from thinkblox.value import Vec2, Vec3
 
 _DOOR_AREA = 1.6
@@ -33,7 +32,7 @@ _BESIDE, _IN_CORNER = 0.15, 0.9
 
 def needed_area(brief: Brief) -> float:
     """Floor that the brief's furniture takes with the space to use it, and not much less than is usual [m2]."""
-    typical = room_types().get(brief.room_type, room_types()["room"]).area
+    typical = room_type(brief.room_type).area
     if brief.empty:
         return max(_EMPTY_AREA, _furniture_area(brief))
     area = max(_furniture_area(brief), _TYPICAL_SHARE * typical)
@@ -102,9 +101,9 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     habits = load_habits()
     name = request.category
     seated = any(r.kind == "around" and request.key in r.anchors for r in brief.relations)
-    if name in ("pool_table", "table_tennis"):
+    if habits.is_in(name, "played_around"):
         return 2.2, 2.2
-    if name == "school_desk" or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):
+    if habits.is_in(name, "lined_up") or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):
         return 0.6, 1.0
     if seated and habits.is_in(name, "meal_tables"):
         return 1.5, 1.5
@@ -112,7 +111,7 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
         return 0.9, 0.7
     if habits.is_in(name, "desks"):
         return 0.2, 1.1
-    if name in ("sofa", "counter"):
+    if habits.is_in(name, "sat_before"):
         return 0.4, 1.2
     return 0.25, 0.5
 
@@ -135,12 +134,12 @@ def _is_against_wall(brief: Brief, request: Request) -> bool:
 
 def _size(request: Request) -> Vec3:
     """Size of what is requested, as asked or usual (along the front axis, across, up) [m]."""
-    x, y, z = _usual_size(request.category, request.attributes)
+    x, y, z = _usual_size(request.category, request.attributes, revision())
     depth, width, height = request.size
     return (depth or x, width or y, height or z)
 
 
 @lru_cache(maxsize=256)
-def _usual_size(category: str, attributes: tuple[str, ...]) -> Vec3:
+def _usual_size(category: str, attributes: tuple[str, ...], revision: int) -> Vec3:
     kind = CATALOGUE.get(category)
     return size_for(kind, frozenset(attributes), np.random.default_rng(0)) if kind else (0.5, 0.5, 0.5)

@@ -1,71 +1,16 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
-import tomllib
-from dataclasses import dataclass
-from functools import lru_cache
-from pathlib import Path
-
 from thinkblox.brief import RelationKind
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import room_type
+from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
-from thinkblox.reading.habits import load_habits
-from thinkblox.reading.reference import are_alike
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
-_SEATING = {
-    "dining_room": "dining_table",
-    "restaurant": "dining_table",
-    "meeting_room": "conference_table",
-    "kitchen": "kitchen_table",
-}
-_A_PLACE_EACH = {"classroom": "school_desk", "office": "desk", "computer_room": "desk", "home_office": "desk"}
-_SLEEPING = ("bedroom", "kids_room", "dorm_room", "hospital_room")
 _FURNISH = "furnished"
-_READERS = ("bookstore", "library", "living_room", "home_office", "reading_corner", "kids_room", "studio")
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
-_CHAIRS = ("chair", "office_chair", "child_chair")
-
-
-@dataclass(frozen=True, slots=True)
-class Usual:
-    """One thing that a type of room usually holds."""
-
-    count: int
-    category: str
-    relations: tuple[tuple[str, str, bool], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class RoomType:
-    """A typical room: floor area [m2], height [m], contents."""
-
-    area: float
-    height: float
-    usual: tuple[Usual, ...]
-
-
-@lru_cache(maxsize=1)
-def room_types() -> dict[str, RoomType]:
-    """Every type of room we know, by name; "room" is the one to take when nothing is said."""
-    data = tomllib.loads(Path(__file__).with_name("rooms.toml").read_text(encoding="utf-8"))
-    return {name: _room_type(entry) for name, entry in data.items()}
-
-
-def _room_type(entry: dict[str, object]) -> RoomType:
-    usual, area, height = entry["usual"], entry["area"], entry.get("height", 2.6)
-    assert isinstance(usual, list) and isinstance(area, int | float) and isinstance(height, int | float)  # noqa: PT018
-    return RoomType(float(area), float(height), tuple(_usual(str(line)) for line in usual))
-
-
-def _usual(line: str) -> Usual:
-    what, _, how = line.partition(" : ")
-    count, _, category = what.rpartition(" ")
-    relations = []
-    for relation in filter(None, how.split(", ")):
-        kind, anchor, *each = [*relation.split(), ""]
-        relations.append((kind, anchor, "each" in each))
-    return Usual(int(count or 1), category, tuple(relations))
 
 
 def assume(draft: Draft) -> None:
@@ -81,7 +26,7 @@ def assume(draft: Draft) -> None:
 def stock(draft: Draft) -> None:
     """Put books into bookcases where people read, unless the prompt says what is in them; counts are settled by now."""
     cases = [t for t in draft.things if t.noun == "bookcase"]
-    if draft.room not in _READERS or sum(t.count or 1 for t in cases) > _MOST_FILLED:
+    if not room_type(draft.room).reads or sum(t.count or 1 for t in cases) > _MOST_FILLED:
         return
     for case in cases:
         carries = any(b.kind == "on" and case in b.anchors for b in draft.bonds)
@@ -93,14 +38,14 @@ def _is_bare(draft: Draft) -> bool:
     """Whether only the room is named, or with it one thing that is not what such a room is for."""
     if not draft.things:
         return not draft.missing
-    core = room_types()[draft.room or "room"].usual[0].category
+    core = room_type(draft.room).usual[0].category
     return draft.room not in ("", "room") and len(draft.things) == 1 and not are_alike(draft.things[0].noun, core)
 
 
 def _fill(draft: Draft) -> None:
     present = {thing.noun for thing in draft.things}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
-    for usual in room_types()[draft.room or "room"].usual:
+    for usual in room_type(draft.room).usual:
         if any(are_alike(usual.category, noun) for noun in present | draft.excluded):
             continue
         if any(anchor not in made and anchor not in _PLACES and anchor for _, anchor, _ in usual.relations):
@@ -117,10 +62,11 @@ def _scale(draft: Draft) -> None:
     share = draft.room == "bedroom" and draft.people == 2
     if not draft.people or share:
         return
-    beds = ("bed", "hospital_bed") if draft.room in _SLEEPING else ()
-    seats = ("chair", "office_chair", _A_PLACE_EACH.get(draft.room, ""))
-    for thing in draft.things:
-        if not thing.asked and (thing.noun in beds or (thing.noun in seats and thing.many)):
+    habits, room = load_habits(), room_type(draft.room)
+    for thing in [t for t in draft.things if not t.asked]:
+        bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
+        place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
+        if bed or (place and thing.many):
             thing.count = draft.people
 
 
@@ -129,7 +75,7 @@ def _seat(draft: Draft) -> None:
     for thing in [t for t in draft.things if t.seats]:
         if any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
             continue
-        free = [t for t in draft.things if t.noun in _CHAIRS and not draft.bonds_of(t)]
+        free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:
             draft.bonds.append(Bond(_seated(thing), seat, (thing,), asked=False))
         if not free:
@@ -137,17 +83,21 @@ def _seat(draft: Draft) -> None:
     for seat in [t for t in draft.things if t.count is None and load_habits().is_in(t.noun, "seats")]:
         tables = [b.anchors[0] for b in draft.bonds_of(seat) if b.kind == "around"]
         people = sum(t.seats * (t.count or 1) for t in tables if isinstance(t, Mention)) or draft.people
-        seat.count = people if people and tables and draft.room in _SEATING else seat.count
-    if draft.people and draft.room in _SEATING and not _has(draft, "seats"):
+        seat.count = people if people and tables and room_type(draft.room).seats_at else seat.count
+    if draft.people and room_type(draft.room).seats_at and not _has(draft, "seats"):
         table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
-        _chairs(draft, table or _add(draft, _SEATING[draft.room], 1), draft.people)
+        _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 
 
 def _staff(draft: Draft) -> None:
     """Desks for the people of an office, where only "desks" are named."""
     for desk in draft.things:
-        if draft.people and desk.count is None and not desk.rows and desk.noun == _A_PLACE_EACH.get(draft.room):
+        if draft.people and desk.count is None and not desk.rows and desk.noun == room_type(draft.room).place:
             desk.count = draft.people
+
+
+def _is_chair(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, "chairs")
 
 
 def _chairs(draft: Draft, table: Mention, count: int) -> None:
@@ -205,7 +155,7 @@ def _carrier(draft: Draft, carriers: list[str]) -> str:
     if not carriers:
         return ""
     large = load_habits().is_in(carriers[0], "meal_tables") or carriers[0] == "display_table"
-    public = draft.room in (*_SEATING, "cafe", "bookstore", "library")
+    public = room_type(draft.room).public
     return "side_table" if large and not public and "side_table" in carriers else carriers[0]
 
 

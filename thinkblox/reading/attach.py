@@ -1,8 +1,8 @@
 """Makes bonds: which relation really holds, who its subject is, and what a place of the room means for it."""
 
 from thinkblox.brief import RelationKind
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import MISSING, Bond, Draft, Mention
-from thinkblox.reading.habits import load_habits
 
 _KINDS: dict[str, RelationKind] = {"in": "on", "along": "against_wall", "flank": "next_to", "flank_each": "next_to"}
 FLANKS = ("flank", "flank_each")
@@ -10,9 +10,6 @@ FLANKS = ("flank", "flank_each")
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite")
 _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list can share, and what kind of things then do."""
-
-_FREE = ("any_table", "dining_table", "kitchen_table", "conference_table", "high_table", "coffee_table")
-"""What stands away from the walls: what hangs on a wall is near it rather than beside it."""
 
 
 def place_bond(kind: str, place: str) -> tuple[RelationKind, tuple[str, ...]] | None:
@@ -67,8 +64,8 @@ def _turned(bond: Bond, anchor: Mention) -> Bond:
         bond.kind = usual
     elif bond.kind == "against_wall":
         bond.kind = "next_to"
-    elif bond.kind == "next_to" and habits.is_in(bond.subject.noun, "wallpieces") and anchor.noun in _FREE:
-        bond.kind = "near"
+    elif bond.kind == "next_to" and habits.is_in(bond.subject.noun, "wallpieces"):
+        bond.kind = "near" if habits.is_in(anchor.noun, "amid_room") else bond.kind
     return bond
 
 

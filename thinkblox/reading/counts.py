@@ -1,7 +1,8 @@
 """How many of each: what was said, shared out over anchors, or a sensible number for a bare plural."""
 
+from thinkblox.assets import facts_of
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
-from thinkblox.reading.habits import load_habits
 
 MAX_OF_A_KIND = 200
 """Most objects that one request may ask for."""
@@ -9,16 +10,6 @@ MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as missing."""
 _CORNERS = _WALLS = 4
 _PER_ROW, _ROWS = 3, 2
-_BARE = {
-    "school_desk": 6,
-    "chair": 4,
-    "office_chair": 4,
-    "bar_stool": 3,
-    "child_chair": 2,
-    "desk": 4,
-    "dining_table": 3,
-}
-_BARE |= {"bookcase": 2, "pillow": 2, "base_cabinet": 3, "curtain": 2, "potted_plant": 4, "plant": 3, "locker": 4}
 
 
 def limit_things(draft: Draft) -> None:
@@ -80,7 +71,7 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
 def _each(thing: Mention, anchors: tuple[Mention | str, ...]) -> int:
     """So many of a bare plural belong to each anchor: "tables with chairs", "desks with chairs"."""
     table = any(isinstance(a, Mention) and load_habits().is_in(a.noun, "meal_tables") for a in anchors)
-    return 4 if table and thing.noun in ("chair", "office_chair") else 2 if thing.noun in ("bar_stool", "book") else 1
+    return 4 if table and load_habits().is_in(thing.noun, "meal_seats") else facts_of(thing.noun).each
 
 
 def _one_each(thing: Mention, bonds: list[Bond]) -> Bond | None:
@@ -98,7 +89,7 @@ def _bare(thing: Mention, bonds: list[Bond]) -> int:
     rows = next((bond.rows for bond in bonds if bond.kind == "in_rows"), None)
     if rows is not None:
         return max(rows, _ROWS) * _PER_ROW
-    return _BARE.get(thing.noun, 3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
+    return facts_of(thing.noun).plenty or (3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
 
 
 def _carriers(draft: Draft, thing: Mention) -> None:
@@ -109,7 +100,7 @@ def _carriers(draft: Draft, thing: Mention) -> None:
 
 
 def _is_counted(thing: Mention) -> bool:
-    return thing.count is not None and thing.count != _BARE.get(thing.noun) and not thing.vague
+    return thing.count is not None and thing.count != facts_of(thing.noun).plenty and not thing.vague
 
 
 def _limit(draft: Draft) -> None:

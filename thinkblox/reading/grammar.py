@@ -9,8 +9,6 @@ from thinkblox.reading.nouns import Nouns
 from thinkblox.reading.phrases import Item, Link, Phrase, Unknown
 from thinkblox.reading.sizes import Size
 
-_TAKES_BOOKS = ("bookcase", "any_shelf", "wall_shelf", "shelving_unit")
-
 _ROOM_SIDES = {"left_of": "left_wall", "right_of": "right_wall"}
 """What "on the left" means of the first thing in a sentence."""
 
@@ -147,7 +145,8 @@ class Walker(Nouns):
         if head is None:
             self.general = True
             return
-        books = isinstance(contents, Phrase) and contents.value in ("book", "magazine") and head.noun in _TAKES_BOOKS
+        written = isinstance(contents, Phrase) and contents.value in ("book", "magazine")
+        books = written and self.habits.is_in(head.noun, "takes_books")
         if not isinstance(contents, Phrase) or books or not self.habits.is_in(head.noun, "surfaces"):
             head.attributes.append("filled")
             self.waiting = Waiting("of", head)

@@ -1,4 +1,4 @@
-"""What the words of one language mean, read from lexicon/<code>.toml."""
+"""What the words of one language mean, read from lexicon/<code>.toml; English nouns come with their categories."""
 
 import tomllib
 from collections.abc import Iterator, Mapping
@@ -7,6 +7,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Literal
 
+from thinkblox.assets import revision
+from thinkblox.knowledge.things import things
 from thinkblox.reading.tokens import Token, fold, tokenise
 
 Sort = Literal[
@@ -51,6 +53,8 @@ LANGUAGES: Mapping[str, str] = {
     "nl": "Dutch",
 }
 """The languages that can be read, by code."""
+ENGLISH = "en"
+"""The language of the words that categories bring with them."""
 LONGEST = 6
 """Most words that a phrase of the lexicon has."""
 
@@ -156,11 +160,17 @@ class Lexicon:
             self.prefixes.add(key[:end])
 
 
-@lru_cache(maxsize=len(LANGUAGES))
 def load(code: str) -> Lexicon:
-    """The lexicon of a language of LANGUAGES."""
+    """The lexicon of a language of LANGUAGES, as the catalogue is now."""
+    return _load(code, revision() if code == ENGLISH else 0)
+
+
+@lru_cache(maxsize=2 * len(LANGUAGES))
+def _load(code: str, revision: int) -> Lexicon:
     path = Path(__file__).parent / "lexicon" / f"{code}.toml"
     data = tomllib.loads(path.read_text(encoding="utf-8"))
+    if code == ENGLISH:
+        data["objects"] = {name: kind.words for name, kind in things().items()}
     contractions = {fold(short): tuple(fold(whole).split()) for short, whole in data.get("contractions", {}).items()}
     lexicon = Lexicon(
         code=code,

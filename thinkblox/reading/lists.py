@@ -1,11 +1,11 @@
 """Lists of what a thing has: "a desk with a lamp, a laptop and a chair", and where such a list ends."""
 
 from thinkblox.brief import RelationKind
+from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.anchors import Anchors
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.memory import OpenList
-from thinkblox.reading.reference import are_alike
 
 _LISTED = ("on", "at", "around")
 """Relations that keep a list open after a comma."""

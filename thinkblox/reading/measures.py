@@ -2,7 +2,7 @@
 
 from thinkblox.brief import Measures
 from thinkblox.errors import InputError
-from thinkblox.reading.habits import load_habits
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.sizes import Length, Size
 
 _WIDE, _TALL = 0.872, 0.49

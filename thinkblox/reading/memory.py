@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass, field
 
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
-from thinkblox.reading.habits import load_habits
 from thinkblox.reading.phrases import Item, Link, Phrase
 from thinkblox.reading.reference import References
 

@@ -5,13 +5,14 @@ from typing import Literal
 
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.errors import InputError
-from thinkblox.reading.assumptions import assume, room_types, stock
+from thinkblox.knowledge.rooms import room_types
+from thinkblox.knowledge.things import are_alike
+from thinkblox.reading.assumptions import assume, stock
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import read_items
 from thinkblox.reading.measures import object_size
-from thinkblox.reading.reference import are_alike
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
 

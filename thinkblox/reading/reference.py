@@ -2,30 +2,10 @@
 
 from collections.abc import Iterator
 
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.draft import Draft, Mention
-from thinkblox.reading.habits import load_habits
 from thinkblox.reading.phrases import Phrase
-
-_RELATIVES = (
-    ("bed", "bunk_bed", "hospital_bed"),
-    ("any_table", "tables", "console_table", "display_table"),
-    ("any_lamp", "lamps"),
-    ("any_shelf", "shelves"),
-    ("any_board", "boards"),
-    ("any_screen", "tv", "monitor", "projector_screen"),
-    ("any_counter", "counters", "base_cabinet"),
-    ("chair", "office_chair", "armchair", "child_chair", "rocking_chair"),
-    ("desks",),
-    ("plants",),
-    ("cabinet", "nightstand", "filing_cabinet", "china_cabinet", "base_cabinet"),
-    ("any_stand", "tv_stand", "nightstand"),
-    ("stool", "bar_stool"),
-    ("base_cabinet", "any_counter", "counter"),
-    ("tv_stand", "any_tv_stand"),
-    ("bathtub", "shower_cabin"),
-    ("counter", "bar_counter", "any_counter"),
-)
-
 
 _REACH = 200
 """How many things back "the desk" can reach."""
@@ -147,16 +127,6 @@ class References:
 
 def _last_word(text: str) -> str:
     return text.rpartition(" ")[2].casefold()
-
-
-def are_alike(one: str, other: str) -> bool:
-    """Whether "the <other>" can point at a <one>: a dining table is a table."""
-    return one == other or any(one in family and other in family for family in _families())
-
-
-def _families() -> list[set[str]]:
-    groups = load_habits().groups
-    return [{member for name in family for member in groups.get(name, (name,))} for family in _RELATIVES]
 
 
 def _is_small(thing: Mention) -> bool:

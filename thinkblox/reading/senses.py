@@ -1,33 +1,9 @@
 """Chooses what a general word means from its company: a "lamp" on a nightstand is a table lamp."""
 
-import tomllib
-from functools import lru_cache
-from pathlib import Path
-
+from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 _ROUNDS = 2
-
-
-@lru_cache(maxsize=1)
-def _rules() -> dict[str, tuple[tuple[str, tuple[str, ...]], ...]]:
-    data = tomllib.loads(Path(__file__).with_name("senses.toml").read_text(encoding="utf-8"))
-    return {noun: tuple(_rule(line) for line in lines) for noun, lines in data.items()}
-
-
-def _rule(line: str) -> tuple[str, tuple[str, ...]]:
-    category, _, conditions = line.partition(" if ")
-    return category, tuple(conditions.split())
-
-
-def generic_nouns() -> frozenset[str]:
-    """Nouns that are no categories themselves ("any_table")."""
-    return frozenset(noun for noun in _rules() if noun.startswith("any_"))
-
-
-def categories_meant() -> frozenset[str]:
-    """Every category that a word can come to mean."""
-    return frozenset(category for rules in _rules().values() for category, _ in rules)
 
 
 def choose_senses(draft: Draft) -> None:
@@ -52,7 +28,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
         "has": company,
     }
-    for category, conditions in _rules().get(thing.noun, ()):
+    for category, conditions in senses_of(thing.noun):
         if all(_holds(condition, facts, thing) for condition in conditions):
             return category
     return thing.noun

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from thinkblox.errors import InputError
+from thinkblox.knowledge.rooms import MAX_SIDE, MIN_SIDE
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -19,8 +20,6 @@ METRES = {
     "mile": 1609.344,
 }
 SQUARE_METRES = {"m2": 1.0, "ft2": 0.09290304}
-MIN_SIDE, MAX_SIDE = 1.0, 50.0
-"""Sides of a room that a prompt may ask for [m]."""
 _MARKS = {"'": "ft", "’": "ft", "′": "ft", '"': "inch", "”": "inch", "″": "inch", "′′": "inch"}
 _AXES = ("width", "depth", "length", "height", "diameter")
 _NOT_FINITE = {"nan": math.nan, "inf": math.inf, "infinity": math.inf, "infinite": math.inf}

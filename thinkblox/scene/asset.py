@@ -9,6 +9,7 @@ from thinkblox.errors import InputError
 from thinkblox.value import Quat, Value, Vec2, Vec3
 
 Mount = Literal["floor", "wall", "ceiling", "surface"]
+Gaze = Literal["front", "back"]
 Material = Literal[
     "wood", "metal", "fabric", "leather", "glass", "ceramic", "plastic", "paper", "leaf", "stone", "light", "screen"
 ]
@@ -147,6 +148,8 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=Tru
         friction: sliding coefficient.
         mount: what it is placed on. Wall and ceiling things are fixed to it.
         front: how many ways round look the same: "one" (a sofa), "two" (a rectangular table), "any" (a stool).
+        gaze: which way one looks who uses it: over its front (a sofa), or over its back (a desk, worked at from its
+            front); a desk faces a board when its front points away from the board.
         clearance: depth that should stay free before its front for use [m].
         surfaces: where other things can be put, largest useful first.
         attributes: the words it was made for, such as "round", "double", "three-seat".
@@ -161,6 +164,7 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=Tru
     mount: Mount
     links: Annotated[tuple[Link, ...], Meta(min_length=1)]
     front: Literal["one", "two", "any"] = "one"
+    gaze: Gaze = "front"
     clearance: float = 0.0
     surfaces: tuple[Surface, ...] = ()
     attributes: tuple[str, ...] = ()

@@ -15,8 +15,6 @@ from thinkblox.value import Vec2
 
 WINDOW_ZONE = 0.5
 """Depth of the floor that belongs to a window [m]; SceneEval's OpeningClearance. A door's is as deep as it is wide."""
-WORKED_AT = frozenset({"desk", "corner_desk", "school_desk", "teacher_desk"})
-"""What one sits at on its front side, looking over it: it faces a board when its front points away from the board."""
 _SAME_LENGTH = 0.01
 
 
@@ -35,7 +33,7 @@ class Landmark:
         carries: heights at which it can carry something [m].
         solid: whether it can be touched; a rug cannot.
         hung: fixed to a wall or the ceiling.
-        gaze: where one looks who uses it [degrees]: its yaw, or the other way for what is WORKED_AT.
+        gaze: where one looks who uses it [degrees]: its yaw, or the other way, as its asset says.
     """
 
     name: str
@@ -144,7 +142,7 @@ def _object(scene: Arrangement, placement: Placement) -> Landmark:
         top=placement.top,
         front=asset.front,
         hung=asset.mount in ("wall", "ceiling"),
-        gaze=placement.yaw + (180.0 if placement.category in WORKED_AT else 0.0),
+        gaze=placement.yaw + (180.0 if asset.gaze == "back" else 0.0),
         carries=tuple(z + surface.position[2] for surface in asset.surfaces),
         solid=asset.collides,
     )

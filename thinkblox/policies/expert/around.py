@@ -18,11 +18,10 @@ PLACE_WIDTH = 0.6
 """Edge of a table that one person needs [m]; Neufert, Architects' Data."""
 SQUEEZED = 0.5
 """The least of it, at a counter [m]."""
-TUCKS = {"office_chair": (0.08, 0.0, -0.1), "armchair": (-0.15, -0.3), "bar_stool": (0.08, 0.0, -0.05)}
-"""How far a seat goes under the table, the best first [m]; negative leaves a gap."""
 USUAL_TUCKS = (0.15, 0.05, -0.05)
+"""How far a seat goes under the table, the best first, unless its category says otherwise [m]."""
 ROUND_TUCKS = (0.05, -0.05)
-"""The same at a round table for seats that TUCKS does not name: its legs stand between the seats."""
+"""The same at a round table: its legs stand between the seats."""
 SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
 """Outward direction of each side in the table's own frame [degrees]."""
 SAME_SEAT = 0.15
@@ -85,7 +84,7 @@ def _seats(
     """At one place, drawn up as far as those that stand there, or more or less."""
     surfaces = situation.scene.asset_of(anchor).surfaces
     plain = ROUND_TUCKS if surfaces and surfaces[0].round else USUAL_TUCKS
-    usual = TUCKS.get(situation.target.category, plain)
+    usual = situation.facts.tucks or plain
     for step, tuck in enumerate(sorted(usual, key=lambda t: min((round(abs(t - k), 2) for k in tucks), default=0.0))):
         yield beside_at(
             situation,
@@ -134,7 +133,7 @@ def _off(place: Place, x: float, y: float) -> float:
 def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> list[bool]:
     """Which places cannot be used, because something stands there or the room ends."""
     size = situation.size
-    tuck = TUCKS.get(situation.target.category, USUAL_TUCKS)[0]
+    tuck = (situation.facts.tucks or USUAL_TUCKS)[0]
     rects = Rects.of(
         [
             (anchor.to_room(p.seat(size[0], tuck)), (size[0], size[1]), anchor.yaw + p.outward, 0.0, size[2])

@@ -3,31 +3,13 @@
 import math
 from collections.abc import Iterator
 
+from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
-from thinkblox.policies.expert.needs import BEDS
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2
 
-GAPS = {
-    "nightstand": (0.05, 0.1),
-    "side_table": (0.05, 0.12),
-    "washing_machine": (0.02, 0.05),
-    "dryer": (0.02, 0.05),
-    "base_cabinet": (0.002,),
-    "fridge": (0.02, 0.05),
-    "stove": (0.005, 0.02),
-    "dishwasher": (0.005, 0.02),
-    "arcade_cabinet": (0.1, 0.2),
-    "floor_lamp": (0.08, 0.2),
-    "plant": (0.1, 0.25),
-    "coffee_table": (0.4, 0.35, 0.5),
-    "bench": (0.06, 0.15),
-    "ottoman": (0.25, 0.4),
-    "waste_bin": (0.06, 0.2),
-}
-"""Free distance to the anchor, the best first [m]; the handbook figures of interior layout where they exist."""
 USUAL_GAPS = (0.1, 0.25, 0.4)
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
@@ -42,7 +24,7 @@ def sides_of(
 ) -> Iterator[Idea]:
     """Beside the anchor: backs in line, centres in line, or fronts in line; long thin things run along its side."""
     for side in sides:
-        for rank, gap in enumerate(gaps or GAPS.get(situation.target.category, USUAL_GAPS)):
+        for rank, gap in enumerate(gaps or situation.facts.gaps or USUAL_GAPS):
             for turn, dear in _turns(situation, side):
                 size = situation.size[:2] if turn == 0.0 else (situation.size[1], situation.size[0])
                 for align, penalty in _alignments(situation, anchor, side, size):
@@ -66,7 +48,7 @@ def _alignments(situation: Situation, anchor: Placement, side: str, size: Vec2) 
     if along == 0:
         small_round = situation.asset.front == "any" and situation.size[0] < 0.6
         back, centre = (0.1, 0.0) if small_round else (0.0, 0.3)
-        from_head = 1.5 if anchor.category in BEDS else 0.0
+        from_head = 1.5 if facts_of(anchor.category).is_in("lain_on") else 0.0
         return ((-room, 0.0 if from_head else back), (0.0, centre + from_head), (room, 0.5 + from_head))
     return ((0.0, 0.0), (-room / 2, 0.4), (room / 2, 0.4), (-room, 0.7), (room, 0.7))
 

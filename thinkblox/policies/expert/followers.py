@@ -7,7 +7,6 @@ from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.policies.expert.walls import run_of
 from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 
@@ -43,11 +42,10 @@ def _room_beside(situation: Situation, rects: Rects) -> Array:
 
 def _room_for_run(situation: Situation, rects: Rects) -> Array:
     """The first of a run leaves room for the rest to one side, and to the other for what comes next to it."""
-    run = run_of(situation.target.category)
-    later = [t for t in situation.observation.plan.targets if t.category in run and t.id not in situation.scene]
-    if len(later) < 2 or any(p.category in run for p in situation.solid):
+    later = [t for t in situation.observation.plan.targets if t.id not in situation.scene and situation.in_run(t)]
+    if len(later) < 2 or any(situation.in_run(p) for p in situation.solid):
         return np.zeros(len(rects))
-    ends = [t for t in situation.followers if t.category in run and t.request != situation.target.request]
+    ends = [t for t in situation.followers if situation.in_run(t) and t.request != situation.target.request]
     lengths = ((len(later) - 1 - len(ends)) * situation.size[1], len(ends) * END_OF_RUN)
     ways = (("left", "right"), ("right", "left"))
     return np.minimum(*(_along(situation, rects, sides, lengths) for sides in ways))

@@ -9,39 +9,17 @@ from thinkblox.policies.expert.walls import named_walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, Wall, turn_between
 
-CENTRES = {
-    "picture": 1.5,
-    "poster": 1.5,
-    "mirror": 1.55,
-    "clock": 2.0,
-    "whiteboard": 1.45,
-    "blackboard": 1.45,
-    "projector_screen": 1.6,
-    "menu_board": 1.75,
-    "dart_board": 1.73,
-    "tv": 1.3,
-    "wall_lamp": 1.7,
-    "wall_shelf": 1.5,
-    "wall_cabinet": 1.8,
-    "towel_rail": 1.2,
-    "coat_rack": 1.7,
-    "radiator": 0.4,
-}
-"""Height of the middle above the floor [m]."""
-ABOVE = {"picture": 0.2, "mirror": 0.15, "wall_shelf": 0.45, "wall_cabinet": 0.55, "clock": 0.3, "tv": 0.15}
-"""Free height over what it hangs above [m]."""
 PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
-AT_WINDOWS = frozenset(("curtain", "curtain_rail"))
 BACK_GAP = 0.002
 """Between a hung thing and its wall [m]: touching, without cutting in."""
 
 
 def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     """Along each wall at eye height or where such things hang; the middle of a free stretch costs least."""
-    middle = CENTRES.get(situation.target.category, 1.5)
+    middle = situation.facts.hanging.middle
     z = min(max(0.0, middle - situation.size[2] / 2), situation.room.height - situation.size[2])
-    if situation.target.category in AT_WINDOWS:
+    if situation.facts.hanging.windows != "no":
         yield from at_windows(situation)
     watched = is_watched(situation)
     for wall in named_walls(situation.room, place):
@@ -80,7 +58,7 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
         if abs((wall.yaw - anchor.yaw) % 360.0 - 180.0) > 20.0 or inward < 1.0 or wall.length < 2 * half:
             continue
         z = min(
-            max(0.0, CENTRES.get(situation.target.category, 1.5) - situation.size[2] / 2),
+            max(0.0, situation.facts.hanging.middle - situation.size[2] / 2),
             situation.room.height - situation.size[2],
         )
         for shift in (0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0, 1.5, -1.5):
@@ -116,7 +94,7 @@ def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[f
     low, high = half + 0.01, wall.length - half - 0.01
     centre = opening.offset + opening.width / 2
     sides = [centre]
-    if situation.size[1] < opening.width and situation.target.category == "curtain":
+    if situation.size[1] < opening.width and situation.facts.hanging.windows == "beside":
         sides = [opening.offset - half + 0.1, opening.offset + opening.width + half - 0.1]
     return [min(max(s, low), high) for s in sides] if high > low else []
 
@@ -127,9 +105,9 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
     if situation.asset.mount == "ceiling":
         yield from _pendant(situation, anchor, index=index, count=count)
         return
-    gap = ABOVE.get(situation.target.category, 0.2)
+    gap = situation.facts.hanging.above
     top = max(_top(situation, a) for a in anchors)
-    eye = CENTRES.get(situation.target.category, 1.5) - situation.size[2] / 2
+    eye = situation.facts.hanging.middle - situation.size[2] / 2
     for rank, wall in enumerate(_nearest_walls(situation, anchor)):
         along = sum(wall.coordinates((a.position[0], a.position[1]))[0] for a in anchors) / len(anchors)
         if count > 1:

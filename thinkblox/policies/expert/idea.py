@@ -8,8 +8,6 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.value import Vec2, Vec3
 
-SEATS = frozenset("chair office_chair armchair rocking_chair sofa bench bean_bag child_chair stool bar_stool".split())
-"""What people sit on."""
 WALL_GAP = 0.02
 """Left free between furniture and the wall behind it, for the skirting board [m]."""
 

@@ -3,39 +3,17 @@
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
-from thinkblox.policies.expert.idea import SEATS, Idea
-from thinkblox.policies.expert.needs import BOARDS
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
-from thinkblox.scene.landmarks import WORKED_AT, corners
+from thinkblox.scene.landmarks import corners
 from thinkblox.scene.placement import Placement
 
-STAND_FREE = frozenset(
-    (
-        "dining_table",
-        "kitchen_table",
-        "conference_table",
-        "pool_table",
-        "table_football",
-        "table_tennis",
-        "kitchen_island",
-        "display_table",
-        "tiered_table",
-        "high_table",
-        "play_table",
-        "coffee_table",
-        "counter",
-        "reception_desk",
-    )
-)
-"""What may stand away from the walls when nothing says where."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
-LOUNGE = frozenset(("armchair", "rocking_chair", "sofa", "bean_bag"))
-LOW_TABLES = frozenset(("coffee_table", "side_table", "play_table"))
-LIKES_CORNERS = frozenset(("plant", "floor_lamp", "waste_bin", "laundry_basket", "toy_box", "umbrella_stand", "globe"))
 
 
 def from_ties(situation: Situation) -> list[Idea]:
@@ -67,8 +45,8 @@ def _dearer(idea: Idea, cost: float) -> Idea:
 
 def anywhere(situation: Situation) -> Iterator[Idea]:
     """Along the walls, in the corners and, for what may stand free, on the open floor."""
-    free = situation.target.category in STAND_FREE or not situation.asset.collides
-    corner = situation.target.category in LIKES_CORNERS
+    free = situation.facts.is_in("stands_free") or not situation.asset.collides
+    corner = situation.facts.is_in("in_corners")
     watched = hung.is_watched(situation)
     for idea in walls.along_walls(situation):
         yield _dearer(idea, 0.8 if free or corner else 0.0)
@@ -148,8 +126,13 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
         yield _dearer(idea, max(0.0, 0.9 * (distance - situation.size[0] / 2 - 0.2)))
 
 
+def _is_lounge(situation: Situation, anchor: Placement) -> bool:
+    """Whether a lounge seat gathers with others around a low table."""
+    return situation.facts.is_in("lounges") and facts_of(anchor.category).is_in("lounged_at")
+
+
 def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    if situation.target.category in LOUNGE and anchor.category in LOW_TABLES:
+    if _is_lounge(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
     sides: tuple[str, ...] = ("left", "right")
     if tie.count > 1:
@@ -160,8 +143,8 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
 
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    face = situation.target.category in SEATS
-    gaps = beside.GAPS.get(situation.target.category, (0.6, 0.4, 0.9, 0.2))
+    face = situation.facts.is_in("seating")
+    gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
     yield from beside.before(situation, anchor, gaps=gaps, face=face, why=f"it belongs before {anchor.id}")
 
 
@@ -214,9 +197,9 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 
 
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    if anchor.category in BOARDS and situation.target.category in WORKED_AT:
+    if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
         yield from open_floor.presenting(situation, anchor)
-    along = 2.0 if situation.target.category in LOUNGE and anchor.category in LOW_TABLES else 0.2
+    along = 2.0 if _is_lounge(situation, anchor) else 0.2
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
         yield _dearer(idea, along)
     yield from walls.along_walls(situation)

@@ -11,7 +11,6 @@ import numpy as np
 
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
-from thinkblox.policies.expert.hung import AT_WINDOWS
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.ways import imbalance, moment
@@ -107,7 +106,7 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
         return costs
     swing = overlap_depth(rects, situation.door_zones).max(-1, initial=0.0)
     costs += np.where(swing > TOUCH, HOPELESS + 20.0 * swing, 0.0)
-    if situation.target.category not in AT_WINDOWS:
+    if situation.facts.hanging.windows == "no":
         costs += _darkens(situation, rects)
     return costs
 

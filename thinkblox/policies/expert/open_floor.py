@@ -5,23 +5,21 @@ from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
-from thinkblox.policies.expert.idea import SEATS, Idea, turned
+from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.needs import BEFORE_BOARD
-from thinkblox.policies.expert.situation import Situation
-from thinkblox.scene.landmarks import WORKED_AT
+from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
 
-VIEWING = {"sofa": (2.4, 2.0, 2.8, 1.7, 3.2), "armchair": (2.2, 1.8, 2.6, 1.4), "desk": (0.02, 0.6, 1.2)}
-"""Free distance from a seat to what it looks at, the best first [m]."""
 TALKING = (1.45, 1.3, 1.6, 1.8, 2.1)
-"""The same between seats that look at each other, with a low table between them [m]."""
+"""Free distance between seats that look at each other, with a low table between them, the best first [m]."""
 BETWEEN_SEATS = 0.3
 """Free distance between seats side by side [m]."""
 FLOATING = 0.4
 """Cost of a seat with nothing behind it, where it could have a wall."""
 USUAL_VIEWING = (0.6, 0.9, 1.3, 1.8, 2.4, 0.3)
+"""Free distance to what a thing looks at, the best first, unless its category says otherwise [m]."""
 
 
 def grid(situation: Situation, *, step: float = 0.25, why: str = "it stands free in the room") -> Iterator[Idea]:
@@ -77,16 +75,16 @@ def side_by_side(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[
 
 
 def _distances(situation: Situation, anchor: Placement) -> tuple[float, ...]:
-    if situation.target.category in SEATS and anchor.category in SEATS:
+    if situation.facts.is_in("seating") and is_seat(anchor.category):
         return TALKING
-    return VIEWING.get(situation.target.category, USUAL_VIEWING)
+    return situation.facts.viewing or USUAL_VIEWING
 
 
 def looking_at(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     """Places about the anchor from which the front points at it; straight before its own front costs least."""
-    seen = 180.0 if anchor.category in WORKED_AT else 0.0
+    seen = 180.0 if situation.scene.asset_of(anchor).gaze == "back" else 0.0
     has_front = situation.scene.asset_of(anchor).front == "one"
-    floats = FLOATING if situation.target.category in SEATS and anchor.category not in SEATS else 0.0
+    floats = FLOATING if situation.facts.is_in("seating") and not is_seat(anchor.category) else 0.0
     for turn in range(0, 360, 15):
         away = turn_between(turn, seen) if has_front else 0.0
         for rank, distance in enumerate(_distances(situation, anchor)):
@@ -107,10 +105,10 @@ def _looking(situation: Situation, anchor: Placement, turn: float, distance: flo
     edge = _reach(anchor, direction)
     out = edge + distance + situation.size[0] / 2
     x, y = anchor.to_room((direction[0] * out, direction[1] * out))
-    yaw = (anchor.yaw + turn + (0.0 if situation.target.category in WORKED_AT else 180.0)) % 360.0
-    looks = () if situation.target.category in WORKED_AT else (Constraint(kind="facing", anchors=(anchor.id,)),)
+    yaw = (anchor.yaw + turn + (0.0 if situation.asset.gaze == "back" else 180.0)) % 360.0
+    looks = () if situation.asset.gaze == "back" else (Constraint(kind="facing", anchors=(anchor.id,)),)
     words = (*looks, Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
-    seat = situation.target.category in SEATS
+    seat = situation.facts.is_in("seating")
     why = f"whoever sits in it looks at {anchor.id}" if seat else f"it is turned to {anchor.id}"
     return Idea((x, y, 0.0), yaw, words, why, cost)
 

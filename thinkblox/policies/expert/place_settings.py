@@ -3,29 +3,18 @@
 import math
 from collections.abc import Iterator
 
-from thinkblox.policies.expert.idea import SEATS
-from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2
 
-SETTINGS: dict[str, Vec2] = {
-    "plate": (0.04, 0.0),
-    "bowl": (0.06, 0.0),
-    "laptop": (0.06, 0.0),
-    "book": (0.06, 0.0),
-    "glass": (0.24, 0.16),
-    "cup": (0.14, 0.22),
-    "cutlery": (0.04, 0.22),
-}
-"""From the edge of the table to a thing, and from its middle to the right of the person [m]."""
 AT_TABLE = 0.6
 """A seat nearer than this to a table belongs to it [m]."""
 
 
 def by_seats(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> Iterator[tuple[Vec2, float]]:
     """A spot on the surface for each seat at the table, one's own first, with its cost."""
-    inset = SETTINGS.get(situation.target.category)
+    inset = situation.facts.setting
     if inset is None or situation.target.count < 2:
         return
     for number, seat in enumerate(_seats_at(situation, anchor)):
@@ -39,7 +28,7 @@ def _seats_at(situation: Situation, anchor: Placement) -> list[Placement]:
     return [
         p
         for p in situation.solid
-        if p.category in SEATS and p.footprint.distance(anchor.footprint) < AT_TABLE and _looks_at(p, anchor)
+        if is_seat(p.category) and p.footprint.distance(anchor.footprint) < AT_TABLE and _looks_at(p, anchor)
     ]
 
 

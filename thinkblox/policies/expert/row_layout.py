@@ -6,32 +6,15 @@ from dataclasses import dataclass, replace
 
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.scene.landmarks import WORKED_AT
 from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
 
-BESIDE = {"school_desk": (0.7, 0.5, 0.35), "desk": (0.8, 0.5, 0.2, 0.02), "bookcase": (0.005,), "locker": (0.005,)}
-"""Free distance between neighbours in a row, the best first [m]."""
-USUAL_BESIDE = (0.08, 0.03)
-AISLE = {
-    "school_desk": (0.9, 0.75),
-    "desk": (1.2, 1.0),
-    "bookcase": (1.2, 1.05, 0.95),
-    "shelving_unit": (1.2, 1.0),
-    "server_rack": (1.2, 1.0),
-    "locker": (1.5, 1.2),
-    "chair": (0.9, 0.6),
-}
-"""Free distance from row to row, the best first [m]."""
-USUAL_AISLE = (1.0, 0.8)
 FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
 """Free distance between two rows that look at each other [m]."""
 WITH_SEATS = (1.6, 1.4, 1.2)
 """Free distance between tables that people sit around, each way [m]."""
 WIDEST_WITH_SEATS = 2.4
 """How far tables are drawn apart to use a large floor [m]."""
-FROM_AISLES = frozenset(("bookcase", "shelving_unit", "server_rack", "locker", "clothes_rack"))
-"""What is used from the aisle between its rows, so that two rows may open towards each other."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +41,7 @@ def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
             for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
                 dearer = replace(spacing, cost=spacing.cost + 0.4 * dear)
                 yield _layout(situation, tie.count, columns, yaw, dearer, inward=mutual, away=bool(facing))
-                if rows == 2 and not facing and situation.target.category in FROM_AISLES:
+                if rows == 2 and not facing and situation.facts.is_in("from_aisles"):
                     yield _layout(situation, tie.count, columns, yaw, dearer, inward=True, away=False)
 
 
@@ -72,7 +55,7 @@ def _row_counts(tie: Tie) -> tuple[int, ...]:
 def _directions(situation: Situation, facing: tuple[str, ...], *, mutual: bool) -> tuple[float, ...]:
     anchors = situation.placed(facing)
     if anchors:
-        away = situation.target.category in WORKED_AT
+        away = situation.asset.gaze == "back"
         towards = (anchors[0].yaw + (0.0 if away else 180.0)) % 360.0
         along_walls = min((wall.yaw for wall in situation.room.walls), key=lambda yaw: turn_between(yaw, towards))
         return (along_walls,)
@@ -81,7 +64,6 @@ def _directions(situation: Situation, facing: tuple[str, ...], *, mutual: bool) 
 
 def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutual: bool) -> Iterator[_Spacing]:
     """Free distances to the neighbour in the row and to the next row."""
-    category = situation.target.category
     extent = situation.room.extent if yaw % 180.0 == 0.0 else situation.room.extent[::-1]
     even_aisle = _even(extent[0], rows, situation.size[0])
     if any(tie.kind == "around" for follower in situation.followers for tie in follower.ties):
@@ -90,11 +72,11 @@ def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutu
         ways += [(gap, gap) for gap in WITH_SEATS]
         yield from (_Spacing(beside, aisle, 0.15 * rank) for rank, (beside, aisle) in enumerate(ways))
         return
-    aisles = FACE_TO_FACE if mutual else AISLE.get(category, USUAL_AISLE)
+    aisles = FACE_TO_FACE if mutual else situation.facts.row.aisle
     costs = {aisle: 0.1 * rank for rank, aisle in enumerate(aisles if rows > 1 else aisles[:1])}
-    if category in FROM_AISLES and rows > 1 and even_aisle > aisles[0]:
+    if situation.facts.is_in("from_aisles") and rows > 1 and even_aisle > aisles[0]:
         costs |= {round(aisles[0] + (even_aisle - aisles[0]) * k / 3, 2): 0.05 * k for k in (1, 2, 3, 4)}
-    for order, beside in enumerate(BESIDE.get(category, USUAL_BESIDE)):
+    for order, beside in enumerate(situation.facts.row.beside):
         yield from (_Spacing(beside, aisle, cost + 0.1 * order) for aisle, cost in costs.items())
 
 
@@ -109,7 +91,7 @@ def _layout(
     """Rows one behind the other, the first ahead; `inward`: every other row is turned to the one before it."""
     depth, width = situation.size[0], situation.size[1]
     rows = -(-count // columns)
-    front_first = -1.0 if away and situation.target.category in WORKED_AT else 1.0
+    front_first = -1.0 if away and situation.asset.gaze == "back" else 1.0
     angle = math.radians(yaw)
     (ux, uy), (vx, vy) = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
     slots, yaws = [], []

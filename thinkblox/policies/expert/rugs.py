@@ -2,20 +2,20 @@
 
 from collections.abc import Iterator
 
+from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea, turned
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2, Vec3
 
-BEDS = frozenset(("bed", "crib", "hospital_bed"))
 BEYOND_BED = 0.6
 """How far a rug reaches past the sides and the foot of a bed [m]."""
 
 
 def under(situation: Situation, anchor: Placement) -> Iterator[Idea]:
     """Centred under the anchor; under a bed it lies towards the foot."""
-    bed = anchor.category in BEDS
+    bed = facts_of(anchor.category).is_in("foot_rugs")
     for rank, size in enumerate(_sizes(situation, anchor)):
         shift = 0.25 * anchor.size[0] if bed else 0.0
         for turn in (0.0, 90.0):
@@ -32,7 +32,7 @@ def _along(anchor: Placement, size: Vec3, turn: float) -> float:
     depth, width = (size[0], size[1]) if turn == 0.0 else (size[1], size[0])
     if abs(depth - width) < 0.1:
         return 0.0
-    wide = anchor.category in BEDS or anchor.size[1] >= anchor.size[0]
+    wide = facts_of(anchor.category).is_in("foot_rugs") or anchor.size[1] >= anchor.size[0]
     return 0.0 if (width > depth) == wide else 0.5
 
 

@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, Facts, facts_of
 from thinkblox.observe import Observation
 from thinkblox.plan import Target
-from thinkblox.policies.expert.idea import SEATS
 from thinkblox.policies.expert.needs import Need, need, uses
 from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.scene.asset import Asset
@@ -45,6 +44,11 @@ class Situation:
     def target(self) -> Target:
         """The plan's entry for it."""
         return self.observation.target
+
+    @cached_property
+    def facts(self) -> Facts:
+        """What is known of its kind."""
+        return facts_of(self.target.category)
 
     @property
     def size(self) -> Vec3:
@@ -97,7 +101,7 @@ class Situation:
     @cached_property
     def seats(self) -> tuple[str, ...]:
         """Seats, whose boxes reach over a table that they are drawn up to, though they themselves do not."""
-        return tuple(p.id for p in self.solid if p.category in SEATS)
+        return tuple(p.id for p in self.solid if is_seat(p.category))
 
     @cached_property
     def relatives(self) -> frozenset[str]:
@@ -167,6 +171,10 @@ class Situation:
                     ids.add(target.id)
         return tuple(found)
 
+    def in_run(self, other: Target | Placement) -> bool:
+        """Whether the target and another thing form one row along a wall."""
+        return self.facts.runs_with(facts_of(other.category))
+
     def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
         """Those of the ids that stand in the scene."""
         return tuple(self.scene[id] for id in ids if id in self.scene)
@@ -179,6 +187,11 @@ def _in_the_middle(room: Room, count: int, size: Vec3) -> tuple[Vec2, Vec2, floa
     half = (min(length, ex - 1.0), min(width, ey - 1.0)) if ex >= ey else (min(width, ex - 1.0), min(length, ey - 1.0))
     x, y = room.polygon.centroid.coords[0]
     return ((x, y), half, 0.0, 0.0, 1.5)
+
+
+def is_seat(category: str) -> bool:
+    """Whether people sit on such a thing."""
+    return facts_of(category).is_in("seating")
 
 
 def is_large(size: Vec3) -> bool:

@@ -15,39 +15,6 @@ from thinkblox.value import Vec2, Vec3
 
 EDGE = 0.03
 """Kept free at the edge of a surface where there is room [m]."""
-SPOTS: dict[str, tuple[Vec2, ...]] = {
-    "monitor": ((-0.5, 0.0), (-0.5, 0.3), (-0.5, -0.3)),
-    "laptop": ((0.1, 0.0), (0.0, 0.3)),
-    "keyboard": ((0.55, 0.0), (0.5, 0.2)),
-    "mouse": ((0.55, 0.42), (0.55, 0.55), (0.4, 0.5)),
-    "computer": ((-0.3, -0.8), (-0.3, 0.8)),
-    "desk_lamp": ((-0.8, -0.85), (-0.8, 0.85)),
-    "table_lamp": ((-0.5, 0.0), (-0.6, 0.7), (-0.6, -0.7)),
-    "glass": ((0.4, 0.35), (0.4, -0.35)),
-    "cup": ((0.4, 0.35), (0.4, -0.35)),
-    "alarm_clock": ((0.4, -0.4), (0.4, 0.4)),
-    "phone": ((0.5, 0.4), (0.5, -0.4)),
-    "tv": ((-0.2, 0.0), (0.0, 0.0)),
-    "globe": ((0.0, 0.7), (0.0, -0.7), (0.0, 0.0)),
-    "photo_frame": ((-0.5, 0.5), (-0.5, -0.5)),
-    "printer": ((0.0, 0.0), (0.0, 0.5)),
-    "sink": ((0.0, 0.0),),
-    "hob": ((0.0, 0.0),),
-    "microwave": ((-0.4, 0.0),),
-    "coffee_machine": ((-0.3, 0.7), (-0.3, -0.7), (-0.3, 0.0)),
-    "cash_register": ((0.0, 0.5), (0.0, -0.5), (0.0, 0.0)),
-    "scale": ((0.0, -0.4), (0.0, 0.4)),
-    "cushion": ((-0.6, 0.85), (-0.6, -0.85)),
-}
-"""Where on a surface, from its centre (0) to its edge (1): towards the user, and to the surface's own left.
-Somebody sitting in front sees that left as their right."""
-CENTRED = frozenset(
-    ("vase", "bowl", "fruit_bowl", "candle", "flower_bucket", "potted_plant", "teapot", "games_console")
-)
-STAFF_SIDE = frozenset(("cash_register",))
-"""What turns its working side to the person behind a counter."""
-NEIGHBOURS: dict[str, tuple[str, Vec2]] = {"mouse": ("keyboard", (0.0, 1.0)), "keyboard": ("monitor", (1.0, 0.0))}
-"""What keeps its place by a companion rather than by the surface: the side of it that it takes."""
 OVERHANG = 0.02
 """Half of how far a thing may reach over the front edge [m]: feet stand inside its outline."""
 APART = 0.02
@@ -114,7 +81,7 @@ def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surfa
 
 
 def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
-    if situation.target.category in STAFF_SIDE and not _against_wall(situation, anchor):
+    if situation.facts.is_in("staff_side") and not _against_wall(situation, anchor):
         return (180.0,)
     if situation.asset.front == "any":
         return (0.0,)
@@ -145,7 +112,7 @@ def _spots(
 ) -> Iterator[tuple[Vec2, float]]:
     yield from _by_companion(situation, anchor, surface, free)
     yield from by_seats(situation, anchor, surface, free)
-    marked = SPOTS.get(situation.target.category, ((0.0, 0.0),) if situation.target.category in CENTRED else ())
+    marked = situation.facts.spots
     if tie.count > 1:
         marked = _spread(tie, surface, free)
     for rank, (u, v) in enumerate(marked):
@@ -162,9 +129,12 @@ def _spots(
 def _by_companion(
     situation: Situation, anchor: Placement, surface: Surface, free: Vec2
 ) -> Iterator[tuple[Vec2, float]]:
-    companion, (du, dv) = NEIGHBOURS.get(situation.target.category, ("", (0.0, 0.0)))
+    companion = situation.facts.companion
+    if companion is None:
+        return
+    du, dv = companion.side
     for p in situation.scene.resting_on(anchor.id):
-        if p.category == companion:
+        if p.category == companion.category:
             x, y = anchor.to_local((p.position[0], p.position[1]))
             u = x - surface.position[0] + du * (p.size[0] / 2 + situation.size[0] / 2 + 0.06)
             v = y - surface.position[1] + dv * (p.size[1] / 2 + situation.size[1] / 2 + 0.06)

@@ -6,46 +6,13 @@ from dataclasses import replace
 
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
-from thinkblox.policies.expert.idea import SEATS, WALL_GAP, Idea, turned
-from thinkblox.policies.expert.needs import BEDS, DOUBLE
+from thinkblox.policies.expert.idea import WALL_GAP, Idea, turned
+from thinkblox.policies.expert.needs import DOUBLE
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, Wall
 from thinkblox.value import Vec2, Vec3
 
-FOCAL = frozenset(
-    [
-        "bed",
-        "hospital_bed",
-        "podium",
-        "sofa",
-        "tv_stand",
-        "fireplace",
-        "piano",
-        "sideboard",
-        "credenza",
-        "console_table",
-        "dresser",
-        "dressing_table",
-        "desk",
-        "reception_desk",
-        "display_fridge",
-        "crib",
-        "aquarium",
-        "whiteboard",
-    ]
-)
-"""What looks best centred on its wall; the rest goes to its ends, or beside its like."""
-RUNS: tuple[frozenset[str], ...] = (
-    frozenset(("base_cabinet", "fridge", "stove", "oven", "dishwasher", "washing_machine", "dryer")),
-    frozenset(("wall_cabinet",)),
-    frozenset(("bookcase", "shelving_unit")),
-    frozenset(("locker",)),
-    frozenset(("vending_machine",)),
-    frozenset(("server_rack",)),
-    frozenset(("wardrobe",)),
-)
-"""What forms a row along a wall when there are several."""
 VIEW_RANGE = (1.8, 3.2)
 """Good distances from a seat to the screen, the fire or the seat that it looks at [m]."""
 BESIDE_CORNER = 0.5
@@ -89,8 +56,8 @@ def at_wall(
 def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> Iterator[Idea]:
     """Along each wall: its middle, its ends, beside what stands there, before its windows, and evenly between."""
     _, (depth, width) = oriented(situation.size, situation.asset.front)
-    single = situation.target.category in BEDS and situation.size[1] < DOUBLE
-    focal = situation.target.category in FOCAL | SEATS and not single
+    single = situation.facts.is_in("lain_on") and situation.size[1] < DOUBLE
+    focal = situation.facts.is_in("focal", "seating") and not single
     for wall in situation.room.walls if walls is None else walls:
         low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
         if high < low:
@@ -102,7 +69,7 @@ def along_walls(situation: Situation, walls: Iterable[Wall] | None = None) -> It
 def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     """Along the walls a Place means; what is one of several in a run goes right beside the others."""
     for p in situation.solid:
-        if p.category in run_of(situation.target.category):
+        if situation.in_run(p):
             for idea in sides_of(situation, p, ("left", "right"), gaps=(0.002,), why=f"it continues the row of {p.id}"):
                 yield replace(idea, cost=idea.cost - 1.0)
     yield from along_walls(situation, named_walls(situation.room, place))
@@ -117,11 +84,6 @@ def off_walls(situation: Situation) -> Iterator[Idea]:
             words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
             why = "somebody stands between it and the wall"
             yield Idea((x, y, 0.0), idea.yaw, words, why, idea.cost)
-
-
-def run_of(category: str) -> frozenset[str]:
-    """What a thing forms a row with; empty when it stands alone."""
-    return next((run for run in RUNS if category in run), frozenset())
 
 
 def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:
@@ -163,7 +125,7 @@ def _corner_ideas(situation: Situation, before: Wall, after: Wall) -> Iterator[I
     words = Constraint(kind="corner", anchors=(before.name, after.name))
     if min(before.length, after.length) < width:
         return
-    diagonal = situation.target.category in SEATS or situation.asset.front == "any"
+    diagonal = situation.facts.is_in("seating") or situation.asset.front == "any"
     flush = 0.45 if diagonal and situation.asset.front == "one" else 0.0
     for aside, dear in ((0.0, 0.0), (BESIDE_CORNER, 0.15)) if diagonal else ((0.0, 0.0),):
         end = width / 2 + WALL_GAP + aside
@@ -194,7 +156,7 @@ def _diagonal(situation: Situation, before: Wall, after: Wall, words: Constraint
 
 def _too_far(situation: Situation, anchor: Placement, inward: float) -> float:
     """What a seat's distance from what it looks at costs, across the whole room."""
-    if situation.target.category not in SEATS:
+    if not situation.facts.is_in("seating"):
         return 0.0
     free = inward - anchor.size[0] / 2 - situation.size[0]
     return 1.5 * max(0.0, VIEW_RANGE[0] - free) + 0.6 * max(0.0, free - VIEW_RANGE[1])

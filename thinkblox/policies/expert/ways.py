@@ -6,7 +6,7 @@ of circulation and of visual balance; 1 is a clear drawback.
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, facts_of
 from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.scene.placement import Placement
@@ -25,19 +25,8 @@ BESIDE_WALL = 0.35
 """Share of a gap's cost where the other side is a wall and the thing stands against another one."""
 CROWDS_WALL = 0.5
 """Cost of a wall close up to something that people sit or play around."""
-SAT_AROUND = frozenset(
-    "dining_table kitchen_table conference_table square_table high_table play_table pool_table table_tennis "
-    "display_table kitchen_island".split()
-)
 UNBALANCED = 0.9
 """Cost per metre from the middle of the room to the middle of what stands in it, by floor area."""
-CASES = frozenset(
-    "wardrobe dresser bookcase shelving_unit cabinet filing_cabinet locker tool_cabinet server_rack sideboard credenza "
-    "china_cabinet tv_stand desk fridge vending_machine base_cabinet stove oven dishwasher washing_machine dryer "
-    "arcade_cabinet counter display_fridge shoe_rack toy_box reception_desk dressing_table safe nightstand "
-    "bedside_cabinet fireplace console_table workbench tiered_table water_dispenser".split()
-)
-"""What can stand side by side without a gap."""
 
 
 def gap_cost(gaps: Array) -> Array:
@@ -49,22 +38,18 @@ def gap_cost(gaps: Array) -> Array:
 
 def in_the_way(situation: Situation, rects: Rects, *, beside: frozenset[str] = frozenset()) -> Array:
     """What the gaps to other large pieces and to the walls cost; `beside` names what they do not count for."""
-    if not is_large(situation.size) or situation.target.category in _MOVED:
+    if not is_large(situation.size) or situation.facts.is_in("drawn_aside"):
         return np.zeros(len(rects))
     near = beside | situation.relatives
     others = tuple(p for p in situation.large if p.id not in near)
     gaps = separation(rects, Rects.of_placements(others))
     costs = gap_cost(gaps) + _touching(situation, gaps, others)
-    return np.asarray(costs.sum(-1)) + _walls(situation.room, rects, free=situation.target.category in SAT_AROUND)
-
-
-_MOVED = frozenset("chair office_chair child_chair stool bar_stool bean_bag ottoman laundry_basket".split())
-"""What is drawn aside by whoever passes."""
+    return np.asarray(costs.sum(-1)) + _walls(situation.room, rects, free=situation.facts.is_in("sat_around"))
 
 
 def _touching(situation: Situation, gaps: Array, others: tuple[Placement, ...]) -> Array:
-    case = situation.target.category in CASES
-    airy = np.array([not case or p.category not in CASES for p in others], dtype=bool)
+    case = situation.facts.is_in("cases")
+    airy = np.array([not case or not facts_of(p.category).is_in("cases") for p in others], dtype=bool)
     return np.where((gaps <= CLOSED) & airy[None], TOUCHING, 0.0)
 
 

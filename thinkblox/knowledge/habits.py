@@ -1,13 +1,14 @@
-"""Where things usually stand, read from habits.toml: used to attach words to each other and to fill in a plan."""
+"""Where things usually stand, as their categories say: used to attach words to each other and to fill in a plan."""
 
-import tomllib
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 from typing import cast
 
+from thinkblox.assets import Facts, revision
+from thinkblox.assets.groups import GROUPS
 from thinkblox.brief import RelationKind
+from thinkblox.knowledge.things import things
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,13 +51,22 @@ class Habits:
         return self.habits.keys()
 
 
-@lru_cache(maxsize=1)
 def load_habits() -> Habits:
-    """The table of habits.toml."""
-    data = tomllib.loads(Path(__file__).with_name("habits.toml").read_text(encoding="utf-8"))
-    groups = {name: tuple(members.split()) for name, members in data["groups"].items()}
-    habits = {category: tuple(_habit(line, groups) for line in lines) for category, lines in data["habits"].items()}
-    return Habits(groups, habits)
+    """The groups and habits of everything that a noun can name, as the catalogue is now."""
+    return _collected(revision())
+
+
+@lru_cache(maxsize=1)
+def _collected(revision: int) -> Habits:
+    known = things()
+    groups = {group: _members(known, group) for group in GROUPS}
+    return Habits(groups, {name: tuple(_habit(line, groups) for line in kind.habits) for name, kind in known.items()})
+
+
+def _members(known: Mapping[str, Facts], group: str) -> tuple[str, ...]:
+    """The members of a group in their places, those without one last."""
+    members = [name for name, kind in known.items() if kind.is_in(group)]
+    return tuple(sorted(members, key=lambda name: known[name].places[group]))
 
 
 def _habit(line: str, groups: dict[str, tuple[str, ...]]) -> Habit:

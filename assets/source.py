@@ -1,0 +1,76 @@
+"""Where assets come from: whatever finds, makes and fits them; the catalogue of procedural furniture is one."""
+
+import difflib
+from collections.abc import Sequence
+from typing import Protocol
+
+from thinkblox.assets.catalogue import CATALOGUE, facts_of, phrases
+from thinkblox.assets.facts import Facts
+from thinkblox.assets.make import category_of, fit_asset, make_asset
+from thinkblox.scene.asset import Asset
+from thinkblox.value import Vec3
+
+_CLOSE, _MOST = 0.75, 8
+
+
+class AssetSource(Protocol):
+    """What can give assets of named categories, and say what is known of them."""
+
+    def find(self, words: str) -> tuple[str, ...]:
+        """The categories that an English noun phrase can mean, the likeliest first; empty when there is none."""
+        ...
+
+    def facts(self, category: str) -> Facts:
+        """What is known of a category; the defaults for one that is not known."""
+        ...
+
+    def size_range(self, category: str) -> tuple[Vec3, Vec3]:
+        """Smallest and largest size that `make` and `fit` accept [m]; raises InputError for an unknown category."""
+        ...
+
+    def make(self, category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
+        """A new asset; the same arguments give the same asset. Raises InputError for what cannot be made."""
+        ...
+
+    def fit(self, asset: Asset, size: Vec3) -> Asset:
+        """One of its own assets at another size [m]; raises InputError when it cannot have that size."""
+        ...
+
+
+class ProceduralAssets:
+    """The catalogue's own furniture, with the categories that were registered."""
+
+    def find(self, words: str) -> tuple[str, ...]:
+        """The categories that the words name, then those that their last words name, then those spelt much alike."""
+        known = _by_phrase()
+        parts = words.lower().replace("_", " ").split()
+        ends = [" ".join(parts[start:]) for start in range(len(parts))]
+        forms = [form for end in ends for form in (end, end.removesuffix("s"), end.removesuffix("es"))]
+        named = [name for form in forms for name in known.get(form, ())]
+        close = difflib.get_close_matches(" ".join(parts), known, n=_MOST, cutoff=_CLOSE)
+        return tuple(dict.fromkeys([*named, *(name for phrase in close for name in known[phrase])]))
+
+    def facts(self, category: str) -> Facts:
+        """What the catalogue knows of a category."""
+        return facts_of(category)
+
+    def size_range(self, category: str) -> tuple[Vec3, Vec3]:
+        """Smallest and largest size that the generator makes [m]."""
+        return category_of(category).size_range
+
+    def make(self, category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
+        """A new asset of a category, as `make_asset`."""
+        return make_asset(category, seed=seed, attributes=attributes, size=size)
+
+    def fit(self, asset: Asset, size: Vec3) -> Asset:
+        """The same asset made at another size, as `fit_asset`."""
+        return fit_asset(asset, size)
+
+
+def _by_phrase() -> dict[str, tuple[str, ...]]:
+    """The categories by what they are called: their names, nouns and English words."""
+    found: dict[str, tuple[str, ...]] = {}
+    for name, category in CATALOGUE.items():
+        for phrase in dict.fromkeys((name.replace("_", " "), category.noun.lower(), *phrases(category))):
+            found[phrase] = (*found.get(phrase, ()), name)
+    return found

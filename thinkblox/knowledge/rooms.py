@@ -1,0 +1,112 @@
+"""Types of rooms: how large they are, what they usually hold, and what people do there."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta
+
+from thinkblox.assets import CATALOGUE, revision
+from thinkblox.errors import InputError
+from thinkblox.value import Value
+
+MIN_SIDE, MAX_SIDE = 1.0, 50.0
+"""Sides of a room that can be asked for [m]."""
+Positive = Annotated[float, Meta(gt=0.0)]
+
+
+@dataclass(frozen=True, slots=True)
+class Usual:
+    """One thing that a type of room usually holds; relations are a kind, an anchor, and whether it holds for each."""
+
+    count: int
+    category: str
+    relations: tuple[tuple[str, str, bool], ...]
+
+
+class RoomType(Value, frozen=True, kw_only=True):
+    """A typical room.
+
+    Attributes:
+        area: of its floor [m2].
+        height: [m].
+        contents: what it usually holds, what it is for first: "<count> <category> : <relation> <anchor> [each], ...".
+        seats_at: the table that people sit around there; empty where they do not meet around one.
+        place: what each of its people has one of; empty where nobody has a place of their own.
+        sleeps: people sleep in it.
+        reads: people read in it: there are books in its bookcases.
+        public: people eat, meet or read together: a large table suits it.
+    """
+
+    area: Positive
+    height: Positive = 2.6
+    contents: tuple[str, ...]
+    seats_at: str = ""
+    place: str = ""
+    sleeps: bool = False
+    reads: bool = False
+    public: bool = False
+
+    @property
+    def usual(self) -> tuple[Usual, ...]:
+        """Its contents, read."""
+        return _read(self.contents)
+
+
+UNKNOWN_ROOM = "room"
+"""The type to take when nothing is said."""
+
+
+def room_types() -> dict[str, RoomType]:
+    """Every type of room we know, by name, with what the categories say of their usual rooms."""
+    return _room_types(revision())
+
+
+def room_type(name: str) -> RoomType:
+    """A type of room; the one to take when nothing is said, where the name is empty or not known."""
+    return room_types().get(name, room_types()[UNKNOWN_ROOM])
+
+
+@lru_cache(maxsize=1)
+def _room_types(revision: int) -> dict[str, RoomType]:
+    text = Path(__file__).with_name("rooms.toml").read_text(encoding="utf-8")
+    types = msgspec.convert(tomllib.loads(text), dict[str, RoomType])
+    _check_rooms(types)
+    return {name: msgspec.structs.replace(kind, contents=kind.contents + _added(name)) for name, kind in types.items()}
+
+
+def _check_rooms(types: Mapping[str, RoomType]) -> None:
+    for name, category in CATALOGUE.items():
+        if unknown := category.rooms.keys() - types.keys():
+            raise InputError(
+                f"category {name!r}: no type of room {min(unknown)!r}; there are {', '.join(sorted(types))}"
+            )
+
+
+def _added(room: str) -> tuple[str, ...]:
+    """Lines for the categories that name the room as one of theirs: "2 : on desk" becomes "2 lamp : on desk"."""
+    lines = []
+    for name, category in CATALOGUE.items():
+        if room in category.rooms:
+            count, _, how = category.rooms[room].rpartition(":")
+            lines.append(f"{count.strip() or 1} {name} : {how.strip()}")
+    return tuple(lines)
+
+
+@lru_cache(maxsize=256)
+def _read(contents: tuple[str, ...]) -> tuple[Usual, ...]:
+    return tuple(_usual(line) for line in contents)
+
+
+def _usual(line: str) -> Usual:
+    what, _, how = line.partition(" : ")
+    count, _, category = what.rpartition(" ")
+    relations = []
+    for relation in filter(None, how.split(", ")):
+        kind, anchor, *each = [*relation.split(), ""]
+        relations.append((kind, anchor, "each" in each))
+    return Usual(int(count or 1), category, tuple(relations))

@@ -1,0 +1,25 @@
+"""Everything that a noun can name: the categories of the catalogue, and general words such as "any_table"."""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from types import MappingProxyType
+
+from thinkblox.assets import CATALOGUE, GENERAL_WORDS, Facts, revision
+
+
+def things() -> Mapping[str, Facts]:
+    """What is known of each category and general word, by name, as the catalogue is now."""
+    return _things(revision())
+
+
+@lru_cache(maxsize=1)
+def _things(revision: int) -> Mapping[str, Facts]:
+    return MappingProxyType({**CATALOGUE, **GENERAL_WORDS})
+
+
+def are_alike(one: str, other: str) -> bool:
+    """Whether "the <other>" can point at a <one>: a dining table is a table."""
+    known = things()
+    if one == other or one not in known or other not in known:
+        return one == other
+    return not set(known[one].like).isdisjoint(known[other].like)
