@@ -7,7 +7,7 @@ from typing import Protocol
 from thinkblox.assets.catalogue import CATALOGUE, facts_of, phrases
 from thinkblox.assets.facts import Facts
 from thinkblox.assets.make import category_of, fit_asset, make_asset
-from thinkblox.scene.asset import Asset
+from thinkblox.scene.asset import Asset, Mount
 from thinkblox.value import Vec3
 
 _CLOSE, _MOST = 0.75, 8
@@ -26,6 +26,10 @@ class AssetSource(Protocol):
 
     def size_range(self, category: str) -> tuple[Vec3, Vec3]:
         """Smallest and largest size that `make` and `fit` accept [m]; raises InputError for an unknown category."""
+        ...
+
+    def usual(self, category: str) -> tuple[Vec3, Mount]:
+        """Size of an ordinary one [m], and what it is placed on; raises InputError for an unknown category."""
         ...
 
     def make(self, category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
@@ -57,6 +61,11 @@ class ProceduralAssets:
     def size_range(self, category: str) -> tuple[Vec3, Vec3]:
         """Smallest and largest size that the generator makes [m]."""
         return category_of(category).size_range
+
+    def usual(self, category: str) -> tuple[Vec3, Mount]:
+        """Size and mount that the catalogue gives."""
+        kind = category_of(category)
+        return kind.size, kind.mount
 
     def make(self, category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
         """A new asset of a category, as `make_asset`."""

@@ -124,7 +124,7 @@ def _write_files(result: "Generation", room: Path, pictures: bool) -> None:
     settled = settle(result.scene)
     (room / "scene.json").write_bytes(to_json(result.scene))
     (room / "report.json").write_bytes(to_json(result.report))
-    (room / "trace.jsonl").write_bytes(b"".join(msgspec.json.encode(line) + b"\n" for line in result.trace))
+    (room / "trace.jsonl").write_bytes(result.episode.to_jsonl())
     write_mjcf(result.scene, room / "scene.xml", settled=settled)
     write_usd(result.scene, room / "scene.usda", settled=settled)
     if pictures:

@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from thinkblox.assets import make_asset
+from thinkblox.assets.source import ProceduralAssets
 from thinkblox.generate import Generation, generate_room
-from thinkblox.observe import Observation
+from thinkblox.observe import Observation, kinds_of, observe
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.planning import plan_brief
@@ -32,6 +33,11 @@ from thinkblox.scene.support import placed_at
 ONCE = Effort(restarts=0)
 
 
+def seen(scene: Scene, plan: Plan, target: Target, *, seed: int) -> Observation:
+    kinds = kinds_of(plan, ProceduralAssets())
+    return observe(scene, plan, target, make_asset(target.category, seed=seed), kinds=kinds)
+
+
 def situation(category: str, *ties: Tie, stands: tuple[tuple[str, float, float, float], ...] = ()) -> Situation:
     """A room of 6 m by 5 m in which some things stand (category, x, y, yaw) and one is to be placed."""
     scene = Scene(prompt="", seed=0, room=rectangle(6.0, 5.0))
@@ -42,7 +48,7 @@ def situation(category: str, *ties: Tie, stands: tuple[tuple[str, float, float, 
         )
     target = Target(id=f"{category}_9", category=category, request=category, ties=ties)
     plan = Plan(brief=read_brief("A room with a chair."), targets=(target,))
-    return Situation(Observation(plan, scene, target, make_asset(category, seed=1)))
+    return Situation(seen(scene, plan, target, seed=1))
 
 
 def boxes(s: Situation, *poses: tuple[float, float, float]) -> Rects:
@@ -121,7 +127,7 @@ def test_the_side_of_a_box_is_beside_it():
 def test_desks_are_faced_from_behind_and_seats_from_before():
     follower = Target(id="desk_2", category="desk", request="desk")
     tie = Tie(kind="facing", anchors=("desk_1",))
-    of_desk, of_sofa = need(follower, tie, of="desk"), need(follower, tie, of="sofa")
+    of_desk, of_sofa = (need(follower, tie, of=kind, size=(0.7, 1.4, 0.75)) for kind in ("desk", "sofa"))
     assert of_desk is not None
     assert of_sofa is not None
     assert (of_desk.sides, of_sofa.sides) == (("back",), ("front",))
@@ -232,7 +238,7 @@ def test_the_same_generator_gives_the_same_texts():
     scene = Scene(prompt="", seed=0, room=rectangle(4.0, 4.0))
     plan = plan_brief(brief, scene.room)
     target = plan.targets[0]
-    observation = Observation(plan, scene, target, make_asset(target.category, seed=0))
+    observation = seen(scene, plan, target, seed=0)
     one, two = (ExpertPolicy().propose(observation, 8, np.random.default_rng(5)) for _ in range(2))
     assert one == two
     assert len(set(one)) == 8

@@ -96,6 +96,8 @@ def test_the_reasons_of_the_expert_agree_with_its_answers(prompt):
             asset = next((a for a in result.scene.assets.values() if a.category == r.id.rsplit("_", 1)[0]), None)
             if asset is None:
                 continue
+            assert step.position is not None
+            assert step.yaw is not None
             placement = placed_at(scene, asset, id=step.id, position=step.position, yaw=step.yaw)
             for constraint in said:
                 off = residual(constraint, scene, placement) if asset.size == step.size else None
@@ -109,7 +111,8 @@ def test_the_reasons_of_the_expert_agree_with_its_answers(prompt):
 
 
 def test_a_policy_that_speaks_nonsense_leaves_the_object_out_with_the_reason():
-    result = generate_room(ONE_CHAIR, policy=Scripted("put it anywhere"), effort=Effort(rounds=2, restarts=0))
+    effort = Effort(rounds=2, repairs=0, restarts=0)
+    result = generate_room(ONE_CHAIR, policy=Scripted("put it anywhere"), effort=effort)
     assert result.scene.placements == ()
     assert [a.id for a in result.report.absent] == ["chair_1"]
     assert "<think>" in result.report.absent[0].reason
@@ -135,9 +138,12 @@ def test_a_size_the_asset_cannot_have_is_rejected():
 def test_the_measured_failure_goes_back_to_the_policy():
     policy = Scripted(chair_at(-3.0, 1.0))
     generate_room(ONE_CHAIR, room=rectangle(4.0, 3.0), policy=policy, effort=Effort(rounds=3, repairs=0, restarts=0))
-    assert [len(o.feedback) for o in policy.seen] == [0, 1, 2]
-    assert re.search(r"\d+\.\d mm outside", policy.seen[1].feedback[0])
-    assert policy.seen[1].feedback[0] in policy.seen[1].text()
+    assert [len(o.feedback) for o in policy.seen] == [0, 1, 1]
+    assert [o.round for o in policy.seen] == [0, 1, 2]
+    line = policy.seen[1].feedback[0]
+    assert line.startswith("chair_1 at (-3.00, 1.00, 0.00) turned to 0 degrees: reaches ")
+    assert re.search(r"\d+\.\d mm outside the room; move at least 3.27 m towards \+x", line)
+    assert line in policy.seen[1].text()
 
 
 def test_the_nearest_valid_pose_is_found_around_a_failed_try():

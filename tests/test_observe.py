@@ -2,7 +2,7 @@ import json
 
 from tests.conftest import unit_box
 from thinkblox.brief import Brief
-from thinkblox.observe import Observation
+from thinkblox.observe import Kind, Observation, observe
 from thinkblox.phrases import constraints
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.scene.room import Opening, rectangle
@@ -17,7 +17,8 @@ def observation(*feedback: str) -> Observation:
     placed = placed_at(scene, asset, id="box_1", position=(1.0, 2.0, 0.0), yaw=90.0)
     target = Target(id="box_2", category="box", request="box", ties=(Tie(kind="on", anchors=("box_1",)),))
     plan = Plan(brief=Brief(prompt="Two boxes, one on the other."), targets=(target,))
-    return Observation(plan, scene.with_placement(placed, asset), target, asset, feedback)
+    kinds = {"box": Kind(size=asset.size, mount=asset.mount)}
+    return observe(scene.with_placement(placed, asset), plan, target, asset, kinds=kinds, feedback=feedback)
 
 
 def part(text: str, name: str) -> object:
@@ -46,7 +47,7 @@ def test_what_is_wanted_is_not_mistaken_for_what_was_planned():
 def test_feedback_is_listed():
     text = observation("box_2: fell 20.0 mm while settling").text()
     assert text.splitlines()[-1] == "- box_2: fell 20.0 mm while settling"
-    assert "Earlier tries" not in observation().text()
+    assert "last round" not in observation().text()
 
 
 def test_images_show_the_layout_and_the_object():

@@ -1,35 +1,47 @@
 """The loop: a prompt becomes a plan, and each target of the plan a measured placement."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets.source import AssetSource, ProceduralAssets
+from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError
-from thinkblox.placing import Effort, Placing
+from thinkblox.observe import kinds_of
+from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import plan_brief, plan_room
-from thinkblox.policies import Policy
+from thinkblox.planning import ExpertPlanner
+from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
-from thinkblox.reading import read_brief
+from thinkblox.reading import GrammarBriefer
 from thinkblox.reporting import UNKNOWN, report_on
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.world import World
-from thinkblox.trace import Round
 from thinkblox.verdict import Absence, Report
 
 
 @dataclass(frozen=True)
 class Generation:
-    """A finished room with its plan, its report and every step that led to it, those of given-up attempts included."""
+    """A finished room with its report, and the episode that led to it, given-up attempts included."""
 
     scene: Scene
-    plan: Plan
     report: Report
-    trace: tuple[Round, ...]
+    episode: Episode
+
+    @property
+    def plan(self) -> Plan:
+        """What was to be placed, in which order."""
+        return self.episode.plan
+
+    @property
+    def trace(self) -> tuple[Round, ...]:
+        """Every round of tries."""
+        return self.episode.rounds
 
 
 @dataclass(frozen=True)
@@ -49,6 +61,9 @@ def generate_room(
     seed: int = 0,
     room: Room | None = None,
     policy: Policy | None = None,
+    briefer: Briefer | None = None,
+    planner: Planner | None = None,
+    source: AssetSource | None = None,
     effort: Effort | None = None,
     tolerances: Tolerances | None = None,
     on_object: Callable[[Progress], None] | None = None,
@@ -60,6 +75,9 @@ def generate_room(
         seed: every random choice follows from it; the same prompt and seed give the same scene.
         room: a room to furnish; made from the prompt when not given.
         policy: who proposes; the embedded expert when not given.
+        briefer: who understands the prompt; the grammar when not given.
+        planner: who decides on the room and the order of its objects; the embedded expert when not given.
+        source: where assets come from; the catalogue of procedural furniture when not given.
         effort: how hard to try.
         tolerances: what counts as valid.
         on_object: called after each object.
@@ -68,13 +86,15 @@ def generate_room(
         InputError: the prompt, the seed or the room cannot be used.
     """
     _check_arguments(prompt, seed, room)
-    brief = read_brief(prompt)
-    room = room or plan_room(brief, rng=np.random.default_rng((seed, 0)))
-    plan = plan_brief(brief, room)
+    planner = planner or ExpertPlanner()
+    _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
+    brief = (briefer or GrammarBriefer()).brief(prompt)
+    room = room or planner.room(brief, np.random.default_rng((seed, 0)))
     return furnish(
-        plan,
+        planner.plan(brief, room),
         Scene(prompt=prompt, seed=seed, room=room),
         policy=policy or ExpertPolicy(),
+        source=source or ProceduralAssets(),
         effort=effort or Effort(),
         tolerances=tolerances or Tolerances(),
         on_object=on_object or (lambda progress: None),
@@ -92,27 +112,54 @@ def _check_arguments(prompt: object, seed: object, room: object) -> None:
         raise InputError(f"the room is a {type(room).__name__}; it must be a Room")
 
 
+_ROLES = {
+    "policy": ("propose",),
+    "briefer": ("brief",),
+    "planner": ("room", "plan"),
+    "source": ("make", "fit", "usual", "size_range"),
+}
+
+
+def _check_roles(**players: object) -> None:
+    """Raise InputError for what cannot play its part."""
+    for role, player in players.items():
+        missing = [name for name in _ROLES[role] if not callable(getattr(player, name, None))]
+        if player is not None and missing:
+            raise InputError(
+                f"the {role} is a {type(player).__name__}, which has no {' and no '.join(missing)}();"
+                f" see thinkblox.policies and thinkblox.assets for what a {role} must have"
+            )
+
+
 def furnish(
     plan: Plan,
     scene: Scene,
     *,
     policy: Policy,
+    source: AssetSource,
     effort: Effort,
     tolerances: Tolerances,
     on_object: Callable[[Progress], None],
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
-    made: list[Generation] = []
-    for attempt in range(1 + effort.restarts):
-        made.append(
-            _attempt(plan, scene, attempt, policy=policy, effort=effort, tolerances=tolerances, on_object=on_object)
-        )
+    loop = Loop(plan, kinds_of(plan, source), policy, source, effort)
+    made: list[_Attempt] = []
+    for number in range(1 + effort.restarts):
+        made.append(_Attempt(loop, scene, number, tolerances, on_object))
         last = _faults(made[-1].report)
         if not any(last) or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
-    best = min(made, key=lambda generation: _faults(generation.report))
-    rounds = [structs.replace(r, kept=generation is best) for generation in made for r in generation.trace]
-    return replace(best, trace=tuple(rounds))
+    best = min(made, key=lambda attempt: _faults(attempt.report))
+    episode = Episode(
+        prompt=scene.prompt,
+        seed=scene.seed,
+        room=scene.room,
+        plan=plan,
+        kinds=loop.kinds,
+        assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
+        rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
+    )
+    return Generation(best.world.scene, best.report, episode)
 
 
 def _faults(report: Report) -> tuple[int, ...]:
@@ -126,28 +173,26 @@ def _faults(report: Report) -> tuple[int, ...]:
     )
 
 
-def _attempt(
-    plan: Plan,
-    scene: Scene,
-    attempt: int,
-    *,
-    policy: Policy,
-    effort: Effort,
-    tolerances: Tolerances,
-    on_object: Callable[[Progress], None],
-) -> Generation:
-    world = World(scene, tolerances=tolerances)
-    trace: list[Round] = []
-    absent: list[Absence] = []
-    for number, target in enumerate(plan.targets, 1):
-        rng = np.random.default_rng((scene.seed, attempt, number))
-        placing = Placing(world, plan, target, policy, effort, rng)
-        done = placing.run()
-        if done is None:
-            absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=placing.reason))
-        else:
-            world = world.with_placement(done.placement, done.asset)
-        trace += [structs.replace(r, attempt=attempt) for r in placing.rounds]
-        on_object(Progress(target, done is not None, number, len(plan.targets), attempt))
-    report = report_on(world.scene, plan, absent=absent, tolerances=tolerances)
-    return Generation(world.scene, plan, report, tuple(trace))
+class _Attempt:
+    """One go at a whole room."""
+
+    def __init__(
+        self, loop: Loop, scene: Scene, number: int, tolerances: Tolerances, on_object: Callable[[Progress], None]
+    ) -> None:
+        self.world = World(scene, tolerances=tolerances)
+        self.rounds: list[Round] = []
+        self.assets: dict[str, Asset] = {}
+        absent: list[Absence] = []
+        total = len(loop.plan.targets)
+        for count, target in enumerate(loop.plan.targets, 1):
+            rng = np.random.default_rng((scene.seed, number, count))
+            placing = Placing(self.world, loop, target, rng)
+            grown = placing.run()
+            self.world = placing.world if grown is None else grown
+            if grown is None:
+                why = placing.reason
+                absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=why))
+            self.assets |= placing.assets
+            self.rounds += [structs.replace(r, attempt=number) for r in placing.rounds]
+            on_object(Progress(target, grown is not None, count, total, number))
+        self.report = report_on(self.world.scene, loop.plan, absent=absent, tolerances=tolerances)

@@ -1,34 +1,37 @@
-"""The rounds for one object: propose, parse, measure, commit; then repair; then what keeps the least free."""
+"""The rounds for one object: propose, judge, commit; then repair; then revise a neighbour; then what keeps the most."""
 
+import math
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
-from typing import NamedTuple
-from zlib import crc32
 
 import numpy as np
+from msgspec import structs
 
-from thinkblox.assets import fit_asset, make_asset
-from thinkblox.errors import InputError
-from thinkblox.observe import Observation
+from thinkblox.assets.source import AssetSource
+from thinkblox.committing import commit
+from thinkblox.episode import Round, RoundKind
+from thinkblox.feedback import feedback_line
+from thinkblox.judge import Proposal, Try, asset_for, measured, proposed, rejected, understand
+from thinkblox.observe import Kind, Observation, observe
+from thinkblox.phrases import phrase
 from thinkblox.plan import Plan, Target
 from thinkblox.policies import Policy
+from thinkblox.revising import Revision, revisions, unmet
 from thinkblox.scene.asset import Asset
-from thinkblox.scene.nearby import nearest_poses
+from thinkblox.scene.nearby import first_pose, nearest_poses
 from thinkblox.scene.placement import Placement
-from thinkblox.scene.relations import measure
+from thinkblox.scene.saying import place_words
 from thinkblox.scene.scene import Scene
-from thinkblox.scene.support import placed_at
+from thinkblox.sim.settings import Walking
 from thinkblox.sim.verdict.world import World
-from thinkblox.steps import Rejection, Step, parse
-from thinkblox.trace import Round, Try
+from thinkblox.steps import Rejection, write_step
+from thinkblox.value import Vec3
 from thinkblox.verdict import Reason, Verdict
 
 SOFT: frozenset[Reason] = frozenset({"blocks_way", "blocks_window", "blocks_opening"})
 """What a crowded room may have to give up, and the report then says."""
-SAME_SIZE = 0.002
-"""Sizes nearer than this are the same [m]."""
 
 
 @dataclass(frozen=True)
@@ -39,174 +42,246 @@ class Effort:
         candidates: texts asked for in one round.
         rounds: how often a policy is asked for one object.
         repairs: poses measured around its best try after that.
+        revisions: places measured for a neighbour that is in the way, after that.
         restarts: how often a room that is not all as asked is begun anew; the best one is kept.
     """
 
     candidates: int = 8
     rounds: int = 3
     repairs: int = 40
+    revisions: int = 16
     restarts: int = 2
 
 
-class Measured(NamedTuple):
-    """A candidate and its verdict."""
+@dataclass(frozen=True)
+class Loop:
+    """What every object of a room is placed with."""
 
-    placement: Placement
-    asset: Asset
-    verdict: Verdict
+    plan: Plan
+    kinds: dict[str, Kind]
+    policy: Policy
+    source: AssetSource
+    effort: Effort
+    walking: Walking = field(default_factory=Walking)
 
 
 @dataclass
 class Placing:
-    """The work on one object: `run` returns what was committed, with every round in `rounds`."""
+    """The work on one object: `run` returns the world with it in, every round is in `rounds`."""
 
     world: World
-    plan: Plan
+    loop: Loop
     target: Target
-    policy: Policy
-    effort: Effort
     rng: np.random.Generator
     rounds: list[Round] = field(default_factory=list)
-    failed: list[Measured] = field(default_factory=list)
+    failed: list[tuple[Proposal, Verdict]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.asset = asset_for(self.target, self.scene)
+        self.asset = asset_for(self.target, self.scene, self.loop.source)
+        self.assets = {self.asset.id: self.asset}
+        self.sizes = _sizes(self.asset, self.loop.source)
 
     @property
     def scene(self) -> Scene:
         """What stands already."""
         return self.world.scene
 
-    def run(self) -> Measured | None:
+    def run(self) -> World | None:
         """Place the object; None when no pose was found that may stand."""
-        feedback: list[str] = []
-        for _ in range(self.effort.rounds):
-            done = self._ask(tuple(feedback))
-            if done is not None:
-                return done
-            feedback.append(self._failure())
-        return self._repair() or self._last_resort()
+        feedback: tuple[str, ...] = ()
+        for number in range(self.loop.effort.rounds):
+            grown = self._ask(number, feedback)
+            if grown is not None:
+                return grown
+            feedback = tuple(t.feedback for t in self.rounds[-1].tries if t.feedback)
+        return self._repair() or self._revise() or self._last_resort()
 
     @property
     def reason(self) -> str:
         """Why it could not be placed: the failure of the try that came nearest, or of the last text."""
-        return self._failure().removeprefix(f"{self.target.id}: ")
+        if self.failed:
+            return str(min(self.failed, key=_badness)[1]).removeprefix(f"{self.target.id}: ")
+        said = [t.rejection.message for r in self.rounds for t in r.tries if t.rejection is not None]
+        return said[-1] if said else "nothing was proposed"
 
-    def _ask(self, feedback: tuple[str, ...]) -> Measured | None:
-        observation = Observation(self.plan, self.scene, self.target, self.asset, feedback)
-        start = time.perf_counter()
-        texts = list(self.policy.propose(observation, self.effort.candidates, self.rng))[: self.effort.candidates]
-        proposed = time.perf_counter()
-        read = [self._read(text) for text in texts]
-        measured = [item if isinstance(item, Rejection) else self._measure(*item) for item in read]
-        tries = [_try(text, item) for text, item in zip(texts, measured, strict=True)]
-        chosen = self._choose(measured)
-        self._record("policy", tries, chosen, proposed - start, time.perf_counter() - proposed)
-        self.failed += [m for m in measured if isinstance(m, Measured) and not m.verdict.valid]
-        return None if chosen is None else _as_measured(measured[chosen])
-
-    def _read(self, text: object) -> tuple[Placement, Asset] | Rejection:
-        if not isinstance(text, str):
-            return Rejection(reason="format", message=f"the policy gave a {type(text).__name__}, not a text")
-        step = parse(text)
-        if isinstance(step, Rejection):
-            return step
-        if step.id != self.target.id:
-            return Rejection(reason="id", message=f"answered for {step.id}; {self.target.id} was asked for")
-        return self._placement(step)
-
-    def _placement(self, step: Step) -> tuple[Placement, Asset] | Rejection:
-        asset = self.asset
-        if any(abs(a - b) > SAME_SIZE for a, b in zip(step.size, asset.size, strict=True)):
-            try:
-                asset = fit_asset(asset, step.size)
-            except InputError as error:
-                return Rejection(reason="size", message=str(error))
-        return placed_at(self.scene, asset, id=step.id, position=step.position, yaw=step.yaw), asset
-
-    def _measure(self, placement: Placement, asset: Asset) -> Measured:
-        return Measured(placement, asset, self.world.check([placement], asset)[0])
-
-    def _choose(self, measured: Sequence[Measured | Rejection]) -> int | None:
-        """The valid one that keeps most of the relations asked for; among equals the policy's first."""
-        valid = [i for i, m in enumerate(measured) if isinstance(m, Measured) and m.verdict.valid]
-        return min(valid, key=lambda i: self._unmet(_as_measured(measured[i])), default=None)
-
-    def _unmet(self, candidate: Measured) -> int:
-        scene = self.scene.with_placement(candidate.placement, candidate.asset)
-        ties = [tie for tie in self.target.ties if tie.asked and tie.kind not in ("around", "in_rows")]
-        return sum(
-            not measure(scene, tie.kind, self.target.id, tie.anchors, rows=tie.rows).holds
-            for tie in ties
-            if tie.anchors and all(anchor in scene or not anchor[-1].isdigit() for anchor in tie.anchors)
+    def _ask(self, number: int, feedback: tuple[str, ...]) -> World | None:
+        loop = self.loop
+        observation = observe(
+            self.scene,
+            loop.plan,
+            self.target,
+            self.asset,
+            kinds=loop.kinds,
+            sizes=self.sizes,
+            round=number,
+            feedback=feedback,
         )
+        start = time.perf_counter()
+        texts = self._texts(observation)
+        seconds = time.perf_counter() - start
+        read = [t if isinstance(t, Try) else self._understood(t) for t in texts]
+        return self._try("policy", read, propose_seconds=seconds, tell=True)
 
-    def _repair(self) -> Measured | None:
-        """Search the nearest valid pose around the best failed try."""
-        best = min(self.failed, key=_badness, default=None)
-        if best is None or self.effort.repairs == 0:
-            return None
+    def _texts(self, observation: Observation) -> list[object]:
+        """What the policy answers; a policy that fails has a try that says so, for the room is not to blame."""
+        most = self.loop.effort.candidates
+        try:
+            return list(islice(self.loop.policy.propose(observation, most, self.rng), most))
+        except Exception as error:  # a policy is anybody's code, and the rest of the room can do without it
+            why = f"the policy failed: {type(error).__name__}: {error}"
+            return [rejected("", Rejection(reason="policy", message=why[:500]))]
+
+    def _understood(self, text: object) -> Proposal | Try:
+        found = understand(self.scene, self.target, text, asset=self.asset, source=self.loop.source)
+        return rejected(text, found) if isinstance(found, Rejection) else found
+
+    def _try(
+        self,
+        kind: RoundKind,
+        read: Iterable[Proposal | Try],
+        *,
+        propose_seconds: float = 0.0,
+        tell: bool = False,
+        first: bool = False,
+    ) -> World | None:
+        """Measure a round of proposals and commit the best valid one, or with `first` the first one."""
         start = time.perf_counter()
         tries: list[Try] = []
-        for pose in islice(nearest_poses(self.scene, best.asset, best.placement), self.effort.repairs):
-            candidate = self._measure(pose, best.asset)
-            tries.append(Try(verdict=candidate.verdict))
-            if candidate.verdict.valid:
-                self._record("repair", tries, len(tries) - 1, 0.0, time.perf_counter() - start)
-                return candidate
-            self.failed.append(candidate)
-        self._record("repair", tries, None, 0.0, time.perf_counter() - start)
+        valid: list[tuple[int, Proposal, Verdict]] = []
+        for item in read:
+            done = item if isinstance(item, Try) else measured(self.world, item)
+            tries.append(done)
+            if isinstance(item, Try) or done.verdict is None:
+                continue
+            if done.valid:
+                valid.append((len(tries) - 1, item, done.verdict))
+                if first:
+                    break
+            else:
+                self.failed.append((item, done.verdict))
+        if not valid:
+            told = [self._told(t) for t in tries] if tell else tries
+            self._record(kind, told, propose_seconds=propose_seconds, check_seconds=time.perf_counter() - start)
+            return None
+        chosen, proposal, verdict = min(valid, key=lambda item: self._unmet(item[1]))
+        grown, placements = commit(self.world, proposal, verdict)
+        self._keep(proposal)
+        self._record(
+            kind,
+            tries,
+            chosen=chosen,
+            committed=placements,
+            propose_seconds=propose_seconds,
+            check_seconds=time.perf_counter() - start,
+        )
+        return grown
+
+    def _told(self, tried: Try) -> Try:
+        asset = next((p.asset for p, _ in self.failed if p.placement == tried.placement), None) or self.asset
+        return structs.replace(
+            tried, feedback=feedback_line(self.scene, self.target.id, tried, asset, self.loop.walking)
+        )
+
+    def _unmet(self, proposal: Proposal) -> int:
+        """How many of the relations asked for would not hold."""
+        return len(unmet(self.scene.apply(proposal.action), self.target))
+
+    def _repair(self) -> World | None:
+        """Search the nearest valid pose around the best failed try, or around a place where such things may be."""
+        if self.loop.effort.repairs == 0:
+            return None
+        best, _ = min(self.failed, key=_badness, default=(None, None))
+        asset = best.asset if best and best.asset else self.asset
+        start = best.placement if best else None
+        start = start or first_pose(self.scene, asset, self.target.id)
+        why = f"{self.reason[0].upper()}{self.reason[1:]}"
+        poses = islice(nearest_poses(self.scene, asset, start), self.loop.effort.repairs)
+        return self._try("repair", self._said(asset, poses, why, start), first=True)
+
+    def _said(self, asset: Asset, poses: Iterable[Placement], why: str, start: Placement) -> Iterator[Proposal]:
+        for pose in poses:
+            away = math.dist(pose.position, start.position)
+            words = ", ".join(phrase(word) for word in place_words(self.scene, asset, pose))
+            lines = (f"Before: {why}.", f"{away:.2f} m from there it may be free.", f"So it goes {words}.")
+            text = write_step(lines, id=pose.id, position=pose.position, yaw=pose.yaw, size=pose.size)
+            yield proposed(self.scene, asset, text, id=pose.id, position=pose.position, yaw=pose.yaw)
+
+    def _revise(self) -> World | None:
+        """Move one neighbour that is in the way, by the least that lets both stand and keeps what was asked of it."""
+        if not self.loop.effort.revisions:
+            return None
+        failed = sorted(self.failed, key=_badness)
+        start = time.perf_counter()
+        for revision in revisions(self.world, self.loop.plan, failed, most=self.loop.effort.revisions):
+            seconds = time.perf_counter() - start
+            return self._revised(revision, seconds)
         return None
 
-    def _last_resort(self) -> Measured | None:
-        """Give up a walkable way or a window rather than the object."""
-        for candidate in self.failed:
-            if set(candidate.verdict.reasons) <= SOFT:
-                self._record("last resort", [Try(verdict=candidate.verdict)], 0, 0.0, 0.0)
-                return candidate
-        return None
+    def _revised(self, revision: Revision, seconds: float) -> World | None:
+        grown, placements = commit(self.world, revision.move, revision.move_verdict)
+        self._record(
+            "revision",
+            [revision.tried],
+            id=revision.move.action.id,
+            chosen=0,
+            committed=placements,
+            check_seconds=seconds,
+        )
+        self.world = grown
+        again = structs.replace(revision.again, id=self.target.id)
+        why = f"{revision.move.action.id} was in the way and has moved"
+        return self._try("revision", self._said(revision.asset, [again], why, again), first=True)
 
-    def _failure(self) -> str:
-        if self.failed:
-            return str(min(self.failed, key=_badness).verdict)
-        rejected = [t.rejection.message for r in self.rounds for t in r.tries if t.rejection is not None]
-        return rejected[-1] if rejected else "nothing was proposed"
+    def _last_resort(self) -> World | None:
+        """Give up a walkable way or a window rather than the object: the least bad of all that was measured."""
+        soft = [(p, v) for p, v in self.failed if set(v.reasons) <= SOFT and p.placement is not None]
+        if not soft:
+            return None
+        proposal, verdict = min(soft, key=_badness)
+        grown, placements = commit(self.world, proposal, verdict)
+        tried = Try(text=proposal.text, placement=proposal.placement, verdict=verdict)
+        self._keep(proposal)
+        self._record("last resort", [tried], chosen=0, committed=placements)
+        return grown
 
-    def _record(self, kind: str, tries: Sequence[Try], chosen: int | None, propose: float, check: float) -> None:
+    def _keep(self, proposal: Proposal) -> None:
+        if proposal.asset is not None:
+            self.assets[proposal.asset.id] = proposal.asset
+
+    def _record(
+        self,
+        kind: RoundKind,
+        tries: Sequence[Try],
+        *,
+        id: str = "",
+        chosen: int | None = None,
+        committed: tuple[Placement, ...] = (),
+        propose_seconds: float = 0.0,
+        check_seconds: float = 0.0,
+    ) -> None:
         self.rounds.append(
             Round(
-                id=self.target.id,
+                id=id or self.target.id,
                 number=len(self.rounds),
-                kind=kind,  # type: ignore[arg-type]
+                kind=kind,
+                asset=self.asset.id,
+                sizes=self.sizes,
                 tries=tuple(tries),
                 chosen=chosen,
-                propose_seconds=round(propose, 4),
-                check_seconds=round(check, 4),
+                committed=committed,
+                propose_seconds=round(propose_seconds, 4),
+                check_seconds=round(check_seconds, 4),
             )
         )
 
 
-def asset_for(target: Target, scene: Scene) -> Asset:
-    """The asset for a target; one seed for a whole scene, so that its furniture is of one style."""
-    seed = crc32(f"{scene.seed}/{scene.prompt}".encode())
-    asset = make_asset(target.category, seed=seed, attributes=target.attributes)
-    x, y, z = (wanted or usual for wanted, usual in zip(target.size, asset.size, strict=True))
-    return asset if (x, y, z) == asset.size else fit_asset(asset, (x, y, z))
+def _sizes(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:
+    least, most = source.size_range(asset.category)
+    return None if least == most else (least, most)
 
 
-def _try(text: str, item: Measured | Rejection) -> Try:
-    if isinstance(item, Rejection):
-        return Try(text=text, rejection=item)
-    return Try(text=text, verdict=item.verdict)
-
-
-def _as_measured(item: Measured | Rejection) -> Measured:
-    assert isinstance(item, Measured)
-    return item
-
-
-def _badness(candidate: Measured) -> float:
+def _badness(failure: tuple[Proposal, Verdict]) -> float:
     """How far a verdict is from valid: metres of depth, outside and motion, and one for each reason."""
-    v = candidate.verdict
+    v = failure[1]
     hard = [reason for reason in v.reasons if reason not in SOFT]
     return len(hard) + 0.1 * len(v.reasons) + v.depth + v.outside + v.drift + v.drop + v.tilt / 90.0

@@ -1,11 +1,11 @@
 """The published shapes of everything that is read or written as JSON."""
 
 from thinkblox.brief import Brief
+from thinkblox.episode import Round
 from thinkblox.plan import Plan
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.steps import Answer
-from thinkblox.trace import Round
 from thinkblox.value import Value
 from thinkblox.verdict import Report, Verdict
 

@@ -112,7 +112,7 @@ class World:
         after, carried, left = outcome(self.scene, action)
         if isinstance(action, Add):
             return self.check([after[action.id]], action.asset, way=way)[0]
-        world = self._like(after)
+        world = self.with_scene(after)
         others = (*((action.other,) if isinstance(action, Swap) else ()), *carried, *left)
         riders = [world._standing(id, way) for id in others]
         if isinstance(action, Remove):
@@ -144,6 +144,10 @@ class World:
             grown._floor = self._floor.with_object(placement, solid_of(asset))
             grown._surroundings = self._surroundings.with_objects([(placement, asset)])
         return grown
+
+    def with_scene(self, scene: Scene) -> "World":
+        """The world of another scene, with the same settings."""
+        return self._like(scene)
 
     def cut_off(self, candidate: Placement, asset: Asset) -> tuple[str, ...]:
         """Ids of the doors and large objects, itself among them, that have no walkable way once it stands there."""

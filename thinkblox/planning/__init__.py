@@ -1,6 +1,24 @@
 """A Brief to a Room and to a Plan: which floor, in which order, and what belongs to what."""
 
+import numpy as np
+
+from thinkblox.brief import Brief
+from thinkblox.plan import Plan
 from thinkblox.planning.order import plan_brief
 from thinkblox.planning.rooms import plan_room
+from thinkblox.scene.room import Room
 
-__all__ = ["plan_brief", "plan_room"]
+
+class ExpertPlanner:
+    """The Planner that needs no model: rooms as large as their furniture needs, anchors before what belongs to them."""
+
+    def room(self, brief: Brief, rng: np.random.Generator) -> Room:
+        """A room for a brief."""
+        return plan_room(brief, rng=rng)
+
+    def plan(self, brief: Brief, room: Room) -> Plan:
+        """The objects in the order in which they are placed."""
+        return plan_brief(brief, room)
+
+
+__all__ = ["ExpertPlanner", "plan_brief", "plan_room"]

@@ -1,5 +1,15 @@
 """Prompt text to a Brief, by rules and tables; no language model."""
 
+from thinkblox.brief import Brief
 from thinkblox.reading.reader import read_brief
 
-__all__ = ["read_brief"]
+
+class GrammarBriefer:
+    """The Briefer that needs no model: it reads with a grammar and a lexicon."""
+
+    def brief(self, prompt: str) -> Brief:
+        """What the prompt asks for."""
+        return read_brief(prompt)
+
+
+__all__ = ["GrammarBriefer", "read_brief"]

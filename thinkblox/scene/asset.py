@@ -126,10 +126,12 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
     category: str
     description: str
     size: Vec3
+    mass: float
     mount: Mount
     front: Literal["one", "two", "any"] = "one"
     clearance: float = 0.0
     surfaces: tuple[Surface, ...] = ()
+    gaze: Gaze = "front"
     collides: bool = True
 
     @property
@@ -191,9 +193,11 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=Tru
             category=self.category,
             description=self.description,
             size=self.size,
+            mass=self.mass,
             mount=self.mount,
             front=self.front,
             clearance=self.clearance,
             surfaces=self.surfaces,
+            gaze=self.gaze,
             collides=self.collides,
         )

@@ -12,6 +12,8 @@ from thinkblox.scene.support import placed_at
 REACH = 2.0
 """How far from the failed pose the search goes on the floor [m]; on a surface it covers the surface."""
 RINGS, SPOKES = 16, 16
+EYE, BACK_GAP = 1.5, 0.002
+"""Height of the middle of what hangs, and its gap to the wall, where nothing says more [m]."""
 
 
 def nearest_poses(scene: Arrangement, asset: Known, failed: Placement) -> Iterator[Placement]:
@@ -41,7 +43,7 @@ def _shifts(scene: Arrangement, asset: Known, failed: Placement) -> list[Placeme
     poses = []
     for radius in np.linspace(0.0, reach, RINGS + 1):
         for angle in np.linspace(0.0, 2 * np.pi, SPOKES, endpoint=False)[: 1 if radius == 0.0 else SPOKES]:
-            place = (round(x + radius * np.cos(angle), 3), round(y + radius * np.sin(angle), 3), z)
+            place = (round(float(x + radius * np.cos(angle)), 3), round(float(y + radius * np.sin(angle)), 3), z)
             poses += [placed_at(scene, asset, id=failed.id, position=place, yaw=failed.yaw + turn) for turn in turns]
     return poses
 
@@ -58,3 +60,22 @@ def _on_wall(scene: Arrangement, asset: Known, failed: Placement) -> list[Placem
         for _, s, h in pairs
         if z + h + asset.size[2] <= scene.room.height
     ]
+
+
+def first_pose(scene: Arrangement, asset: Known, id: str) -> Placement:
+    """A place to begin a search from: the middle of the floor, of the longest wall or of the largest surface."""
+    x, y = scene.room.polygon.representative_point().coords[0]
+    position, yaw = (round(x, 3), round(y, 3), 0.0), 0.0
+    if asset.mount == "wall":
+        wall = max(scene.room.walls, key=lambda wall: wall.length)
+        x, y = wall.point(wall.length / 2, asset.size[0] / 2 + BACK_GAP)
+        position, yaw = (round(x, 4), round(y, 4), max(0.0, EYE - asset.size[2] / 2)), wall.yaw
+    elif asset.mount == "ceiling":
+        position = (*position[:2], round(scene.room.height - asset.size[2], 4))
+    elif asset.mount == "surface":
+        tops = [(p, s) for p in scene.placements for s in scene.asset_of(p).surfaces]
+        if tops:
+            carrier, surface = max(tops, key=lambda top: top[1].size[0] * top[1].size[1])
+            x, y = carrier.to_room((surface.position[0], surface.position[1]))
+            position = (round(x, 3), round(y, 3), round(carrier.position[2] + surface.position[2], 4))
+    return placed_at(scene, asset, id=id, position=position, yaw=yaw)

@@ -6,10 +6,11 @@ import numpy as np
 
 from thinkblox.observe import Observation, describe_tie
 from thinkblox.phrases import phrase
-from thinkblox.policies.expert.idea import Idea, pose_words
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.imagine import ELSEWHERE, from_room, from_ties
 from thinkblox.policies.expert.judge import HOPELESS, placement_of, ranked
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.scene.saying import pose_words
 from thinkblox.steps import write_step
 
 DISTINCT = 0.08
@@ -23,9 +24,9 @@ class ExpertPolicy:
         """Up to `n` texts, the best first; later tries look further down its list."""
         situation = Situation(observation)
         ideas = ranked(situation, from_ties(situation), rng)
-        if observation.feedback or sum(cost < ELSEWHERE for cost, _ in ideas) < n:
+        if observation.round or sum(cost < ELSEWHERE for cost, _ in ideas) < n:
             ideas = sorted([*ideas, *ranked(situation, from_room(situation), rng)], key=lambda pair: pair[0])
-        chosen = _distinct(situation, ideas, n * (1 + len(observation.feedback)))
+        chosen = _distinct(situation, ideas, n * (1 + observation.round))
         return [_say(situation, cost, idea) for cost, idea in chosen][-n:]
 
 
@@ -52,7 +53,7 @@ def _say(situation: Situation, cost: float, idea: Idea) -> str:
     found = pose_words(situation.room, placement_of(situation, idea), beyond=idea.against) if idea.against else ()
     lines.append(f"So it goes {', '.join(phrase(word) for word in (*idea.words, *found))}.")
     if situation.observation.feedback:
-        lines.append(f"Before, {situation.observation.feedback[-1]}; this place is another.")
+        lines.append(f"Before, {situation.observation.feedback[0]}; this place is another.")
     if cost >= HOPELESS:
         lines.append("The room is crowded, and nothing better is free.")
     return write_step(lines, id=target.id, position=idea.position, yaw=idea.yaw, size=idea.size or situation.size)

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import need
@@ -35,7 +34,7 @@ def _room_beside(situation: Situation, rects: Rects) -> Array:
     kinds = {t.request: t for t, tie in ties if tie.kind == "next_to"}
     if len(kinds) < 2:
         return np.zeros(len(rects))
-    narrowest = min(CATALOGUE[t.category].size[1] for t in kinds.values())
+    narrowest = min(situation.kind(t).size[1] for t in kinds.values())
     zones = [beside(rects, side, narrowest) for side in ("left", "right")]
     return fewest([zone_costs(situation, zone, weight=2.0) for zone in zones], 2)
 
@@ -61,9 +60,9 @@ def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: 
 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
-    wanted = need(follower, tie, of=situation.target.category)
+    wanted = need(follower, tie, of=situation.target.category, size=situation.kind(follower).size)
     if wanted is None:
-        hung_above = tie.kind == "above" and CATALOGUE[follower.category].mount == "wall"
+        hung_above = tie.kind == "above" and situation.kind(follower).mount == "wall"
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]

@@ -3,11 +3,12 @@
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import named_walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, Wall, turn_between
+from thinkblox.scene.saying import turned
 
 PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""

@@ -5,7 +5,7 @@ The figures are those of the handbooks of interior layout (Neufert, Architects' 
 
 from typing import NamedTuple
 
-from thinkblox.assets import CATALOGUE, Use, facts_of
+from thinkblox.assets import Use, facts_of
 from thinkblox.plan import Target, Tie
 from thinkblox.value import Vec3
 
@@ -58,9 +58,9 @@ class Need(NamedTuple):
     weight: float
 
 
-def need(follower: Target, tie: Tie, *, of: str) -> Need | None:
-    """What a follower will need of the surroundings of its anchor, an `of`; None where it needs no floor."""
-    depth, width, _ = CATALOGUE[follower.category].size
+def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
+    """What a follower of some size will need of the surroundings of its anchor, an `of`; None for no floor."""
+    depth, width, _ = size
     anchor, own = facts_of(of), facts_of(follower.category)
     match tie.kind:
         case "next_to":

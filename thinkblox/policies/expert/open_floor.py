@@ -5,11 +5,12 @@ from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
-from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import BEFORE_BOARD
 from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
+from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2
 
 TALKING = (1.45, 1.3, 1.6, 1.8, 2.1)

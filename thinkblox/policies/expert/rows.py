@@ -12,13 +12,14 @@ from thinkblox.plan import Tie
 from thinkblox.policies.expert import row_layout
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
-from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import MAIN_WAY, need
 from thinkblox.policies.expert.row_layout import Layout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
+from thinkblox.scene.saying import turned
 
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
@@ -122,7 +123,12 @@ def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...
 def _first_row(situation: Situation, board: Placement) -> float:
     """Distance from a board to the first row, with a way behind whoever has a place before the board [m]."""
     later = [t for t in situation.observation.plan.targets if t.request != situation.target.request]
-    wanted = [need(t, tie, of=board.category) for t in later for tie in t.ties if board.id in tie.anchors]
+    wanted = [
+        need(t, tie, of=board.category, size=situation.kind(t).size)
+        for t in later
+        for tie in t.ties
+        if board.id in tie.anchors
+    ]
     return max([FIRST_ROW, *(n.depth + MAIN_WAY for n in wanted if n is not None)])
 
 

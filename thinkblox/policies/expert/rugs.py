@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2, Vec3
 
 BEYOND_BED = 0.6

@@ -3,16 +3,15 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from thinkblox.assets import CATALOGUE, Facts, facts_of
-from thinkblox.observe import Observation
+from thinkblox.assets import Facts, facts_of
+from thinkblox.observe import Kind, Layout, Observation
 from thinkblox.plan import Target
 from thinkblox.policies.expert.needs import Need, need, uses
 from thinkblox.policies.expert.zones import beside, joined
-from thinkblox.scene.asset import Asset
+from thinkblox.scene.asset import AssetCard
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.room import Opening, Room
-from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2, Vec3
 
 WINDOW_DEPTH = 0.3
@@ -26,17 +25,17 @@ class Situation:
     observation: Observation
 
     @property
-    def scene(self) -> Scene:
+    def scene(self) -> Layout:
         """The layout so far."""
-        return self.observation.scene
+        return self.observation.layout
 
     @property
     def room(self) -> Room:
         """The room."""
-        return self.observation.scene.room
+        return self.observation.layout.room
 
     @property
-    def asset(self) -> Asset:
+    def asset(self) -> AssetCard:
         """What is to be placed."""
         return self.observation.asset
 
@@ -138,7 +137,7 @@ class Situation:
                 for anchor in (p for p in self.placed(tie.anchors) if p not in kin):
                     if anchor.id not in _objects(self.target) and (later.request, anchor.id) not in done:
                         done.add((later.request, anchor.id))
-                        zones += _sides_meant(anchor, need(later, tie, of=anchor.category))
+                        zones += _sides_meant(anchor, need(later, tie, of=anchor.category, size=self.kind(later).size))
         return joined(zones)
 
     @cached_property
@@ -152,11 +151,11 @@ class Situation:
         rows = []
         for t in later:
             if any(tie.kind == "in_centre" and (tie.asked or t.id in seated) for tie in t.ties):
-                side = max(CATALOGUE[t.category].size[:2]) + 0.9
+                side = max(self.kind(t).size[:2]) + 0.9
                 rows.append(((x, y), (side, side), 0.0, 0.0, 1.5))
         loose = [t for t in later if t.id in seated and not any(tie.kind == "in_centre" for tie in t.ties)]
         if loose and not rows:
-            rows.append(_in_the_middle(self.room, len(loose), CATALOGUE[loose[0].category].size))
+            rows.append(_in_the_middle(self.room, len(loose), self.kind(loose[0]).size))
         return Rects.of(rows)
 
     @cached_property
@@ -174,6 +173,10 @@ class Situation:
     def in_run(self, other: Target | Placement) -> bool:
         """Whether the target and another thing form one row along a wall."""
         return self.facts.runs_with(facts_of(other.category))
+
+    def kind(self, later: Target) -> Kind:
+        """What is known of a target that is yet to come."""
+        return self.observation.kinds[later.category]
 
     def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
         """Those of the ids that stand in the scene."""

@@ -6,11 +6,12 @@ from dataclasses import replace
 
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
-from thinkblox.policies.expert.idea import Idea, turned
+from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.place_settings import by_seats
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2, Vec3
 
 EDGE = 0.03

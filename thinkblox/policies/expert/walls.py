@@ -6,11 +6,12 @@ from dataclasses import replace
 
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
-from thinkblox.policies.expert.idea import WALL_GAP, Idea, turned
+from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.needs import DOUBLE
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, Wall
+from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2, Vec3
 
 VIEW_RANGE = (1.8, 3.2)

@@ -6,7 +6,8 @@ of circulation and of visual balance; 1 is a clear drawback.
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE, facts_of
+from thinkblox.assets import facts_of
+from thinkblox.observe import Kind
 from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.scene.placement import Placement
@@ -77,7 +78,7 @@ def imbalance(situation: Situation, moments: Array) -> Array:
 
     A moment is the floor area of a thing times its offset from the middle of the room [m3].
     """
-    planned = sum(_area(t.category) for t in situation.observation.plan.targets)
+    planned = sum(_area(situation.kind(t)) for t in situation.observation.plan.targets)
     if planned <= 0.0:
         return np.zeros(len(moments))
     standing = sum(
@@ -93,6 +94,5 @@ def moment(room: Room, rects: Rects) -> Array:
     return np.asarray(area[:, None] * (rects.centre - middle))
 
 
-def _area(category: str) -> float:
-    kind = CATALOGUE[category]
+def _area(kind: Kind) -> float:
     return kind.size[0] * kind.size[1] if kind.mount == "floor" and is_large(kind.size) else 0.0

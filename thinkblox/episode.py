@@ -1,0 +1,216 @@
+"""Everything that led to a scene: the plan, every round of tries with its poses and verdicts, and what was committed.
+
+An episode is what trace.jsonl holds. Any observation that a policy had in it can be made again exactly: it is at once
+the record of a generation and a demonstration.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import msgspec
+
+from thinkblox.errors import InputError
+from thinkblox.judge import Try
+from thinkblox.observe import Kind, Observation, observe
+from thinkblox.plan import Plan
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import Room
+from thinkblox.scene.scene import Scene
+from thinkblox.value import Value, Vec3
+
+EPISODE_VERSION = 1
+MAX_LINE = 8_000_000
+"""Longest line of a trace that is read [bytes]."""
+
+RoundKind = Literal["policy", "repair", "revision", "last resort"]
+
+
+class Round(Value, frozen=True, kw_only=True, tag_field="line", tag="round"):
+    """A round of tries for one object.
+
+    Attributes:
+        id: the object.
+        number: rounds for this object, from 0.
+        kind: "policy"; "repair" for the search around the best failed try; "revision" for moving what is in the way;
+            "last resort" for a pose that keeps everything but a walkable way or a window free.
+        asset: id of the asset that was to be placed.
+        sizes: smallest and largest size that it could have [m]; None where it had only this one.
+        tries: what was proposed, and what came of it.
+        chosen: index of the try that was committed; None when none was.
+        committed: where the object then stood, and whatever went along: settled, and measured there once more.
+        propose_seconds, check_seconds: time spent in the policy and in the physics.
+        attempt: how often the room had been begun anew before.
+        kept: whether it belongs to the attempt that became the room.
+    """
+
+    id: str
+    number: int
+    kind: RoundKind
+    asset: str
+    sizes: tuple[Vec3, Vec3] | None = None
+    tries: tuple[Try, ...]
+    chosen: int | None = None
+    committed: tuple[Placement, ...] = ()
+    propose_seconds: float = 0.0
+    check_seconds: float = 0.0
+    attempt: int = 0
+    kept: bool = True
+
+
+class Beginning(Value, frozen=True, kw_only=True, tag_field="line", tag="episode"):
+    """First line of a trace: what was asked for, what was planned, and in which room."""
+
+    version: int = EPISODE_VERSION
+    prompt: str
+    seed: int
+    room: Room
+    plan: Plan
+    kinds: dict[str, Kind] = {}
+
+
+class UsedAsset(Value, frozen=True, kw_only=True, tag_field="line", tag="asset"):
+    """A line for every asset that an episode speaks of."""
+
+    asset: Asset
+
+
+Line = Beginning | UsedAsset | Round
+
+
+class Decision(NamedTuple):
+    """What a policy saw, and the round of tries that came of it."""
+
+    observation: Observation
+    round: Round
+
+
+class Episode(Value, frozen=True, kw_only=True):
+    """How a room came about; attributes as of its lines, every attempt's rounds included."""
+
+    prompt: str
+    seed: int
+    room: Room
+    plan: Plan
+    kinds: dict[str, Kind] = {}
+    assets: dict[str, Asset] = {}
+    rounds: tuple[Round, ...] = ()
+
+    @property
+    def start(self) -> Scene:
+        """The empty room."""
+        return Scene(prompt=self.prompt, seed=self.seed, room=self.room)
+
+    @property
+    def scene(self) -> Scene:
+        """The room as it became: what was committed in the attempt that was kept."""
+        scene = self.start
+        for done in self.rounds:
+            if done.kept:
+                scene = self.after(scene, done)
+        return scene
+
+    def after(self, scene: Scene, done: Round) -> Scene:
+        """A scene after what a round committed."""
+        for placement in done.committed:
+            scene = scene.with_placement(placement, self.assets[placement.asset])
+        return scene
+
+    def decisions(self, *, attempt: int | None = None) -> Iterator[Decision]:
+        """Each time the policy was asked, in order: the very observation that it had, and what came of its answers.
+
+        Args:
+            attempt: which one; the one that was kept when left out.
+        """
+        scene, before = self.start, None
+        for done in self.rounds:
+            if done.attempt != attempt if attempt is not None else not done.kept:
+                continue
+            if done.kind == "policy":
+                again = before is not None and before.id == done.id
+                feedback = tuple(t.feedback for t in before.tries if t.feedback) if before and again else ()
+                yield Decision(self._observation(scene, done, feedback), done)
+                before = done
+            scene = self.after(scene, done)
+
+    def _observation(self, scene: Scene, done: Round, feedback: tuple[str, ...]) -> Observation:
+        return observe(
+            scene,
+            self.plan,
+            self.plan.target(done.id),
+            self.assets[done.asset],
+            kinds=self.kinds,
+            sizes=done.sizes,
+            round=done.number,
+            feedback=feedback,
+        )
+
+    def lines(self) -> Iterator[Line]:
+        """The lines of its trace."""
+        yield Beginning(prompt=self.prompt, seed=self.seed, room=self.room, plan=self.plan, kinds=self.kinds)
+        yield from (UsedAsset(asset=asset) for asset in self.assets.values())
+        yield from self.rounds
+
+    def to_jsonl(self) -> bytes:
+        """The bytes of its trace.jsonl."""
+        return b"".join(msgspec.json.encode(line) + b"\n" for line in self.lines())
+
+
+def read_episode(path: str | Path) -> Episode:
+    """Read an episode from a trace.jsonl, or from the output folder that holds one.
+
+    Raises:
+        InputError: it cannot be read, or a line is wrong; names the file and the line.
+    """
+    file = Path(path)
+    file = file / "trace.jsonl" if file.is_dir() else file
+    decoder = msgspec.json.Decoder(Line)
+    beginning: Beginning | None = None
+    assets: dict[str, Asset] = {}
+    rounds: list[Round] = []
+    try:
+        with file.open("rb") as lines:
+            for number, text in enumerate(iter(lambda: lines.readline(MAX_LINE), b""), 1):
+                line = _decoded(decoder, text, f"{file}, line {number}")
+                if isinstance(line, Beginning):
+                    beginning = line
+                elif isinstance(line, UsedAsset):
+                    assets[line.asset.id] = line.asset
+                else:
+                    rounds.append(line)
+    except OSError as error:
+        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+    if beginning is None:
+        raise InputError(f"{file}: no line of it begins an episode; traces of before version 0.2 hold none")
+    return _checked(file, beginning, assets, rounds)
+
+
+def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> Line:
+    try:
+        return decoder.decode(text)
+    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
+        raise InputError(f"{where}: {error}") from error
+
+
+def _checked(file: Path, beginning: Beginning, assets: dict[str, Asset], rounds: list[Round]) -> Episode:
+    if beginning.version != EPISODE_VERSION:
+        raise InputError(
+            f"{file}: episode version {beginning.version} is not known; this release reads {EPISODE_VERSION}"
+        )
+    planned = {target.id for target in beginning.plan.targets}
+    for done in rounds:
+        missing = {done.asset, *(p.asset for p in done.committed)}.difference(assets)
+        if missing:
+            raise InputError(f"{file}: a round for {done.id} speaks of an asset that is not there: {missing.pop()!r}")
+        if done.kind == "policy" and done.id not in planned:
+            raise InputError(f"{file}: a round for {done.id}, which is not planned")
+    return Episode(
+        prompt=beginning.prompt,
+        seed=beginning.seed,
+        room=beginning.room,
+        plan=beginning.plan,
+        kinds=beginning.kinds,
+        assets=assets,
+        rounds=tuple(rounds),
+    )

@@ -1,0 +1,207 @@
+"""One judge for all: a policy's text becomes an action, and that a verdict. Loop, pool, rewards and edits use it."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+from zlib import crc32
+
+from thinkblox.assets.source import AssetSource, ProceduralAssets
+from thinkblox.brief import Measures
+from thinkblox.errors import InputError
+from thinkblox.plan import Target
+from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, Turn
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import placed_at
+from thinkblox.steps import Rejection, Step, parse
+from thinkblox.value import Value, Vec3
+from thinkblox.verdict import Verdict
+
+if TYPE_CHECKING:
+    from thinkblox.sim.verdict.world import World
+    from thinkblox.sim.workers.pool import VerdictPool
+
+SAME_SIZE = 0.002
+"""Sizes nearer than this are the same [m]."""
+
+
+class Try(Value, frozen=True, kw_only=True):
+    """A policy's text and what became of it: rejected unread, or measured.
+
+    Attributes:
+        text: as the policy gave it; empty where it gave none.
+        placement: where its action puts the object, by the asset's id; None where it takes it away, or was rejected.
+        rejection: why it cannot be used.
+        verdict: what was measured.
+        feedback: what the policy is told of it, in a line; empty where it was not told.
+    """
+
+    text: str = ""
+    placement: Placement | None = None
+    rejection: Rejection | None = None
+    verdict: Verdict | None = None
+    feedback: str = ""
+
+    @property
+    def valid(self) -> bool:
+        """Whether it was measured, and nothing speaks against it."""
+        return self.verdict is not None and self.verdict.valid
+
+
+class Proposal(NamedTuple):
+    """A text that was understood: an action that the scene can take, and where it puts the object."""
+
+    text: str
+    action: Action
+    placement: Placement | None
+    asset: Asset | None
+
+
+def judge(
+    world: "World", target: Target, text: object, *, asset: Asset | None = None, source: AssetSource | None = None
+) -> Try:
+    """Read a policy's text, do what it says in a world, and measure that.
+
+    Args:
+        world: the scene so far.
+        target: the object that the policy was asked about; an answer about another one is rejected.
+        text: what it answered; anything but a string is rejected too.
+        asset: what is to be placed, for an addition; made for the target when left out.
+        source: gives other sizes, and what comes instead of something.
+    """
+    proposal = understand(world.scene, target, text, asset=asset, source=source)
+    if isinstance(proposal, Rejection):
+        return rejected(text, proposal)
+    return measured(world, proposal)
+
+
+def judge_all(
+    pool: "VerdictPool",
+    cases: Sequence[tuple[Scene, Target, Sequence[object]]],
+    *,
+    source: AssetSource | None = None,
+) -> list[list[Try]]:
+    """What `judge` gives for the texts of many cases, measured by the workers of a pool.
+
+    Args:
+        pool: where placements are measured; removals and swaps are measured in this process.
+        cases: each a scene, the object that was asked about, and the texts that were answered.
+        source: as for `judge`.
+    """
+    from thinkblox.sim.verdict.world import World
+    from thinkblox.sim.workers.pool import Job
+
+    read = [[(t, understand(scene, target, t, source=source)) for t in texts] for scene, target, texts in cases]
+    found: list[list[Try | None]] = [[None] * len(row) for row in read]
+    jobs, places = [], []
+    for row, (case, proposals) in enumerate(zip(cases, read, strict=True)):
+        for column, (text, proposal) in enumerate(proposals):
+            if isinstance(proposal, Rejection):
+                found[row][column] = rejected(text, proposal)
+            elif proposal.placement is None or proposal.asset is None or isinstance(proposal.action, Swap):
+                found[row][column] = measured(World(case[0]), proposal)
+            else:
+                jobs.append(Job(case[0], proposal.asset, [proposal.placement]))
+                places.append((row, column, proposal))
+    for (row, column, proposal), (verdict,) in zip(places, pool.check(jobs), strict=True):
+        found[row][column] = Try(text=proposal.text, placement=proposal.placement, verdict=verdict)
+    return [[t for t in row if t is not None] for row in found]
+
+
+def understand(
+    scene: Scene, target: Target, text: object, *, asset: Asset | None = None, source: AssetSource | None = None
+) -> Proposal | Rejection:
+    """Read a text and find out what it does to the scene, without measuring it; never raises, whatever the text."""
+    if not isinstance(text, str):
+        return Rejection(reason="format", message=f"the policy gave a {type(text).__name__}, not a text")
+    step = parse(text)
+    if isinstance(step, Rejection):
+        return step
+    if step.id != target.id:
+        return Rejection(reason="id", message=f"answered for {step.id}; {target.id} was asked for")
+    wrong = _impossible(scene, step)
+    if wrong:
+        return Rejection(reason="action", message=wrong)
+    source = source or ProceduralAssets()
+    try:
+        action = _action(scene, target, step, asset, source)
+        after = scene.apply(action)
+    except InputError as error:
+        return Rejection(reason="size" if step.size is not None else "action", message=str(error))
+    if step.action == "remove":
+        return Proposal(text, action, None, None)
+    placement = after[step.id]
+    return Proposal(text, action, placement, after.asset_of(placement))
+
+
+def proposed(scene: Scene, asset: Asset, text: str, *, id: str, position: Vec3, yaw: float) -> Proposal:
+    """The proposal to add an object at a known pose, with the text that says it."""
+    placement = placed_at(scene, asset, id=id, position=position, yaw=yaw)
+    return Proposal(text, Add(id=id, asset=asset, position=placement.position, yaw=placement.yaw), placement, asset)
+
+
+def measured(world: "World", proposal: Proposal) -> Try:
+    """Measure what was understood."""
+    return Try(text=proposal.text, placement=proposal.placement, verdict=world.measure(proposal.action))
+
+
+def rejected(text: object, why: Rejection) -> Try:
+    """The try of what cannot be used."""
+    return Try(text=text if isinstance(text, str) else "", rejection=why)
+
+
+def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -> Asset:
+    """The asset for a target; one seed for a whole scene, so that its furniture is of one style.
+
+    Raises:
+        InputError: the source cannot make such a thing.
+    """
+    source = source or ProceduralAssets()
+    asset = source.make(target.category, seed=style_seed(scene), attributes=target.attributes)
+    return _sized(asset, target.size, source, slack=0.0)
+
+
+def style_seed(scene: Scene) -> int:
+    """The seed of what is made for a scene."""
+    return crc32(f"{scene.seed}/{scene.prompt}".encode())
+
+
+def _sized(asset: Asset, wanted: Measures, source: AssetSource, *, slack: float = SAME_SIZE) -> Asset:
+    x, y, z = (want or usual for want, usual in zip(wanted, asset.size, strict=True))
+    same = all(abs(a - b) <= slack for a, b in zip((x, y, z), asset.size, strict=True))
+    return asset if same else source.fit(asset, (x, y, z))
+
+
+def _impossible(scene: Scene, step: Step) -> str:
+    """Why an action cannot be done to a scene; empty where it can."""
+    ids = ", ".join(p.id for p in scene.placements) or "nothing"
+    if step.action == "add" and step.id in scene:
+        return f"{step.id} stands already; move, turn, replace or remove it"
+    if step.action != "add" and step.id not in scene:
+        return f"cannot {step.action} {step.id}: it is not in the room; there are {ids}"
+    if step.other is not None and step.other not in scene:
+        return f"cannot swap {step.id} with {step.other}: it is not in the room; there are {ids}"
+    return ""
+
+
+def _action(scene: Scene, target: Target, step: Step, asset: Asset | None, source: AssetSource) -> Action:
+    id, position, yaw = step.id, step.position, step.yaw
+    match step.action:
+        case "move" if position is not None:
+            return Move(id=id, position=position, yaw=yaw)
+        case "turn" if yaw is not None:
+            return Turn(id=id, yaw=yaw)
+        case "remove":
+            return Remove(id=id)
+        case "swap" if step.other is not None:
+            return Swap(id=id, other=step.other)
+        case "replace":
+            old = scene.asset_of(scene[id])
+            new = source.make(step.category or old.category, seed=style_seed(scene), attributes=step.attributes)
+            return Replace(
+                id=id, asset=_sized(new, step.size or (None, None, None), source), position=position, yaw=yaw
+            )
+    if position is None or yaw is None:
+        raise InputError(f"{step.action} {id}: the answer says no position or no yaw")
+    made = _sized(asset or asset_for(target, scene, source), step.size or (None, None, None), source)
+    return Add(id=id, asset=made, position=position, yaw=yaw)
