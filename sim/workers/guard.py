@@ -82,12 +82,12 @@ def _main_of(function: Callable[..., object]) -> dict[str, str]:
     home = getattr(function, "__module__", None)
     if home not in (_MAIN, _MAIN_AGAIN):
         return {}
-    if home not in sys.modules:
+    main = sys.modules[_MAIN]
+    if sys.modules.get(home) is not main:
         raise InputError(
             f"{function.__qualname__} is to be called in a process of its own while the script that defines it is"
             f' being loaded there; put the call under `if __name__ == "{_MAIN}":`'
         )
-    main = sys.modules[_MAIN]
     name, file = getattr(main.__spec__, "name", None), getattr(main, "__file__", None)
     if name is not None:
         return {"init_main_from_name": name}
