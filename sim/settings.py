@@ -1,10 +1,19 @@
 """Named settings of the physics and of the verdicts, each with its unit."""
 
+import math
+from collections.abc import Iterable
+
+from msgspec.structs import asdict
+
+from thinkblox.errors import InputError
 from thinkblox.value import Value, Vec2, Vec3
+
+MOST_STEPS = 1_000_000
+"""Of `Physics.chunk`."""
 
 
 class Tolerances(Value, kw_only=True, frozen=True):
-    """Where a verdict draws its lines.
+    """Where a verdict draws its lines; raises InputError for one that is less than 0 or no number.
 
     Attributes:
         penetration: deepest contact that is still resting or touching [m].
@@ -35,9 +44,15 @@ class Tolerances(Value, kw_only=True, frozen=True):
     hold_tilt: float = 2.0
     size: float = 0.010
 
+    def __post_init__(self) -> None:
+        _refuse_less_than_zero(self, asdict(self))
+
 
 class Physics(Value, kw_only=True, frozen=True):
     """How the engine is run; the exported model carries the same options.
+
+    Raises InputError, which names the field, for what the engine cannot be run with: a time or length that is not
+    positive and finite, a settle shorter than a step, a chunk of no steps.
 
     Attributes:
         timestep: [s].
@@ -69,9 +84,23 @@ class Physics(Value, kw_only=True, frozen=True):
     wall_thickness: float = 0.1
     floor_thickness: float = 0.5
 
+    def __post_init__(self) -> None:
+        positive = ("timestep", "impratio", "settle_time", "lost", "toppled", "wall_thickness", "floor_thickness")
+        _refuse_not_positive(self, positive)
+        _refuse_less_than_zero(self, ("least_settle_time", "rest_time", "hold_time", "ground_friction"))
+        for name, numbers in (("solref", self.solref), ("gravity", self.gravity)):
+            if not all(map(math.isfinite, numbers)):
+                raise InputError(f"Physics.{name} is {numbers}; every number must be finite")
+        if not 1 <= self.chunk <= MOST_STEPS:
+            raise InputError(f"Physics.chunk is {self.chunk}; it must be 1 to {MOST_STEPS} steps")
+        if self.settle_time < self.timestep:
+            raise InputError(
+                f"Physics.settle_time is {self.settle_time:g} s; it must be at least one timestep, {self.timestep:g} s"
+            )
+
 
 class Walking(Value, kw_only=True, frozen=True):
-    """What a walkable way and a clear opening are.
+    """What a walkable way and a clear opening are; raises InputError for a measure that is less than 0 or no number.
 
     Attributes:
         width: of the walker [m].
@@ -100,3 +129,21 @@ class Walking(Value, kw_only=True, frozen=True):
     window_share: float = 0.2
     window_width: float = 0.45
     window_excess: float = 0.3
+
+    def __post_init__(self) -> None:
+        _refuse_not_positive(self, ("width", "robot"))
+        _refuse_less_than_zero(self, asdict(self))
+
+
+def _refuse_not_positive(settings: Value, names: Iterable[str]) -> None:
+    for name in names:
+        value = getattr(settings, name)
+        if not 0.0 < value < math.inf:
+            raise InputError(f"{type(settings).__name__}.{name} is {value}; it must be more than 0, and finite")
+
+
+def _refuse_less_than_zero(settings: Value, names: Iterable[str]) -> None:
+    for name in names:
+        value = getattr(settings, name)
+        if not value >= 0.0:
+            raise InputError(f"{type(settings).__name__}.{name} is {value}; it must be 0 or more")

@@ -119,10 +119,10 @@ def test_the_end_of_the_parent_is_the_end_of_the_child(tmp_path: Path, number: i
 
 
 def _wait_for_child(parent: int) -> int:
-    """The child that runs the function: spawn starts a resource tracker besides."""
+    """The child that runs the function, once it runs our module."""
     for _ in range(400):
         for pid in Path(f"/proc/{parent}/task/{parent}/children").read_text().split():
-            if b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes():
+            if b"thinkblox.sim.workers" in Path(f"/proc/{pid}/cmdline").read_bytes():
                 time.sleep(1.0)
                 return int(pid)
         time.sleep(0.05)

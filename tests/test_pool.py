@@ -108,7 +108,7 @@ def test_a_stream_keeps_the_order_and_is_not_far_ahead(pool: VerdictPool) -> Non
             read[0] += 1
             yield job
 
-    for verdicts in pool.stream(counted(), ahead=4):
+    for verdicts in pool.imap(counted(), ahead=4):
         assert read[0] - len(out) <= 4
         out.append(encoded(verdicts))
         if len(out) == 5:
@@ -222,8 +222,8 @@ def test_an_iterator_that_fails_leaves_the_pool_as_it_was(pool: VerdictPool) -> 
     with pytest.raises(LookupError, match="own"):
         pool.check(broken())
     with pytest.raises(LookupError, match="own"):
-        list(pool.stream(broken()))
-    begun = pool.stream(jobs())
+        list(pool.imap(broken()))
+    begun = pool.imap(jobs())
     next(begun)
     begun.close()
     assert encoded(pool.check_one(*crates(2))) == directly(crates(2))
@@ -369,7 +369,7 @@ def test_whatever_happens_to_the_workers_every_job_is_answered_and_no_measure_is
         harmful = threading.Thread(target=harm)
         harmful.start()
         try:
-            got = list(hurt.stream(every))
+            got = list(hurt.imap(every))
         finally:
             over.set()
             harmful.join()

@@ -1,9 +1,10 @@
 """Results of suites of published criteria: a table of criteria, and under each one what was found of every object."""
 
+from thinkblox.measured import Measured
 from thinkblox.value import Value
 
 
-class Finding(Value, frozen=True, kw_only=True):
+class Finding(Measured, frozen=True, kw_only=True):
     """What a criterion found of one object or pair.
 
     Attributes:
@@ -19,7 +20,7 @@ class Finding(Value, frozen=True, kw_only=True):
     note: str = ""
 
 
-class Criterion(Value, frozen=True, kw_only=True):
+class Criterion(Measured, frozen=True, kw_only=True):
     """One published criterion, applied to a scene.
 
     Attributes:

@@ -3,6 +3,7 @@
 import math
 from typing import Literal
 
+from thinkblox.measured import Measured
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, Vec3
 
@@ -26,7 +27,7 @@ Reason = Literal[
 ]
 
 
-class Collision(Value, frozen=True, kw_only=True):
+class Collision(Measured, frozen=True, kw_only=True):
     """How deep an object is inside another [m], and the share of its volume that is inside the other."""
 
     other: str
@@ -34,21 +35,21 @@ class Collision(Value, frozen=True, kw_only=True):
     overlap: float
 
 
-class Support(Value, frozen=True, kw_only=True):
+class Support(Measured, frozen=True, kw_only=True):
     """Who carries an object ("floor", a wall, "ceiling" or an id) and which share of its weight."""
 
     by: str
     share: float
 
 
-class Push(Value, frozen=True, kw_only=True):
+class Push(Measured, frozen=True, kw_only=True):
     """How far another object was moved by this one's settling [m]."""
 
     other: str
     distance: float
 
 
-class Swing(Value, frozen=True, kw_only=True):
+class Swing(Measured, frozen=True, kw_only=True):
     """How far a door or drawer opens.
 
     Attributes:
@@ -64,14 +65,14 @@ class Swing(Value, frozen=True, kw_only=True):
     hits: tuple[str, ...] = ()
 
 
-class Pose(Value, frozen=True, kw_only=True):
+class Pose(Measured, frozen=True, kw_only=True):
     """Where an object stands: position [m] and yaw [degrees], as of a Placement."""
 
     position: Vec3
     yaw: float
 
 
-class Verdict(Value, frozen=True, kw_only=True):
+class Verdict(Measured, frozen=True, kw_only=True):
     """What physics measured about one placement.
 
     Attributes:
@@ -126,12 +127,12 @@ class Verdict(Value, frozen=True, kw_only=True):
     @property
     def r_coll(self) -> float:
         """Collision reward of the ThinkBLOX paper, -tanh(5 sum rho), rho being the overlap ratios; -1 to 0."""
-        return -math.tanh(5.0 * self.overlap)
+        return 0.0 - math.tanh(5.0 * self.overlap)
 
     @property
     def r_layout(self) -> float:
         """Boundary reward of the ThinkBLOX paper, -tanh of the distance outside in metres; -1 to 0."""
-        return -math.tanh(self.outside)
+        return 0.0 - math.tanh(self.outside)
 
     def __str__(self) -> str:
         """One line a person or a policy can act on: every failed measure with its number and its counterpart."""
@@ -186,7 +187,7 @@ class RelationResult(Value, frozen=True, kw_only=True):
     measured: str
 
 
-class Access(Value, frozen=True, kw_only=True):
+class Access(Measured, frozen=True, kw_only=True):
     """What can be walked to, or driven to by a robot.
 
     Attributes:
@@ -200,7 +201,7 @@ class Access(Value, frozen=True, kw_only=True):
     unreachable: tuple[str, ...] = ()
 
 
-class Move(Value, frozen=True, kw_only=True):
+class Move(Measured, frozen=True, kw_only=True):
     """How an object was moved to mend a fault.
 
     Attributes:
@@ -219,7 +220,7 @@ class Move(Value, frozen=True, kw_only=True):
     mended: bool
 
 
-class Report(Value, frozen=True, kw_only=True):
+class Report(Measured, frozen=True, kw_only=True):
     """The verdict on a whole scene.
 
     Attributes:

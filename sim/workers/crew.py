@@ -1,7 +1,6 @@
 """Who does what in a verdict pool: a line of jobs that wait, and for each worker a hand, a thread with its process."""
 
 import threading
-import time
 from collections import deque
 from collections.abc import Sequence
 from queue import SimpleQueue
@@ -9,15 +8,18 @@ from queue import SimpleQueue
 import msgspec
 
 from thinkblox.errors import ThinkBloxError
+from thinkblox.sim.workers.child import StartError
 from thinkblox.sim.workers.parcel import Parcel
-from thinkblox.sim.workers.process import LostError, StartError, WorkerProcess
+from thinkblox.sim.workers.process import LostError, WorkerProcess
 from thinkblox.sim.workers.wire import Reply, WorkerSettings, unmeasured
 from thinkblox.verdict import Verdict
 
 STARTS = 3
-"""Worker processes in a row that may fail to start before their hand gives up."""
-PAUSE = 0.2
-"""Between two such attempts [s]."""
+"""Worker processes in a row that may fail to start by themselves before their hand gives up."""
+KILLED = 12
+"""Those in a row that may be killed while they start: want of memory, or somebody's hand, may pass."""
+PAUSE, LONGEST_PAUSE = 0.2, 5.0
+"""Before the second attempt, then twice as long each time, but no longer than that [s]."""
 GUILTY = 2
 """When so many candidates of a job each cost a worker, and none was measured, the rest is not tried."""
 OWNED = 10_000
@@ -146,7 +148,7 @@ class Hand:
         self._settings = settings
         self._answers = msgspec.msgpack.Decoder(Reply)
         self._lock = threading.RLock()
-        self._stopped = False
+        self._stopped = threading.Event()
         self._done: tuple[Parcel, list[Verdict]] | None = None
         self._process = WorkerProcess(settings)
         self._thread = threading.Thread(target=self._work, name=f"verdicts of {self._process.pid}", daemon=True)
@@ -164,7 +166,7 @@ class Hand:
     def stop(self) -> None:
         """End the process and start no other; the thread then ends by itself, once the line is closed."""
         with self._lock:
-            self._stopped = True
+            self._stopped.set()
             self._process.kill()
 
     def wait(self) -> None:
@@ -235,28 +237,31 @@ class Hand:
     def _ask(self, parcel: Parcel, chosen: Sequence[int]) -> list[Verdict]:
         process = self._live()
         answer = self._answers.decode(process.ask(parcel.task(process.known, chosen)))
+        verdicts = parcel.verdicts(answer, process.known, chosen)
         if answer.full:
             process.end()
-        return parcel.verdicts(answer, process.known, chosen)
+        return verdicts
 
     def _live(self) -> WorkerProcess:
         """The worker process, ready to be asked; a new one when it was lost. Raises StartError when none starts."""
-        for attempt in range(STARTS):
+        failed = killed = 0
+        while True:
             try:
                 if not self._process.alive:
                     self._replace()
                 self._process.wait_until_ready()
             except StartError as error:
-                if self._stopped or attempt == STARTS - 1:
-                    raise StartError(f"{STARTS} attempts to start a worker failed; the last: {error}") from error
-                time.sleep(PAUSE)
+                failed, killed = failed + (not error.killed), killed + error.killed
+                if self._stopped.is_set() or failed == STARTS or killed == KILLED:
+                    attempts = f"{failed + killed} attempts to start a worker failed"
+                    raise StartError(f"{attempts}; the last: {error}") from error
+                self._stopped.wait(min(LONGEST_PAUSE, PAUSE * 2 ** (failed + killed - 1)))
             else:
-                break
-        return self._process
+                return self._process
 
     def _replace(self) -> None:
         self._process.end()
         with self._lock:
-            if self._stopped:
+            if self._stopped.is_set():
                 raise StartError("the pool is closed")
             self._process = WorkerProcess(self._settings)

@@ -1,6 +1,6 @@
 """Verdicts for trainers: candidates of many scenes in, verdicts in order out, measured by worker processes.
 
-from thinkblox.sim.workers.pool import Job, VerdictPool
+from thinkblox.sim.workers import Job, VerdictPool
 
 with VerdictPool(workers=8) as pool:
     jobs = [Job(scene, asset, candidates) for scene, asset, candidates in batch]
@@ -33,7 +33,7 @@ from thinkblox.verdict import Verdict
 WAITING = 16
 """Jobs for each worker that may wait to be begun."""
 AHEAD = 64
-"""Jobs for each worker that `VerdictPool.stream` is ahead of its reader, unless told otherwise."""
+"""Jobs for each worker that `VerdictPool.imap` is ahead of its reader, unless told otherwise."""
 GIB = 2**30
 
 
@@ -140,31 +140,29 @@ class VerdictPool:
     def check(self, jobs: Iterable[Job]) -> list[list[Verdict]]:
         """Measure every candidate of every job; for each job, in order, its candidates' verdicts in order.
 
-        The jobs are read as they are needed: a generator of a million of them never has more than a few in memory.
+        The jobs are read as they are needed, and let go of when they are done: a generator of a million of them never
+        has more than a few in memory, beside the verdicts. For a stream without an end there is `imap`.
 
         Raises:
             ThinkBloxError: the pool is closed, or no worker can be started any more.
             InputError: a job that is not made of a Scene, an Asset and Placements.
         """
-        answers: list[Future[list[Verdict]]] = []
-        try:
-            answers.extend(self.submit(*job) for job in jobs)
-            return [answer.result() for answer in answers]
-        finally:
-            _drop(answers)
+        return list(self._ordered(jobs, math.inf))
 
-    def stream(self, jobs: Iterable[Job], *, ahead: int | None = None) -> Generator[list[Verdict]]:
-        """As `check`, one job's verdicts after the other, as soon as those before it are there.
+    def imap(self, jobs: Iterable[Job], *, ahead: int | None = None) -> Generator[list[Verdict]]:
+        """As `check`, one job's verdicts after the other, as soon as those before it are there; also without an end.
 
         Between two of them the workers go on with the jobs after; with at most `ahead` jobs that were read from
-        `jobs` and not yet handed out. What was begun and is not read to the end is given up.
+        `jobs` and not yet handed out, which is all that is kept. What was begun and is not read to the end is given up.
         """
+        return self._ordered(jobs, max(1, self._ahead if ahead is None else ahead))
+
+    def _ordered(self, jobs: Iterable[Job], ahead: float) -> Generator[list[Verdict]]:
         answers: deque[Future[list[Verdict]]] = deque()
-        limit = max(1, self._ahead if ahead is None else ahead)
         try:
             for job in jobs:
                 answers.append(self.submit(*job))
-                while answers and (len(answers) >= limit or answers[0].done()):
+                while answers and (len(answers) >= ahead or answers[0].done()):
                     yield answers.popleft().result()
             while answers:
                 yield answers.popleft().result()

@@ -1,9 +1,6 @@
-"""What a verdict pool and its worker processes say to each other: MessagePack messages, in frames on a socket."""
+"""What a verdict pool and its worker processes say to each other: MessagePack messages."""
 
 import numbers
-import socket
-import struct
-import time
 from typing import Any
 
 import msgspec
@@ -15,8 +12,6 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.verdict import Verdict
-
-_LENGTH = struct.Struct("!I")
 
 
 class WorkerSettings(msgspec.Struct, frozen=True, array_like=True):
@@ -87,32 +82,3 @@ def encode(value: Any) -> bytes:
 def unmeasured(id: str, message: str) -> Verdict:
     """The verdict on a candidate that could not be measured."""
     return Verdict(id=id, valid=False, reasons=("error",), message=message)
-
-
-def send_frame(channel: socket.socket, message: bytes, *, until: float | None = None) -> None:
-    """Send a message; raises TimeoutError at the monotonic time `until` [s], another OSError when nobody listens."""
-    channel.settimeout(_left(until))
-    channel.sendall(_LENGTH.pack(len(message)) + message)
-
-
-def receive_frame(channel: socket.socket, *, until: float | None = None) -> bytes:
-    """The next message; raises TimeoutError at the monotonic time `until` [s], EOFError when nobody sends any more."""
-    (length,) = _LENGTH.unpack(_receive(channel, _LENGTH.size, until))
-    return bytes(_receive(channel, length, until))
-
-
-def _receive(channel: socket.socket, length: int, until: float | None) -> bytearray:
-    data = bytearray(length)
-    view = memoryview(data)
-    while view:
-        channel.settimeout(_left(until))
-        count = channel.recv_into(view)
-        if not count:
-            raise EOFError
-        view = view[count:]
-    return data
-
-
-def _left(until: float | None) -> float | None:
-    # What has arrived is taken even when it is late: this process may have been suspended itself.
-    return None if until is None else max(0.001, until - time.monotonic())

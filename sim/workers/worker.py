@@ -1,14 +1,11 @@
 """A worker process of a verdict pool: keeps worlds, reads tasks from a socket and writes answers to it.
 
-Started by thinkblox.sim.workers.process as `python -m thinkblox.sim.workers.worker SOCKET PARENT`.
+Started by thinkblox.sim.workers.process as a `Child`.
 """
 
-import contextlib
 import faulthandler
 import mmap
-import os
 import signal
-import socket
 import sys
 from collections import OrderedDict
 from collections.abc import Sequence
@@ -21,13 +18,13 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict.world import World
-from thinkblox.sim.workers.wire import Reply, Task, WorkerSettings, encode, receive_frame, send_frame, unmeasured
+from thinkblox.sim.workers.frames import receive_frame, send_frame
+from thinkblox.sim.workers.inside import attached, go_first, wait_for_message
+from thinkblox.sim.workers.wire import Reply, Task, WorkerSettings, encode, unmeasured
 from thinkblox.verdict import Verdict
 
 ASSETS = 4096
 """Assets that are kept beside those of the worlds."""
-LOOK = 2.0
-"""An idle worker looks this often whether the process that started it is still there [s]."""
 GRACE = 5.0
 """How long after its time limit a task ends this process by itself, should nobody have ended it [s]."""
 
@@ -132,13 +129,13 @@ def _resident() -> int:
 def main(arguments: Sequence[str]) -> None:
     """Read the settings, say that all is ready, and answer tasks until nobody is there to ask any more."""
     faulthandler.enable()
-    channel, parent = socket.socket(fileno=int(arguments[0])), int(arguments[1])
+    channel, parent = attached(arguments)
     try:
         settings = msgspec.msgpack.decode(receive_frame(channel), type=WorkerSettings)
-        _go_first()
+        go_first()
         worlds = Worlds(settings)
         send_frame(channel, b"")
-        while _wait(channel, parent):
+        while wait_for_message(channel, parent):
             message = receive_frame(channel)
             # The default action of this signal needs no interpreter: it works in the midst of the engine too.
             signal.setitimer(signal.ITIMER_REAL, settings.timeout + GRACE)
@@ -147,23 +144,6 @@ def main(arguments: Sequence[str]) -> None:
             send_frame(channel, answer)
     except (EOFError, OSError):
         return
-
-
-def _go_first() -> None:
-    """When the machine runs out of memory, let Linux end this process, which is replaced, and not the caller's."""
-    with contextlib.suppress(OSError):
-        Path("/proc/self/oom_score_adj").write_text("800")
-
-
-def _wait(channel: socket.socket, parent: int) -> bool:
-    """Wait for a message; False when the parent is gone, even if some other process holds its end of the socket."""
-    while os.getppid() == parent:
-        channel.settimeout(LOOK)
-        try:
-            return bool(channel.recv(1, socket.MSG_PEEK))
-        except TimeoutError:
-            continue
-    return False
 
 
 if __name__ == "__main__":
