@@ -136,6 +136,8 @@ def test_what_cannot_be_registered_is_refused(more: dict[str, object], message: 
         ({"groups": ("surfaces:first",)}, "whole number"),
         ({"habits": ("upon desk",)}, "no relation 'upon'; there are"),
         ({"habits": ("on @desk",)}, "no group 'desk'"),
+        ({"rooms": {"bedroom": "two : on desk"}}, "the count before ':' must be a whole number"),
+        ({"rooms": {"bedroom": "2 : upon desk"}}, "no relation 'upon'; there are"),
     ],
 )
 def test_facts_that_name_nothing_are_refused(more: dict[str, object], message: str) -> None:
