@@ -123,13 +123,13 @@ class Facts:
             if place and not place.isdecimal():
                 raise InputError(f"group {group!r}: the place after ':' must be a whole number")
         for habit in self.habits:
-            kind, _, anchor = habit.partition(" if ")[0].partition(" ")
-            if kind not in get_args(RelationKind):
-                raise InputError(
-                    f"habit {habit!r}: no relation {kind!r}; there are {', '.join(get_args(RelationKind))}"
-                )
-            if anchor.startswith("@"):
-                _check_group(anchor[1:])
+            _check_relation(habit, habit.partition(" if ")[0])
+        for line in self.rooms.values():
+            count, _, how = line.rpartition(":")
+            if count.strip() and not count.strip().isdecimal():
+                raise InputError(f"rooms {line!r}: the count before ':' must be a whole number")
+            for relation in filter(None, how.strip().split(", ")):
+                _check_relation(line, relation)
 
     @cached_property
     def places(self) -> Mapping[str, int]:
@@ -149,3 +149,12 @@ class Facts:
 def _check_group(name: str) -> None:
     if name not in GROUPS:
         raise InputError(f"no group {name!r}; there are {', '.join(sorted(GROUPS))}")
+
+
+def _check_relation(where: str, relation: str) -> None:
+    """Raise InputError where "<relation> <anchor>" names no relation, or no group after "@"."""
+    kind, _, anchor = relation.partition(" ")
+    if kind not in _RELATIONS:
+        raise InputError(f"{where!r}: no relation {kind!r}; there are {', '.join(_RELATIONS)}")
+    if anchor.startswith("@"):
+        _check_group(anchor[1:])

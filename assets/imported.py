@@ -10,6 +10,7 @@ import numpy as np
 from msgspec import structs
 from numpy.typing import NDArray
 
+from thinkblox.assets.catalogue import facts_of
 from thinkblox.scene.asset import Asset, Link, Mount, Shape
 from thinkblox.value import Vec3
 
@@ -44,7 +45,7 @@ def imported_asset(
         provenance=provenance,
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
-    return structs.replace(asset, id=f"{category}-{digest}")
+    return structs.replace(asset, id=f"{category}-{digest}", gaze=facts_of(category).gaze)
 
 
 def box_shape(size: Vec3, *, category: str, collide: bool = True) -> Shape:

@@ -63,7 +63,7 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
     if not (category.seats and count):
         return size
     x, y, z = size
-    if category.front == "one" or category.name in ("bench", "pew"):
+    if category.front == "one" or category.is_in("seating"):
         return (x, y * (count + 0.35) / (category.seats + 0.35), z)
     if {"round", "circular"} & set(words):
         across = max(0.8, 0.62 * count / np.pi + 0.18)

@@ -1,6 +1,11 @@
 import pytest
+from hypothesis import settings
 
 from thinkblox.scene.asset import Asset, Link, Shape
+
+# A busy machine makes an example slow, not wrong.
+settings.register_profile("steady", deadline=None)
+settings.load_profile("steady")
 
 
 def unit_box() -> Asset:

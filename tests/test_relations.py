@@ -45,6 +45,7 @@ def thing(
         friction=0.6,
         mount=mount,  # type: ignore[arg-type]
         front=front,  # type: ignore[arg-type]
+        gaze="back" if category == "desk" else "front",
         links=(Link(name="body", shapes=(shape,)),),
         surfaces=(Surface(name="top", position=(0.0, 0.0, size[2]), size=size[:2]),),
     )

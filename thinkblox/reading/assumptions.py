@@ -130,7 +130,7 @@ def _build_in(draft: Draft) -> None:
     """A cabinet for a sink or hob where there is no worktop; what is said of its place is then said of the cabinet."""
     habits = load_habits()
     alone = [t for t in draft.things if habits.is_in(t.noun, "built_in")]
-    if any(habits.is_in(t.noun, "worktops", "counters") or t.noun == "workbench" for t in draft.things):
+    if any(habits.is_in(t.noun, "takes_built_in") for t in draft.things):
         return
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
@@ -154,7 +154,7 @@ def _carrier(draft: Draft, carriers: list[str]) -> str:
     """Return the usual carrier; a side table rather than a dining table where nobody dines."""
     if not carriers:
         return ""
-    large = load_habits().is_in(carriers[0], "meal_tables") or carriers[0] == "display_table"
+    large = load_habits().is_in(carriers[0], "large_tables")
     public = room_type(draft.room).public
     return "side_table" if large and not public and "side_table" in carriers else carriers[0]
 

@@ -145,7 +145,7 @@ class Walker(Nouns):
         if head is None:
             self.general = True
             return
-        written = isinstance(contents, Phrase) and contents.value in ("book", "magazine")
+        written = isinstance(contents, Phrase) and self.habits.is_in(contents.value, "fills_shelves")
         books = written and self.habits.is_in(head.noun, "takes_books")
         if not isinstance(contents, Phrase) or books or not self.habits.is_in(head.noun, "surfaces"):
             head.attributes.append("filled")
