@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from tests.layout_rooms import BEDROOM, WRITERS, write
 from thinkblox.errors import InputError
 from thinkblox.importing import FORMATS, detect, read_layout
-from thinkblox.importing.layout import Layout
+from thinkblox.importing.layout import ForeignLayout
 
 DATA = Path(__file__).parent / "data" / "layouts"
 BOXED = [f for f in FORMATS if f not in ("metaspatial", "sceneeval")]
@@ -342,7 +342,7 @@ def test_transforms_that_are_none(tmp_path):
     _refused(_with(tmp_path, "il3d", ("objects", 0, "rotation"), [0, 0, 0, 0]), "quaternion")
 
 
-# --- fuzzing: any document gives a Layout or an InputError -----------------------------------------------------------
+# --- fuzzing: any document gives a ForeignLayout or an InputError ----------------------------------------------------
 
 ODD: st.SearchStrategy[Any] = st.sampled_from(
     [None, True, 0, -1, 1e-9, 1e6, 1e17, "", "x", "../x", "\u0000", [], {}, [[]], [1], {"x": 1}]
@@ -362,7 +362,7 @@ def _only_layouts_and_input_errors(path, format):
         layout = read_layout(path, format=format, short_side=3.0)
     except InputError:
         return
-    assert isinstance(layout, Layout)
+    assert isinstance(layout, ForeignLayout)
     for placement in layout.scene.placements:
         assert np.isfinite([*placement.position, placement.yaw, *placement.size]).all()
 

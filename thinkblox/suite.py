@@ -1,10 +1,10 @@
 """Results of suites of published criteria: a table of criteria, and under each one what was found of every object."""
 
-from thinkblox.measured import Measured
+from thinkblox.measurement import Measurement
 from thinkblox.value import Value
 
 
-class Finding(Measured, frozen=True, kw_only=True):
+class Finding(Measurement, frozen=True, kw_only=True):
     """What a criterion found of one object or pair.
 
     Attributes:
@@ -20,7 +20,7 @@ class Finding(Measured, frozen=True, kw_only=True):
     note: str = ""
 
 
-class Criterion(Measured, frozen=True, kw_only=True):
+class Criterion(Measurement, frozen=True, kw_only=True):
     """One published criterion, applied to a scene.
 
     Attributes:

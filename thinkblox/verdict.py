@@ -3,7 +3,7 @@
 import math
 from typing import Literal
 
-from thinkblox.measured import Measured
+from thinkblox.measurement import Measurement
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, Vec3
 
@@ -27,7 +27,7 @@ Reason = Literal[
 ]
 
 
-class Collision(Measured, frozen=True, kw_only=True):
+class Collision(Measurement, frozen=True, kw_only=True):
     """How deep an object is inside another [m], and the share of its volume that is inside the other."""
 
     other: str
@@ -35,21 +35,21 @@ class Collision(Measured, frozen=True, kw_only=True):
     overlap: float
 
 
-class Support(Measured, frozen=True, kw_only=True):
+class Support(Measurement, frozen=True, kw_only=True):
     """Who carries an object ("floor", a wall, "ceiling" or an id) and which share of its weight."""
 
     by: str
     share: float
 
 
-class Push(Measured, frozen=True, kw_only=True):
+class Push(Measurement, frozen=True, kw_only=True):
     """How far another object was moved by this one's settling [m]."""
 
     other: str
     distance: float
 
 
-class Swing(Measured, frozen=True, kw_only=True):
+class Swing(Measurement, frozen=True, kw_only=True):
     """How far a door or drawer opens.
 
     Attributes:
@@ -65,14 +65,14 @@ class Swing(Measured, frozen=True, kw_only=True):
     hits: tuple[str, ...] = ()
 
 
-class Pose(Measured, frozen=True, kw_only=True):
+class Pose(Measurement, frozen=True, kw_only=True):
     """Where an object stands: position [m] and yaw [degrees], as of a Placement."""
 
     position: Vec3
     yaw: float
 
 
-class Verdict(Measured, frozen=True, kw_only=True):
+class Verdict(Measurement, frozen=True, kw_only=True):
     """What physics measured about one placement.
 
     Attributes:
@@ -187,7 +187,7 @@ class RelationResult(Value, frozen=True, kw_only=True):
     measured: str
 
 
-class Access(Measured, frozen=True, kw_only=True):
+class Access(Measurement, frozen=True, kw_only=True):
     """What can be walked to, or driven to by a robot.
 
     Attributes:
@@ -201,7 +201,7 @@ class Access(Measured, frozen=True, kw_only=True):
     unreachable: tuple[str, ...] = ()
 
 
-class Move(Measured, frozen=True, kw_only=True):
+class Move(Measurement, frozen=True, kw_only=True):
     """How an object was moved to mend a fault.
 
     Attributes:
@@ -220,7 +220,7 @@ class Move(Measured, frozen=True, kw_only=True):
     mended: bool
 
 
-class Report(Measured, frozen=True, kw_only=True):
+class Report(Measurement, frozen=True, kw_only=True):
     """The verdict on a whole scene.
 
     Attributes:

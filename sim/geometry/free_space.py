@@ -70,7 +70,7 @@ def wall_plane(room: Room, wall: Wall) -> Plane:
 
 
 @dataclass(frozen=True)
-class Piece:
+class FlatPiece:
     """A convex piece as a plane sees it: corners (n, 2) in it, and its extent across it [m]."""
 
     corners: Array
@@ -78,14 +78,14 @@ class Piece:
     high: float
 
 
-def pieces_of(plane: Plane, placement: Placement, asset: Asset) -> tuple[Piece, ...]:
+def pieces_of(plane: Plane, placement: Placement, asset: Asset) -> tuple[FlatPiece, ...]:
     """The pieces of a placed asset: its colliding shapes, or all of them where none collides."""
     matrix = pose(placement)
     found = []
     for points in _shapes(asset):
         flat = plane.coordinates(points @ matrix[:, :3].T + matrix[:, 3])
         corners = shapely.get_coordinates(MultiPoint(flat[:, :2]).convex_hull)
-        found.append(Piece(corners, float(flat[:, 2].min()), float(flat[:, 2].max())))
+        found.append(FlatPiece(corners, float(flat[:, 2].min()), float(flat[:, 2].max())))
     return tuple(found)
 
 
@@ -96,7 +96,7 @@ def _shapes(asset: Asset) -> tuple[Array, ...]:
 
 
 def free_space(
-    plane: Plane, at: Array, mine: Sequence[Piece], obstacles: Sequence[Piece], zones: Sequence[Piece] = ()
+    plane: Plane, at: Array, mine: Sequence[FlatPiece], obstacles: Sequence[FlatPiece], zones: Sequence[FlatPiece] = ()
 ) -> BaseGeometry:
     """Where, in (u, v), a thing can be whose pieces are `mine` when it is at `at`, shifted within the plane.
 
@@ -107,17 +107,17 @@ def free_space(
         obstacles: pieces of the things that it must not overlap.
         zones: pieces that must stay free besides.
     """
-    own = [Piece(piece.corners - at, piece.low, piece.high) for piece in mine]
+    own = [FlatPiece(piece.corners - at, piece.low, piece.high) for piece in mine]
     pairs = [(a, b) for a in (*obstacles, *zones) for b in own if _level(a, b)]
     taken = _beyond(plane.outline, own) + [_sum(a.corners, -b.corners) for a, b in pairs]
     return shapely.difference(plane.outline, shapely.union_all(taken))
 
 
-def _level(a: Piece, b: Piece) -> bool:
+def _level(a: FlatPiece, b: FlatPiece) -> bool:
     return min(a.high, b.high) - max(a.low, b.low) > SKIN
 
 
-def _beyond(outline: Polygon, mine: Sequence[Piece]) -> list[BaseGeometry]:
+def _beyond(outline: Polygon, mine: Sequence[FlatPiece]) -> list[BaseGeometry]:
     """Shifts at which some piece crosses an edge of the room; of the hull of all pieces where the room is convex."""
     convex = shapely.area(shapely.convex_hull(outline)) - shapely.area(outline) < 1e-9
     whole = np.vstack([piece.corners for piece in mine])
@@ -132,13 +132,13 @@ def _sum(a: Array, b: Array) -> BaseGeometry:
     return MultiPoint((a[:, None] + b[None]).reshape(-1, 2)).convex_hull
 
 
-def carried_within(space: BaseGeometry, obstacles: Iterable[Piece], base: float) -> BaseGeometry:
+def carried_within(space: BaseGeometry, obstacles: Iterable[FlatPiece], base: float) -> BaseGeometry:
     """The part of a free space in which the object's origin is over a top at the height of its base [m]."""
     tops = [MultiPoint(p.corners).convex_hull for p in obstacles if abs(p.high - base) < LEVEL]
     return shapely.intersection(space, shapely.buffer(shapely.union_all(tops), -INSET))
 
 
-def zone_pieces(room: Room, walking: Walking, *, windows: bool) -> tuple[Piece, ...]:
+def zone_pieces(room: Room, walking: Walking, *, windows: bool) -> tuple[FlatPiece, ...]:
     """The zones inside doors, and before windows if these count, as pieces that must stay free."""
     found = []
     for opening in room.openings:
@@ -150,5 +150,5 @@ def zone_pieces(room: Room, walking: Walking, *, windows: bool) -> tuple[Piece, 
             continue
         inner = shapely.get_coordinates(shapely.buffer(zone, -GRAZE / 2))
         if len(inner):
-            found.append(Piece(inner, low, high))
+            found.append(FlatPiece(inner, low, high))
     return tuple(found)

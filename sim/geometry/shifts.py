@@ -14,7 +14,7 @@ from thinkblox.scene.placement import Placement, apart, to_micrometres
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import ON_FLOOR
 from thinkblox.sim.geometry.free_space import (
-    Piece,
+    FlatPiece,
     Plane,
     carried_within,
     floor_plane,
@@ -88,7 +88,7 @@ def _plane(scene: Scene, placement: Placement, asset: Asset) -> Plane:
 
 
 def _steps(
-    scene: Scene, plane: Plane, placement: Placement, own: Sequence[Piece], obstacles: Iterable[Piece]
+    scene: Scene, plane: Plane, placement: Placement, own: Sequence[FlatPiece], obstacles: Iterable[FlatPiece]
 ) -> tuple[float, ...]:
     """By how much it is shifted across the plane: onto the wall, the ceiling, the floor, or tops that are near [m].
 
@@ -109,15 +109,15 @@ def _at_level(
     plane: Plane,
     placement: Placement,
     asset: Asset,
-    own: Sequence[Piece],
-    mine: Sequence[Piece],
-    obstacles: Sequence[Piece],
-    zones: Sequence[Piece],
+    own: Sequence[FlatPiece],
+    mine: Sequence[FlatPiece],
+    obstacles: Sequence[FlatPiece],
+    zones: Sequence[FlatPiece],
     step: float,
 ) -> list[Shift]:
     """Poses after one step across the plane."""
     u, v, w = plane.coordinates(np.array([placement.position]))[0]
-    raised = [Piece(piece.corners, piece.low + step, piece.high + step) for piece in mine]
+    raised = [FlatPiece(piece.corners, piece.low + step, piece.high + step) for piece in mine]
     space = free_space(plane, np.array([u, v]), raised, obstacles if asset.collides else (), zones)
     base = min(piece.low for piece in own) + step
     if plane.upright and asset.free and base > ON_FLOOR:

@@ -26,7 +26,7 @@ OWNED = 10_000
 """Scenes of which it is remembered who has them."""
 
 
-class Line:
+class WaitingLine:
     """Jobs that wait. A scene goes to the hand that was given it before, but none is idle while anything waits.
 
     At most `length` jobs wait: then `put` does, so that jobs are made no faster than they are done.
@@ -141,7 +141,7 @@ class Hand:
         mail: the job it gets while it is idle; None to go home.
     """
 
-    def __init__(self, line: Line, settings: WorkerSettings) -> None:
+    def __init__(self, line: WaitingLine, settings: WorkerSettings) -> None:
         """Start the process; raises StartError when the system refuses."""
         self.mail: SimpleQueue[Parcel | None] = SimpleQueue()
         self._line = line

@@ -25,7 +25,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Physics, Tolerances, Walking
-from thinkblox.sim.workers.crew import Hand, Line
+from thinkblox.sim.workers.crew import Hand, WaitingLine
 from thinkblox.sim.workers.parcel import Keys, Parcel
 from thinkblox.sim.workers.wire import Reply, WorkerSettings
 from thinkblox.verdict import Verdict
@@ -115,12 +115,12 @@ class VerdictPool:
         self._owner = os.getpid()
         self._ahead = AHEAD * max(1, workers)
         self._hands: list[Hand] = []
-        self._line: Line | _Here = Line(WAITING * workers) if workers else _Here(settings)
+        self._line: WaitingLine | _Here = WaitingLine(WAITING * workers) if workers else _Here(settings)
         self._end = weakref.finalize(self, _end, self._line, self._hands, self._owner)
-        if isinstance(self._line, Line):
+        if isinstance(self._line, WaitingLine):
             self._start(self._line, settings, workers)
 
-    def _start(self, line: Line, settings: WorkerSettings, workers: int) -> None:
+    def _start(self, line: WaitingLine, settings: WorkerSettings, workers: int) -> None:
         try:
             for _ in range(workers):
                 hand = Hand(line, settings)
@@ -251,7 +251,7 @@ def _drop(answers: Iterable[Future[list[Verdict]]]) -> None:
         answer.cancel()
 
 
-def _end(line: Line | _Here, hands: list[Hand], owner: int) -> None:
+def _end(line: WaitingLine | _Here, hands: list[Hand], owner: int) -> None:
     # A child that was forked has a copy of the pool, but the processes are not its own.
     if os.getpid() != owner:
         return

@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING, Any
 from thinkblox.importing.detect import FORMATS, detect
 
 if TYPE_CHECKING:
-    from thinkblox.importing.layout import Layout, read_layout
+    from thinkblox.importing.layout import ForeignLayout, read_layout
 
-__all__ = ["FORMATS", "Layout", "detect", "read_layout"]
+__all__ = ["FORMATS", "ForeignLayout", "detect", "read_layout"]
 
 
 def __getattr__(name: str) -> Any:
-    """`Layout` and `read_layout` load the mesh libraries, so they are imported when first asked for."""
-    if name in ("Layout", "read_layout"):
+    """`ForeignLayout` and `read_layout` load the mesh libraries, so they are imported when first asked for."""
+    if name in ("ForeignLayout", "read_layout"):
         from thinkblox.importing import layout
 
         return getattr(layout, name)

@@ -29,7 +29,7 @@ HEIGHT = 2.6
 """Of a room where the layout has none [m]."""
 
 
-class Layout(Value, frozen=True, kw_only=True):
+class ForeignLayout(Value, frozen=True, kw_only=True):
     """What was read.
 
     Attributes:
@@ -55,7 +55,7 @@ def read_layout(
     height: float = HEIGHT,
     room: str | None = None,
     short_side: float | None = None,
-) -> Layout:
+) -> ForeignLayout:
     """Read a layout of another generator.
 
     Args:
@@ -112,7 +112,7 @@ def _draft(
     return read_layoutvlm(document, library) if format == "layoutvlm" else read_idesign(document, library)
 
 
-def _layout(document: Document, draft: LayoutDraft, format: str, height: float) -> Layout:
+def _layout(document: Document, draft: LayoutDraft, format: str, height: float) -> ForeignLayout:
     _check_items(document, draft.items)
     room, (dx, dy), notes = room_of(document, draft.outline, height=height)
     shift = (dx, dy, -draft.outline.level)
@@ -120,7 +120,7 @@ def _layout(document: Document, draft: LayoutDraft, format: str, height: float) 
     ids = _ids(room, draft.items)
     scene = _scene(room, bodies, ids, mounts_of(room, bodies), plain(draft.prompt))
     said = [*draft.notes, *notes, *(note for body in bodies for note in body.notes)]
-    return Layout(
+    return ForeignLayout(
         scene=scene,
         format=format,
         substituted=tuple(id for id, body in zip(ids, bodies, strict=True) if body.boxed),

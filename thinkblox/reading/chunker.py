@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from thinkblox.reading.lexicon import LONGEST, Entry, Lexeme, Lexicon
-from thinkblox.reading.phrases import Item, Link, Phrase, PhraseKind, Unknown
+from thinkblox.reading.phrases import Connective, Item, Phrase, PhraseKind, Unknown
 from thinkblox.reading.sizes import Size, read_size
 from thinkblox.reading.tokens import Token
 
@@ -58,13 +58,13 @@ class Chunker:
         self.take(lexeme)
         if lexeme.first.kind == "mark":
             if lexeme.first.text in _STOPS:
-                yield Link(_STOPS[lexeme.first.text])
+                yield Connective(_STOPS[lexeme.first.text])
             elif lexeme.first.text in "()[]–—/":
-                yield Link("comma", lexeme.first.text)
+                yield Connective("comma", lexeme.first.text)
         elif entry := lexeme.entry("adverb", "having", "relation"):
-            yield Link(entry.sort, entry.value)
+            yield Connective(entry.sort, entry.value)
         elif entry := next((e for e in lexeme.entries if e.sort == "word" and e.value in _LINKS), None):
-            yield Link(entry.value)
+            yield Connective(entry.value)
         elif not lexeme.entries and lexeme.first.kind == "word" and not is_owner(lexeme):
             yield Unknown(lexeme.shown)
 

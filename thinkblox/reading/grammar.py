@@ -6,7 +6,7 @@ from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Draft
 from thinkblox.reading.memory import Front, OpenList, Waiting
 from thinkblox.reading.nouns import Nouns
-from thinkblox.reading.phrases import Item, Link, Phrase, Unknown
+from thinkblox.reading.phrases import Connective, Item, Phrase, Unknown
 from thinkblox.reading.sizes import Size
 
 _ROOM_SIDES = {"left_of": "left_wall", "right_of": "right_wall"}
@@ -24,13 +24,13 @@ class Walker(Nouns):
                 self.strays.append(item.text)
                 continue
             self._strays(item)
-            if isinstance(item, Link):
+            if isinstance(item, Connective):
                 self._link(item)
             elif isinstance(item, Size):
                 self._size(item)
             else:
                 self._phrase(item)
-        self._strays(Link("stop"))
+        self._strays(Connective("stop"))
         self._elided()
         return self.draft
 
@@ -38,7 +38,7 @@ class Walker(Nouns):
         """Unknown words that fill a place in a list are things we do not have; others are only listed."""
         if not self.strays:
             return
-        ends = isinstance(item, Link) and item.kind in (
+        ends = isinstance(item, Connective) and item.kind in (
             "comma",
             "stop",
             "and",
@@ -56,7 +56,7 @@ class Walker(Nouns):
             self.draft.unknown += words
         self.separator = ""
 
-    def _link(self, link: Link) -> None:
+    def _link(self, link: Connective) -> None:
         match link.kind:
             case "comma" | "stop" | "colon" | "and" | "or" | "but":
                 self._separate(link.kind)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
-from thinkblox.reading.phrases import Item, Link, Phrase
+from thinkblox.reading.phrases import Connective, Item, Phrase
 from thinkblox.reading.reference import References
 
 
@@ -94,7 +94,7 @@ class Memory:
     def next_is(self, kind: str) -> bool:
         """Whether a link of this kind comes next."""
         following = self.next_item()
-        return isinstance(following, Link) and following.kind == kind
+        return isinstance(following, Connective) and following.kind == kind
 
     def object_of(self) -> bool:
         """Whether "of <object>" comes next: "in the middle of the table"."""

@@ -4,10 +4,10 @@ from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import MISSING, Bond, Gap, Mention
 from thinkblox.reading.memory import Front, Waiting
 from thinkblox.reading.parts import Parts
-from thinkblox.reading.phrases import Link, Phrase
+from thinkblox.reading.phrases import Connective, Phrase
 from thinkblox.reading.sizes import Size
 
-_OF = (Link("of"), Link("which"), Link("comma", "("), Link("comma", ""))
+_OF = (Connective("of"), Connective("which"), Connective("comma", "("), Connective("comma", ""))
 """What can stand between a thing and its size."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
@@ -66,7 +66,7 @@ class Nouns(Parts):
     def _is_capacity(self, phrase: Phrase) -> bool:
         """Whether "(3 seats)" only says how large the sofa before it is."""
         sofa = self.current
-        bracket = self.items[self.at - 1] == Link("comma", "(")
+        bracket = self.items[self.at - 1] == Connective("comma", "(")
         if not bracket or sofa is None or phrase.text.split()[-1] not in ("seats", "seat") or not phrase.count:
             return False
         sofa.attributes.append(f"{phrase.count}-seat")
@@ -80,7 +80,7 @@ class Nouns(Parts):
     def _pronoun(self, phrase: Phrase) -> None:
         """A pronoun that is no anchor: "four chairs each" shares out; "it has ..." goes back to what was mentioned."""
         following = self.next_item()
-        having = isinstance(following, Link) and following.kind == "having"
+        having = isinstance(following, Connective) and following.kind == "having"
         if phrase.value == "each" and not having:
             members = self.frame.members if self.frame else [self.current] if self.current else []
             for bond in (b for thing in members for b in self.draft.bonds_of(thing) if b.anchors):
@@ -118,7 +118,7 @@ class Nouns(Parts):
         roomy = not single and min(length.metres for length in size.lengths) > _ROOMY
         if roomy and not self.draft.sizes:
             self.draft.sizes.append(size)
-        elif isinstance(following, Link) and following.kind == "relation":
+        elif isinstance(following, Connective) and following.kind == "relation":
             self.draft.unknown.append(size.text)
         elif isinstance(following, Phrase) and following.kind == "object" and not following.size:
             following.size = size
@@ -165,7 +165,7 @@ class Nouns(Parts):
     def _wares(self, phrase: Phrase) -> None:
         """Goods fill the shelves they are said to be on; by themselves they are things we do not have."""
         carrier = self.current
-        if carrier is None or not (self.separator == "having" or self.items[self.at - 1] == Link("of")):
+        if carrier is None or not (self.separator == "having" or self.items[self.at - 1] == Connective("of")):
             self._missing(phrase)
         elif self.habits.is_in(carrier.noun, "surfaces"):
             carrier.attributes.append("filled")

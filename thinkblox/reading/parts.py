@@ -6,7 +6,7 @@ from thinkblox.reading.attach import FLANKS
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.lists import Lists
 from thinkblox.reading.memory import Waiting
-from thinkblox.reading.phrases import Link, Phrase
+from thinkblox.reading.phrases import Connective, Phrase
 
 
 class Parts(Lists):
@@ -16,13 +16,13 @@ class Parts(Lists):
         """Read a number that something is said of; whether it was one."""
         following = self.next_item()
         whole = self._whole_of_parts()
-        if whole is None or not phrase.count or not isinstance(following, Link):
+        if whole is None or not phrase.count or not isinstance(following, Connective):
             return False
         if following.kind not in ("relation", "adverb", "having") or following.value == "for":
             return False
         if following.value in FLANKS and not self._is_placed(whole):
             whole.count = 2 * phrase.count
-            self.items[self.at + 1] = Link(following.kind, FLANKS[0])
+            self.items[self.at + 1] = Connective(following.kind, FLANKS[0])
             self.mention(whole)
         elif self._is_placed(whole) and whole is not self.parted:
             self._take(self._copy(whole, phrase.count))
@@ -33,7 +33,7 @@ class Parts(Lists):
     def _other(self, phrase: Phrase) -> None:
         """Read "the other": what is left of several, or one more of what was just mentioned."""
         following = self.next_item()
-        said = isinstance(following, Link) and following.kind in ("relation", "adverb", "having")
+        said = isinstance(following, Connective) and following.kind in ("relation", "adverb", "having")
         whole = self.parted or self.current
         if whole is None or not said:
             return

@@ -59,7 +59,7 @@ class Phrase:
 
 
 @dataclass(frozen=True)
-class Link:
+class Connective:
     """A word between noun phrases: a relation, "with", "and", a comma, ..."""
 
     kind: str
@@ -73,4 +73,4 @@ class Unknown:
     text: str
 
 
-Item = Phrase | Link | Unknown | Size
+Item = Phrase | Connective | Unknown | Size

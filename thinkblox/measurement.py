@@ -8,7 +8,7 @@ from msgspec.structs import fields, force_setattr
 from thinkblox.value import Value
 
 
-class Measured(Value, frozen=True):
+class Measurement(Value, frozen=True):
     """A record of which every number that is declared a float is one, and no zero is negative.
 
     A sum of nothing is the int 0, and rounding -1e-9 gives -0.0: without this the same measurement would have other
@@ -21,7 +21,7 @@ class Measured(Value, frozen=True):
 
 
 @cache
-def _floats(kind: type[Measured]) -> tuple[str, ...]:
+def _floats(kind: type[Measurement]) -> tuple[str, ...]:
     """Names of the fields that hold floats: one, one or None, or a tuple of them."""
     return tuple(field.name for field in fields(kind) if float in (field.type, *get_args(field.type)))
 
