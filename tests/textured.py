@@ -63,7 +63,11 @@ def crate() -> Asset:
         name="lid",
         shapes=(box((0.6, 0.8, 0.05), (0.0, 0.0, 0.53)),),
         joint=Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-0.3, 0.0, 0.505), lower=0.0, upper=90.0),
-        visuals=(MeshVisual(mesh=put_mesh(box_mesh((0.6, 0.8, 0.05), (0.0, 0.0, 0.53))), look=Look(metallic=1.0)),),
+        visuals=(
+            MeshVisual(
+                mesh=put_mesh(box_mesh((0.6, 0.8, 0.05), (0.0, 0.0, 0.53))), look=Look(roughness=0.3, texture=picture)
+            ),
+        ),
     )
     return Asset(
         id="crate-0", category="crate", description="a painted crate", size=(0.6, 0.8, 0.555), mass=20.0, friction=0.6,

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from thinkblox.errors import InputError
 from thinkblox.scene.blobs import BLOBS
 
-MAX_SIDE = 8192
+MAX_SIDE = 4096
 """Longest side of a texture [pixels]."""
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _HEADER = struct.Struct(">II")
