@@ -1,5 +1,6 @@
 """Meshes and textures by content: kept, found beside a scene.json, refused when they are not what they should be."""
 
+import os
 import pickle
 from pathlib import Path
 from typing import Any
@@ -83,7 +84,20 @@ def break_outside(file: Path) -> None:
     file.symlink_to(outside)
 
 
-@pytest.mark.parametrize("breaking", [break_missing, break_altered, break_folder, break_outside])
+def break_loop(file: Path) -> None:
+    file.unlink()
+    file.symlink_to(file)
+
+
+def break_pipe(file: Path) -> None:
+    file.unlink()
+    os.mkfifo(file)
+
+
+BREAKING = (break_missing, break_altered, break_folder, break_outside, break_loop, break_pipe)
+
+
+@pytest.mark.parametrize("breaking", BREAKING)
 @pytest.mark.parametrize("kind", ["bin", "png"])
 def test_what_is_wrong_names_asset_and_file(tmp_path: Path, folder: Path, breaking: object, kind: str) -> None:
     file = sorted((folder / "assets").glob(f"*.{kind}"))[0]

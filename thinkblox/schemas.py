@@ -1,6 +1,7 @@
 """The published shapes of everything that is read or written as JSON."""
 
 from thinkblox.brief import Brief
+from thinkblox.exporters.manifest import Manifest
 from thinkblox.plan import Plan
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
@@ -18,5 +19,7 @@ SCHEMAS: dict[str, type[Value]] = {
     "answer": Answer,
     "brief": Brief,
     "plan": Plan,
+    "manifest": Manifest,
 }
-"""By name: scene.json, a --room file, report.json and its parts, a line of trace.jsonl, what stands in <answer>."""
+"""By name: scene.json, a --room file, report.json and its parts, a line of trace.jsonl, what stands in <answer>, and
+manifest.json."""

@@ -83,7 +83,7 @@ class BlobStore:
             InputError: the file is missing, is too large, is not what its name says, or lies outside of `home`.
         """
         file = home / blob_name(id, kind)
-        if not file.resolve().is_relative_to(home.resolve()):
+        if not _lies_in(file, home):
             raise InputError(f"{file}: leads out of the folder of its scene; it is not opened")
         data = _contents(file, id)
         with self._lock:
@@ -100,6 +100,13 @@ class BlobStore:
 
 BLOBS = BlobStore()
 """The store of this process."""
+
+
+def _lies_in(file: Path, home: Path) -> bool:
+    try:
+        return file.resolve().is_relative_to(home.resolve())
+    except (OSError, RuntimeError) as error:  # A loop of links is one or the other, by the release of Python.
+        raise InputError(f"{file}: cannot be followed: {error}") from error
 
 
 def _contents(file: Path, id: str) -> bytes:
