@@ -29,7 +29,7 @@ def _mesh(spec: mujoco.MjSpec, id: str) -> str:
         file, data = obj_file(id)
         # Of an open surface only the shell has an inertia, which nothing uses.
         spec.add_mesh(name=name, file=file, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL)
-        _carry(spec, file, data)
+        spec.assets[file] = data
     return name
 
 
@@ -48,12 +48,8 @@ def _texture(spec: mujoco.MjSpec, id: str) -> str:
     name, file = f"texture-{id[:32]}", blob_name(id, "png")
     if spec.texture(name) is None:
         spec.add_texture(name=name, type=mujoco.mjtTexture.mjTEXTURE_2D, file=file)
-        _carry(spec, file, BLOBS.get(id))
+        spec.assets[file] = BLOBS.get(id)
     return name
-
-
-def _carry(spec: mujoco.MjSpec, file: str, data: bytes) -> None:
-    spec.assets = {**spec.assets, file: data}
 
 
 @lru_cache(maxsize=32)
