@@ -1,1 +1,5 @@
-"""Scenes as files: MJCF, USD, and the output folder."""
+"""Scenes as files: MJCF, USD, formats that users register, and the output folder."""
+
+from thinkblox.exporters.formats import ExportFormat, formats, register
+
+__all__ = ["ExportFormat", "formats", "register"]

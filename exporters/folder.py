@@ -5,22 +5,15 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.scene.scene import Scene, load_scene
-from thinkblox.value import read_json, to_json
-
-if TYPE_CHECKING:
-    from thinkblox.generate import Generation
-    from thinkblox.sim.verdict.settle import SettledState
-
-PICTURES = ("preview.png", "top.png")
-FILES = ("scene.json", "scene.xml", "scene.usda", "report.json", "trace.jsonl", *PICTURES)
-"""What an output folder holds; a folder with anything else in it is not ours to replace."""
+from thinkblox.exporters.manifest import foreign_files
+from thinkblox.scene.scene import Scene
+from thinkblox.value import read_json
 
 
 def check_folder(out: str | Path, *, overwrite: bool = False) -> Path:
@@ -57,89 +50,43 @@ def _check_ours(out: Path, overwrite: bool) -> None:
         raise InputError(f"{out}: is a symbolic link; name the folder itself")
     if not out.is_dir():
         raise InputError(f"{out}: exists and is not a folder; choose another name")
-    foreign = sorted(entry.name for entry in out.iterdir() if entry.name not in FILES or entry.is_dir())
-    if foreign:
-        raise InputError(f"{out}: exists and holds other files ({', '.join(foreign[:3])}); choose another folder")
     try:
-        load_scene(out)
+        foreign = list(islice(foreign_files(out), 3))
+    except InputError as error:
+        raise InputError(f"{out}: exists and is not a room that we wrote; choose another folder") from error
+    if foreign:
+        raise InputError(f"{out}: exists and holds other files ({', '.join(foreign)}); choose another folder")
+    try:
+        read_json(out / "scene.json", Scene)
         read_json(out / "report.json", _AnyReport)
     except InputError as error:
         raise InputError(f"{out}: exists and is not a room that we wrote; choose another folder") from error
     if not overwrite:
-        raise InputError(f"{out}: already holds a room; choose another folder, or --overwrite it")
+        raise InputError(f"{out}: already holds a room; choose another folder, or ask for it to be overwritten")
 
 
-def save_room(result: "Generation", out: str | Path, *, pictures: bool = True, overwrite: bool = False) -> Path:
-    """Write a room to the folder `out` in every format; returns its path.
-
-    The files are written beside it first and then moved into place, so that `out` is complete or, after any failure
-    or interruption, as it was before.
-
-    Args:
-        result: what `generate_room` returned.
-        out: the folder, made together with its parents.
-        pictures: with preview.png and top.png.
-        overwrite: replace a room that we wrote there earlier.
+@contextmanager
+def whole_folder(out: str | Path, *, overwrite: bool) -> Iterator[Path]:
+    """A folder to write a room to, which becomes `out` at the end; after any failure or interruption, `out` is as
+    it was before.
 
     Raises:
         InputError: as for `check_folder`, or the disk refused.
     """
     out = check_folder(out, overwrite=overwrite)
     try:
-        with _made_parents(out), tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as work:
+        with made_parents(out), tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as work:
             room = Path(work) / "room"
             room.mkdir()
-            _write_files(result, room, pictures)
+            yield room
             check_folder(out, overwrite=overwrite)
             _move_into_place(room, out, aside=Path(f"{work}-replaced"))
     except OSError as error:
         raise InputError(f"{error.filename or out}: cannot be written: {error.strerror}") from error
-    return out
-
-
-def save_pictures(scene: Scene, out: str | Path, *, size: int = 1024) -> tuple[Path, ...]:
-    """Write preview.png and top.png of a scene, `size` pixels square, into the folder `out`; returns their paths.
-
-    Raises:
-        InputError: the folder cannot be written.
-    """
-    from thinkblox.sim.verdict.settle import settle
-
-    out = Path(out)
-    try:
-        with _made_parents(out / PICTURES[0]), tempfile.TemporaryDirectory(prefix=".pictures-", dir=out) as work:
-            _write_pictures(scene, settle(scene), Path(work), size)
-            for name in PICTURES:
-                (Path(work) / name).replace(out / name)
-    except OSError as error:
-        raise InputError(f"{error.filename or out}: cannot be written: {error.strerror}") from error
-    return tuple(out / name for name in PICTURES)
-
-
-def _write_files(result: "Generation", room: Path, pictures: bool) -> None:
-    from thinkblox.exporters.mjcf import write_mjcf
-    from thinkblox.exporters.usd import write_usd
-    from thinkblox.sim.verdict.settle import settle
-
-    settled = settle(result.scene)
-    (room / "scene.json").write_bytes(to_json(result.scene))
-    (room / "report.json").write_bytes(to_json(result.report))
-    (room / "trace.jsonl").write_bytes(result.episode.to_jsonl())
-    write_mjcf(result.scene, room / "scene.xml", settled=settled)
-    write_usd(result.scene, room / "scene.usda", settled=settled)
-    if pictures:
-        _write_pictures(result.scene, settled, room)
-
-
-def _write_pictures(scene: Scene, settled: "SettledState", folder: Path, size: int = 1024) -> None:
-    from thinkblox.sim.render import render_preview, render_top
-
-    for name, render in zip(PICTURES, (render_preview, render_top), strict=True):
-        render(scene, size=size, poses=settled.poses).save(folder / name)
 
 
 @contextmanager
-def _made_parents(out: Path) -> Iterator[None]:
+def made_parents(out: Path) -> Iterator[None]:
     """Make the folders above `out`; after a failure, take away those that were made and are empty."""
     missing = [parent for parent in out.absolute().parents if not parent.exists()]
     try:

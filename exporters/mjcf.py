@@ -1,18 +1,21 @@
 """A Scene as one MJCF file: the very model that was measured, with its looks and the keyframe "settled"."""
 
+import json
 import math
 from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
 
+import msgspec
 import mujoco
 import numpy as np
 
+from thinkblox.exporters.beside import write_beside
+from thinkblox.exporters.credits import credits_of
+from thinkblox.exporters.inventory import Inventory
 from thinkblox.scene.room import Room
-from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled
-from thinkblox.sim.settings import Physics
-from thinkblox.sim.verdict.settle import SettledState, add_keyframe, settle
+from thinkblox.sim.verdict.settle import add_keyframe
 
 AZIMUTH, ELEVATION = 125.0, -40.0
 """Where the viewer looks to at first [degrees]."""
@@ -20,42 +23,47 @@ _DISTANCE = 0.75
 """Distance of the named camera from the room's middle, in extents."""
 
 
-def write_mjcf(
-    scene: Scene, path: Path, *, settled: SettledState | None = None, physics: Physics | None = None
-) -> None:
-    """Write a scene as one MJCF file that needs no others; the same scene gives the same bytes.
+def write_mjcf(inventory: Inventory, path: Path) -> None:
+    """Write a scene as one MJCF file, with the meshes and textures that it names beside it, if there are any.
 
-    Its reference pose is the placements' own; the keyframe "settled" holds every object where it came to rest.
-
-    Args:
-        scene: what to write.
-        path: of the file, "scene.xml".
-        settled: the state at rest, where it is known already; worked out otherwise.
-        physics: the engine's options.
+    Its reference pose is the placements' own; the keyframe "settled" holds every object where it came to rest. The
+    same scene gives the same bytes.
     """
-    Path(path).write_text(mjcf_text(scene, settled=settled, physics=physics), encoding="utf-8")
+    spec = _spec(inventory)
+    path.write_text(_with_exact_poses(spec, inventory), encoding="utf-8")
+    write_beside(path, spec.assets)
 
 
-def mjcf_text(scene: Scene, *, settled: SettledState | None = None, physics: Physics | None = None) -> str:
+def mjcf_text(inventory: Inventory) -> str:
     """The text of `write_mjcf`."""
-    physics = physics or Physics()
-    spec = build_spec(scene, visuals=True, physics=physics)
-    settled = settled or settle(scene, physics=physics)
-    add_keyframe(spec, settled)
-    _set_view(spec, scene.room)
+    return _with_exact_poses(_spec(inventory), inventory)
+
+
+def _spec(inventory: Inventory) -> mujoco.MjSpec:
+    """The very model that was measured, with looks, keyframe, view and credits."""
+    spec = build_spec(inventory.scene, visuals=True, physics=inventory.physics)
+    add_keyframe(spec, inventory.state)
+    if inventory.objects:
+        spec.add_text(name="credits", data=json.dumps(msgspec.to_builtins(credits_of(inventory.scene))))
+    _set_view(spec, inventory.scene.room)
     compiled(spec)
-    return _with_exact_poses(spec, settled)
+    return spec
 
 
-def _with_exact_poses(spec: mujoco.MjSpec, settled: SettledState) -> str:
+def _with_exact_poses(spec: mujoco.MjSpec, inventory: Inventory) -> str:
     """The model's XML with every digit of its poses, of which the engine writes six."""
+    poses = {item.id: item.bodies[0].proposed for item in inventory.objects}
     tree = ElementTree.fromstring(spec.to_xml())
     for element in tree.iterfind("worldbody/body"):
-        body = spec.body(element.attrib["name"])
-        element.set("pos", _numbers(body.pos))
-        element.set("quat", _numbers(body.quat))
+        position, quat_wxyz = poses[element.attrib["name"]]
+        element.set("pos", _numbers(position))
+        element.set("quat", _numbers(quat_wxyz))
+    for element in tree.iterfind("custom/text"):
+        # The engine writes text with quotes as CDATA, which this tree does not keep, and reads no other content.
+        element.set("data", element.get("data", element.text or ""))
+        element.text = None
     for key in tree.iterfind("keyframe/key"):
-        key.set("qpos", _numbers(settled.qpos))
+        key.set("qpos", _numbers(inventory.state.qpos))
     ElementTree.indent(tree, "  ")
     return ElementTree.tostring(tree, encoding="unicode") + "\n"
 

@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
+from thinkblox.exporters.inventory import InventoryJoint
 from thinkblox.exporters.usd_prims import IDENTITY, Prim, T, quaternion, vector
-from thinkblox.scene.asset import Joint
 from thinkblox.value import Quat
 
 _AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 
 
-def add_joint(parent: Prim, name: str, joint: Joint, body: Any, link: Any) -> None:
+def add_joint(parent: Prim, name: str, joint: InventoryJoint, body: Any, link: Any) -> None:
     """Join the links at paths `body` and `link`, whose frames coincide when the joint is at 0."""
     hinge = joint.kind == "hinge"
     axis, turn = axis_frame(joint)
@@ -33,7 +33,7 @@ def fix_to_room(parent: Prim, body: Any, position: Any, quat_wxyz: Any) -> None:
     prim.put("physics:localPos1", T.Point3f, vector((0, 0, 0))).put("physics:localRot1", T.Quatf, quaternion(IDENTITY))
 
 
-def axis_frame(joint: Joint) -> tuple[str, Quat]:
+def axis_frame(joint: InventoryJoint) -> tuple[str, Quat]:
     """The USD axis of a joint and the turn of both its frames; one of the three axes needs no turn."""
     axis = np.asarray(joint.axis, dtype=float) / np.linalg.norm(joint.axis)
     for name, unit in _AXES.items():

@@ -1,35 +1,32 @@
-"""Materials of a USD stage: a UsdPreviewSurface for each colour and material, a physics material for each friction."""
+"""Materials of a USD stage: a UsdPreviewSurface for each look, a physics material for each friction."""
 
+from collections.abc import Mapping
 from typing import Any
 
-from pxr import Gf
+from pxr import Gf, Sdf
 
+from thinkblox.exporters.inventory import InventoryLook
 from thinkblox.exporters.usd_prims import Prim, T
-from thinkblox.sim.render.materials import FINISHES, linear
+from thinkblox.scene.blobs import blob_name
+from thinkblox.sim.render.materials import linear
 
-OPACITY = {"glass": 0.3}
 BINDING = "MaterialBindingAPI"
-Colour = tuple[float, float, float]
-
-
-def look_name(material: str, colour: Colour) -> str:
-    """The name of a material, such as "wood_b98a5c": what shares the name shares the material."""
-    return f"{material}_" + "".join(f"{round(channel * 255):02x}" for channel in colour)
+UV = "st"
+"""The primvar that says where in the texture a vertex is."""
 
 
 class Looks:
     """The materials under one scope, each made when first asked for."""
 
-    def __init__(self, scope: Prim) -> None:
-        self._scope = scope
+    def __init__(self, scope: Prim, looks: Mapping[str, InventoryLook]) -> None:
+        self._scope, self._looks = scope, looks
         self._paths: dict[str, Any] = {}
 
-    def bind(self, prim: Prim, material: str, colour: Colour) -> None:
+    def bind(self, prim: Prim, look: str) -> None:
         """Bind what the prim looks like; it must have the MaterialBindingAPI."""
-        name = look_name(material, colour)
-        if name not in self._paths:
-            self._paths[name] = _surface(self._scope, name, material, colour)
-        prim.link("material:binding", [self._paths[name]])
+        if look not in self._paths:
+            self._paths[look] = _surface(self._scope, self._looks[look])
+        prim.link("material:binding", [self._paths[look]])
 
     def bind_friction(self, prim: Prim, friction: float) -> None:
         """Bind the physics material of the colliders in a prim; static and dynamic friction are the same."""
@@ -39,22 +36,38 @@ class Looks:
         prim.link("material:binding:physics", [self._paths[name]])
 
 
-def _surface(scope: Prim, name: str, material: str, colour: Colour) -> Any:
-    finish, base = FINISHES[material], [round(channel, 5) for channel in linear(colour)]
-    prim = scope.child(name, "Material")
+def _surface(scope: Prim, look: InventoryLook) -> Any:
+    base = [round(channel, 5) for channel in linear(look.colour)]
+    prim = scope.child(look.name, "Material")
     shader = prim.child("Surface", "Shader")
     shader.put("info:id", T.Token, "UsdPreviewSurface", uniform=True)
-    shader.put("inputs:diffuseColor", T.Color3f, Gf.Vec3f(*base))
-    # The roughness whose highlight is as wide as that of the finish's Blinn-Phong exponent.
-    shader.put("inputs:roughness", T.Float, round((2.0 / (finish.gloss + 2.0)) ** 0.25, 3))
-    shader.put("inputs:metallic", T.Float, 1.0 if finish.tinted else 0.0)
-    if finish.glow:
-        shader.put("inputs:emissiveColor", T.Color3f, Gf.Vec3f(*base) * finish.glow)
-    if material in OPACITY:
-        shader.put("inputs:opacity", T.Float, OPACITY[material])
+    if look.texture is None:
+        shader.put("inputs:diffuseColor", T.Color3f, Gf.Vec3f(*base))
+    else:
+        source = _texture(prim, look.texture, base)
+        shader.connect("inputs:diffuseColor", T.Color3f, source.path.AppendProperty("outputs:rgb"))
+    shader.put("inputs:roughness", T.Float, look.roughness)
+    shader.put("inputs:metallic", T.Float, look.metallic)
+    if look.glow:
+        shader.put("inputs:emissiveColor", T.Color3f, Gf.Vec3f(*base) * look.glow)
+    if look.opacity < 1.0:
+        shader.put("inputs:opacity", T.Float, look.opacity)
     shader.declare("outputs:surface", T.Token)
     prim.connect("outputs:surface", T.Token, shader.path.AppendProperty("outputs:surface"))
     return prim.path
+
+
+def _texture(material: Prim, blob: str, base: list[float]) -> Prim:
+    """The shaders that look a texture up; its file is named relative to the stage's."""
+    place = material.child("Place", "Shader").put("info:id", T.Token, "UsdPrimvarReader_float2", uniform=True)
+    place.put("inputs:varname", T.String, UV).declare("outputs:result", T.Float2)
+    prim = material.child("Texture", "Shader").put("info:id", T.Token, "UsdUVTexture", uniform=True)
+    prim.put("inputs:file", T.Asset, Sdf.AssetPath(f"./{blob_name(blob, 'png')}"))
+    prim.put("inputs:sourceColorSpace", T.Token, "sRGB")
+    prim.put("inputs:wrapS", T.Token, "repeat").put("inputs:wrapT", T.Token, "repeat")
+    prim.put("inputs:scale", T.Float4, Gf.Vec4f(*base, 1.0))
+    prim.connect("inputs:st", T.Float2, place.path.AppendProperty("outputs:result"))
+    return prim.declare("outputs:rgb", T.Float3)
 
 
 def _physics(scope: Prim, name: str, friction: float) -> Any:

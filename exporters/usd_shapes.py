@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Vt
 
-from thinkblox.exporters.usd_looks import BINDING, Colour, Looks, look_name
+from thinkblox.exporters.inventory import InventoryGeom
+from thinkblox.exporters.usd_looks import BINDING, UV, Looks
 from thinkblox.exporters.usd_prims import Prim, T, vectors
 from thinkblox.scene.asset import Shape
+from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
 from thinkblox.sim.geometry.solid import rotation
 from thinkblox.sim.render.tessellate import Mesh, capsule, cylinder, ellipsoid, hull
 from thinkblox.value import Vec3
@@ -26,19 +28,19 @@ _SIDES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), 
 class Polygons:
     """Flat or curved polygons with a normal a vertex, in the frame of their prim [m]."""
 
-    points: Floats
-    normals: Floats
+    points: NDArray[Any]
+    normals: NDArray[Any]
     counts: list[int]
     indices: list[int]
 
 
-def add_colliders(parent: Prim, shapes: Sequence[Shape], looks: Looks, friction: float) -> None:
+def add_colliders(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> None:
     """Add a scope "Collision" (purpose guide) with one convex collider for each shape that can be touched."""
-    solid = [shape for shape in shapes if shape.collide]
+    solid = [(geom.shape, geom.friction[0]) for geom in geoms if geom.collides and geom.shape is not None]
     if solid:
         scope = parent.child("Collision", "Scope", apis=[BINDING]).put("purpose", T.Token, "guide", uniform=True)
-        looks.bind_friction(scope, friction)
-        for shape in solid:
+        looks.bind_friction(scope, solid[0][1])
+        for shape, _ in solid:
             _add_collider(scope, shape)
 
 
@@ -69,17 +71,28 @@ def _add_hull(scope: Prim, shape: Shape) -> None:
     prim.place(shape.position, shape.quat_wxyz)
 
 
-def add_visuals(parent: Prim, shapes: Sequence[Shape], looks: Looks) -> None:
-    """Add a scope "Visual" with one mesh for each look that the shapes have."""
+def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> None:
+    """Add a scope "Visual" with one mesh for each look that the shapes have, and the meshes as they are."""
     scope = parent.child("Visual", "Scope")
-    groups: dict[str, list[Shape]] = {}
-    for shape in shapes:
-        groups.setdefault(look_name(shape.material, shape.colour), []).append(shape)
-    for name, group in groups.items():
-        add_mesh(scope, name, [_placed(shape) for shape in group], looks, group[0].material, group[0].colour)
+    groups: dict[str, list[Polygons]] = {}
+    for geom in geoms:
+        if geom.look is not None and geom.shape is not None:
+            groups.setdefault(geom.look, []).append(placed(geom.shape))
+    for look, parts in groups.items():
+        add_mesh(scope, look, parts, looks, look)
+    for geom in geoms:
+        if geom.look is not None and geom.mesh is not None:
+            _add_textured(scope, mesh_of(geom.mesh), looks, geom.look)
 
 
-def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, material: str, colour: Colour) -> Prim:
+def _add_textured(parent: Prim, mesh: TexturedMesh, looks: Looks, look: str) -> None:
+    parts = [Polygons(mesh.vertices, mesh.normals, [3] * len(mesh.faces), mesh.faces.ravel().tolist())]
+    prim = add_mesh(parent, look, parts, looks, look)
+    places = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(mesh.uv, np.float32))
+    prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
+
+
+def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:
     """Add one visible mesh made of all parts."""
     prim = parent.child(name, "Mesh", apis=[BINDING])
     starts = np.cumsum([0] + [len(part.points) for part in parts]).tolist()
@@ -88,7 +101,7 @@ def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, m
     _put_mesh(prim, points, [count for part in parts for count in part.counts], indices)
     normals = np.vstack([part.normals for part in parts])
     prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="vertex")
-    looks.bind(prim, material, colour)
+    looks.bind(prim, look)
     return prim
 
 
@@ -99,18 +112,18 @@ def _put_mesh(prim: Prim, points: NDArray[Any], counts: list[int], indices: list
     prim.extent(np.round(points.min(axis=0), 6).tolist(), np.round(points.max(axis=0), 6).tolist())
 
 
-def box_polygons(size: Vec3, centre: Vec3 = (0.0, 0.0, 0.0), turn: Floats | None = None) -> Polygons:
+def _box_polygons(size: Vec3, centre: Vec3, turn: Floats) -> Polygons:
     """Six quadrilaterals; `turn` is the 3x3 matrix of the box's orientation."""
-    turn = np.eye(3) if turn is None else turn
     corners = (_CUBE * size) @ turn.T + centre
     outward = np.vstack([sign * turn[:, axis] for axis in range(3) for sign in (-1.0, 1.0)])
     return Polygons(corners[np.ravel(_SIDES)], np.repeat(outward, 4, axis=0), [4] * 6, list(range(24)))
 
 
-def _placed(shape: Shape) -> Polygons:
+def placed(shape: Shape) -> Polygons:
+    """A shape in the frame that its pose is given in; boxes are made of quadrilaterals."""
     turn = rotation(shape.quat_wxyz)
     if shape.kind == "box":
-        return box_polygons(shape.size, shape.position, turn)
+        return _box_polygons(shape.size, shape.position, turn)
     mesh = _rounded(shape)
     points = mesh.vertices.astype(np.float64) @ turn.T + shape.position
     return Polygons(points, mesh.normals @ turn.T, [3] * len(mesh.faces), mesh.faces.ravel().tolist())

@@ -16,6 +16,7 @@ from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
+from thinkblox.sim.mesh_visuals import add_mesh_visual
 from thinkblox.sim.settings import Physics
 
 GROUND = "floor"
@@ -31,6 +32,8 @@ GEOM_TYPES = {
     "ellipsoid": mujoco.mjtGeom.mjGEOM_ELLIPSOID,
     "hull": mujoco.mjtGeom.mjGEOM_MESH,
 }
+UNSEEN = 3
+"""The group of geoms that a viewer shows only when asked to."""
 ROLLING = ("sphere", "ellipsoid", "capsule")
 TORSION, ROLL = 0.005, 0.001
 """Torsional and rolling friction [m]; only what can roll feels the second."""
@@ -56,7 +59,7 @@ def build_spec(
     Args:
         scene: the room and what stands in it.
         physics: the engine's options.
-        visuals: with colours, sites on support surfaces, a light, and the shapes that are only looked at.
+        visuals: with colours, sites on support surfaces, a light, and the shapes and meshes that are only looked at.
         sleeping: every body starts asleep and sleep is enabled: for checks of one object against a still room.
         only: ids of the objects that are built; the others are left out.
     """
@@ -95,7 +98,7 @@ def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
     spec.default.geom.solref[:] = physics.solref
     visual = spec.add_default("visual", spec.default)
     visual.geom.contype, visual.geom.conaffinity, visual.geom.group = 0, 0, 2
-    spec.add_default("collision", spec.default).geom.group = 3
+    spec.add_default("collision", spec.default).geom.group = UNSEEN
     spec.add_default("solid", spec.default).geom.group = 2
     spec.add_text(name="thinkblox", data=f"thinkblox {package_version()}, mujoco {mujoco.__version__}")
     if visuals:
@@ -214,15 +217,20 @@ def _add_shapes(
     spec: mujoco.MjSpec, body: mujoco.MjsBody, link: Link, masses: tuple[float, ...], asset: Asset, visuals: bool
 ) -> None:
     mass_of = dict(zip(map(id, weighing(link)), masses, strict=True))
+    seen = visuals and not link.visuals
     for shape in link.shapes:
         mass = mass_of.get(id(shape), 0.0)
-        if visuals or shape.collide or mass:
+        if seen or shape.collide or mass:
             geom = add_geom(spec, body, shape)
             geom.mass = mass
             if shape.collide:
                 geom.friction = (asset.friction, TORSION, ROLL)
-            if visuals:
+            if seen:
                 geom.rgba = (*shape.colour, 1.0)
+            elif visuals:
+                geom.group = UNSEEN
+    for visual in link.visuals if visuals else ():
+        add_mesh_visual(spec, body, visual)
 
 
 def add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> mujoco.MjsGeom:

@@ -7,7 +7,7 @@ from thinkblox.scene.asset import Asset, Joint, Link, Shape
 from thinkblox.scene.room import Opening, Room
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Value
-from thinkblox.verdict import Report
+from thinkblox.verdict import Report, Verdict
 
 L_ROOM = Room(
     floor=((0.0, 0.0), (6.0, 0.0), (6.0, 3.0), (3.0, 3.0), (3.0, 5.0), (0.0, 5.0)),
@@ -86,4 +86,10 @@ class Result:
 
 
 def result() -> Result:
-    return Result(sample_scene(), Report(valid=True, prompt="a room"))
+    return Result(sample_scene(), report_on(sample_scene()))
+
+
+def report_on(scene: Scene) -> Report:
+    """A report that says that all is well, without looking."""
+    objects = tuple(Verdict(id=placement.id, valid=True) for placement in scene.placements)
+    return Report(valid=True, prompt="a room", objects=objects)

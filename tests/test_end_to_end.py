@@ -64,6 +64,7 @@ def test_every_file_is_there(written: Written) -> None:
     names = {path.name for path in written.folder.iterdir()}
     assert names == {
         "scene.json", "scene.xml", "scene.usda", "report.json", "trace.jsonl", "preview.png", "top.png",
+        "manifest.json",
     }  # fmt: skip
 
 

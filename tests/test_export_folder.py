@@ -1,24 +1,34 @@
 """The output folder: whole or not at all, and never over anything that is not ours."""
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from tests.export_rooms import Line, Result, result
+from tests.export_rooms import Result, report_on, result
+from tests.textured import crate, crate_scene
 from thinkblox.errors import InputError
-from thinkblox.exporters.folder import FILES, PICTURES, check_folder, save_pictures, save_room
+from thinkblox.exporters import ExportFormat, register
+from thinkblox.exporters.folder import check_folder
+from thinkblox.exporters.formats import _FORMATS
+from thinkblox.exporters.inventory import Inventory
+from thinkblox.exporters.manifest import MANIFEST, PICTURES, Manifest
+from thinkblox.exporters.saving import save_pictures, save_scene
+from thinkblox.saving import save_room
 from thinkblox.scene.scene import load_scene
+from thinkblox.value import read_json
 
-WITHOUT_PICTURES = sorted(set(FILES) - set(PICTURES))
+WITHOUT_PICTURES = ["manifest.json", "report.json", "scene.json", "scene.usda", "scene.xml", "trace.jsonl"]
 
 
 def names(folder: Path) -> list[str]:
     return sorted(entry.name for entry in folder.iterdir())
 
 
-def save(made: Result, out: Path, *, overwrite: bool = False) -> Path:
-    return save_room(made, out, pictures=False, overwrite=overwrite)  # type: ignore[arg-type]
+def save(made: Result, out: Path, **options: Any) -> Path:
+    return save_room(made, out, pictures=False, **options)  # type: ignore[arg-type]
 
 
 def test_everything_is_written_and_nothing_else(tmp_path: Path) -> None:
@@ -98,33 +108,114 @@ def test_a_parent_that_cannot_be_written(tmp_path: Path) -> None:
     assert names(tmp_path) == []
 
 
-@dataclass(frozen=True)
-class Interrupted:
-    """A result whose trace stops the work half-way, when other files are already written."""
+@pytest.fixture
+def interrupted() -> Iterator[Callable[[BaseException], str]]:
+    """The name of a format whose writer stops the work half-way, when other files are already written."""
 
-    error: BaseException
-    whole: Result = field(default_factory=result)
+    def made(error: BaseException) -> str:
+        def write(inventory: Inventory, path: Path) -> None:
+            path.write_text("half of it")
+            raise error
 
-    def __getattr__(self, name: str) -> object:
-        return getattr(self.whole, name)
+        register(ExportFormat("interrupted", ".half", write, "nothing whole"), replace=True)
+        return "interrupted"
 
-    @property
-    def trace(self) -> tuple[Line, ...]:
-        raise self.error
+    before = dict(_FORMATS)
+    yield made
+    _FORMATS.clear()
+    _FORMATS.update(before)
+
+
+Stop = Callable[[BaseException], str]
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt(), RuntimeError("no"), OSError(28, "No space left on device")])
-def test_a_failure_leaves_nothing_behind(tmp_path: Path, error: BaseException) -> None:
+def test_a_failure_leaves_nothing_behind(tmp_path: Path, interrupted: Stop, error: BaseException) -> None:
     expected = InputError if isinstance(error, OSError) else type(error)
     with pytest.raises(expected):
-        save_room(Interrupted(error), tmp_path / "deep" / "room", pictures=False)  # type: ignore[arg-type]
+        save(result(), tmp_path / "deep" / "room", formats=("mjcf", interrupted(error)))
     assert names(tmp_path) == []
 
 
-def test_a_failure_leaves_the_old_room_as_it_was(tmp_path: Path) -> None:
+def test_a_failure_leaves_the_old_room_as_it_was(tmp_path: Path, interrupted: Stop) -> None:
     out = save(result(), tmp_path / "room")
     before = {name: (out / name).read_bytes() for name in names(out)}
     with pytest.raises(KeyboardInterrupt):
-        save_room(Interrupted(KeyboardInterrupt()), out, pictures=False, overwrite=True)  # type: ignore[arg-type]
+        save(result(), out, overwrite=True, formats=(interrupted(KeyboardInterrupt()),))
     assert {name: (out / name).read_bytes() for name in names(out)} == before
     assert names(tmp_path) == ["room"]
+
+
+def test_the_manifest_lists_every_file(tmp_path: Path) -> None:
+    out = save_scene(crate_scene(), tmp_path / "room", report_on(crate_scene()), pictures=False)
+    manifest = read_json(out / MANIFEST, Manifest)
+    found = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
+    assert {file.name for file in manifest.files} == found - {MANIFEST}
+    kinds = {Path(file.name).suffix: (file.kind, file.format) for file in manifest.files}
+    assert kinds[".bin"] == kinds[".png"] == ("asset", None)
+    assert kinds[".obj"] == kinds[".xml"] == ("format", "mjcf")
+    assert kinds[".usda"] == ("format", "usd")
+    assert manifest.formats == ("mjcf", "usd")
+    (credit,) = manifest.credits
+    assert (credit.licence, credit.author, credit.assets) == (crate().licence, crate().author, ("crate-0",))
+    assert save_scene(crate_scene(), out, report_on(crate_scene()), pictures=False, overwrite=True) == out
+
+
+@pytest.mark.parametrize("stranger", ["assets/mine.bin", "assets/deep/mine.bin", "mine", "other/mine"])
+def test_what_the_manifest_does_not_list_is_not_ours(tmp_path: Path, stranger: str) -> None:
+    out = save_scene(crate_scene(), tmp_path / "room", report_on(crate_scene()), pictures=False)
+    (out / stranger).parent.mkdir(exist_ok=True, parents=True)
+    (out / stranger).write_text("mine")
+    with pytest.raises(InputError, match="holds other files"):
+        check_folder(out, overwrite=True)
+    assert (out / stranger).read_text() == "mine"
+
+
+def test_links_belong_to_nobody(tmp_path: Path) -> None:
+    out = save(result(), tmp_path / "room")
+    (out / "scene.xml").unlink()
+    (out / "scene.xml").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(InputError, match=r"scene\.xml"):
+        check_folder(out, overwrite=True)
+
+
+@pytest.mark.parametrize("text", ["{}", "[]", "no json", '{"name": "a web app", "icons": []}'])
+def test_a_manifest_of_somebody_else_is_not_ours(tmp_path: Path, text: str) -> None:
+    out = save(result(), tmp_path / "room")
+    (out / MANIFEST).write_text(text)
+    with pytest.raises(InputError, match="not a room that we wrote"):
+        check_folder(out, overwrite=True)
+
+
+def test_pictures_drawn_later_belong_to_the_room(tmp_path: Path) -> None:
+    out = save(result(), tmp_path / "room")
+    save_pictures(result().scene, out, size=64)
+    assert check_folder(out, overwrite=True) == out
+
+
+def test_a_folder_of_the_older_release_can_be_replaced(tmp_path: Path) -> None:
+    out = save(result(), tmp_path / "room")
+    (out / MANIFEST).unlink()
+    with pytest.raises(InputError, match="already holds a room"):
+        check_folder(out)
+    save(result(), out, overwrite=True)
+    assert MANIFEST in names(out)
+    (out / MANIFEST).unlink()
+    (out / "scene.sdf").write_text("of no older release")
+    with pytest.raises(InputError, match=r"scene\.sdf"):
+        check_folder(out, overwrite=True)
+
+
+def test_a_manifest_of_a_later_release_is_understood(tmp_path: Path) -> None:
+    out = save(result(), tmp_path / "room")
+    text = (out / MANIFEST).read_text()
+    (out / MANIFEST).write_text(text.replace('"version": 1', '"version": 9, "more": {}'))
+    assert check_folder(out, overwrite=True) == out
+
+
+def test_messages_speak_no_command_line(tmp_path: Path) -> None:
+    out = save(result(), tmp_path / "room")
+    with pytest.raises(InputError) as raised:
+        check_folder(out)
+    assert "--" not in str(raised.value)
+    assert "overwritten" in str(raised.value)

@@ -8,6 +8,7 @@ import pytest
 
 from tests.export_rooms import sample_scene
 from thinkblox.exporters.mjcf import mjcf_text, write_mjcf
+from thinkblox.exporters.stocktaking import inventory_of
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
 from thinkblox.sim.verdict.settle import settle
@@ -15,7 +16,7 @@ from thinkblox.sim.verdict.settle import settle
 
 @pytest.fixture(scope="module")
 def model() -> mujoco.MjModel:
-    return mujoco.MjModel.from_xml_string(mjcf_text(sample_scene()))
+    return mujoco.MjModel.from_xml_string(mjcf_text(inventory_of(sample_scene())))
 
 
 def test_it_is_the_model_that_was_measured(model: mujoco.MjModel) -> None:
@@ -52,7 +53,7 @@ def test_keyframe_settled_rests_without_deep_contacts_or_warnings(model: mujoco.
 
 
 def test_the_text_stands_by_itself() -> None:
-    text = mjcf_text(sample_scene())
+    text = mjcf_text(inventory_of(sample_scene()))
     assert "file=" not in text
     assert "/work" not in text
     assert "/tmp" not in text
@@ -63,7 +64,7 @@ def test_the_text_stands_by_itself() -> None:
 
 def test_the_same_scene_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("a.xml", "b.xml"):
-        write_mjcf(sample_scene(), tmp_path / name)
+        write_mjcf(inventory_of(sample_scene()), tmp_path / name)
     assert (tmp_path / "a.xml").read_bytes() == (tmp_path / "b.xml").read_bytes()
 
 
@@ -78,5 +79,5 @@ def test_the_first_view_shows_the_room(model: mujoco.MjModel) -> None:
 
 
 def test_an_empty_room_is_a_model_too() -> None:
-    model = mujoco.MjModel.from_xml_string(mjcf_text(Scene(room=sample_scene().room)))
+    model = mujoco.MjModel.from_xml_string(mjcf_text(inventory_of(Scene(room=sample_scene().room))))
     assert (model.nbody, model.nkey) == (1, 1)

@@ -14,6 +14,7 @@ from pxr import Gf, Kind, Sdf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade,
 from tests.export_rooms import L_ROOM, sample_scene
 from tests.sim_rooms import put
 from thinkblox.assets import CATALOGUE, make_asset
+from thinkblox.exporters.stocktaking import inventory_of
 from thinkblox.exporters.usd import usd_text, write_usd
 from thinkblox.scene.room import rectangle
 from thinkblox.scene.scene import Scene
@@ -24,7 +25,7 @@ from thinkblox.sim.verdict.settle import settle
 @pytest.fixture(scope="module")
 def stage() -> Any:
     layer = Sdf.Layer.CreateAnonymous(".usda")
-    assert layer.ImportFromString(usd_text(sample_scene()))
+    assert layer.ImportFromString(usd_text(inventory_of(sample_scene())))
     return Usd.Stage.Open(layer)
 
 
@@ -175,7 +176,7 @@ def test_the_catalogue_can_be_exported() -> None:
         placement = put(asset, 2.5 + 4.0 * (number % 7), 2.5 + 4.0 * (number // 7), height)
         scene = scene.with_placement(placement, asset)
     layer = Sdf.Layer.CreateAnonymous(".usda")
-    assert layer.ImportFromString(usd_text(scene))
+    assert layer.ImportFromString(usd_text(inventory_of(scene)))
     stage = Usd.Stage.Open(layer)
     validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
     errors = UsdValidation.ValidationContext(validators).Validate(stage)
@@ -301,22 +302,22 @@ def test_ids_that_are_no_identifiers_stay_apart() -> None:
     first = scene.placements[0]
     twins = tuple(structs.replace(first, id=id, position=(1.0, y, 0.0)) for id, y in (("a b", 1.0), ("a-b", 3.0)))
     layer = Sdf.Layer.CreateAnonymous(".usda")
-    layer.ImportFromString(usd_text(structs.replace(scene, placements=twins)))
+    layer.ImportFromString(usd_text(inventory_of(structs.replace(scene, placements=twins))))
     stage = Usd.Stage.Open(layer)
     names = [prim.GetName() for prim in stage.GetPrimAtPath("/World/Objects").GetChildren()]
     assert names == ["a_b", "a_b_2"]
 
 
 def test_the_same_scene_gives_the_same_bytes(tmp_path: Path) -> None:
-    write_usd(sample_scene(), tmp_path / "scene.usda")
+    write_usd(inventory_of(sample_scene()), tmp_path / "scene.usda")
     text = (tmp_path / "scene.usda").read_text()
-    assert text == usd_text(sample_scene())
+    assert text == usd_text(inventory_of(sample_scene()))
     assert text.startswith("#usda 1.0")
     assert "/tmp" not in text
 
 
 def test_an_empty_room_is_a_stage_too() -> None:
     layer = Sdf.Layer.CreateAnonymous(".usda")
-    assert layer.ImportFromString(usd_text(Scene(room=L_ROOM, prompt='say "hi"\n\\ {} ü')))
+    assert layer.ImportFromString(usd_text(inventory_of(Scene(room=L_ROOM, prompt='say "hi"\n\\ {} ü'))))
     assert layer.customLayerData["prompt"] == 'say "hi"\n\\ {} ü'
     assert math.isclose(UsdPhysics.GetStageKilogramsPerUnit(Usd.Stage.Open(layer)), 1.0)

@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from thinkblox.checking import VerifyOptions, verify_file
     from thinkblox.errors import InputError, ThinkBloxError
-    from thinkblox.exporters.folder import save_room
+    from thinkblox.exporters.saving import save_scene
     from thinkblox.generate import Generation, generate_room
     from thinkblox.policies import Policy
+    from thinkblox.saving import save_room
     from thinkblox.scene.placement import Placement
     from thinkblox.scene.room import Opening, Room
     from thinkblox.scene.scene import Scene, load_scene
@@ -46,7 +47,8 @@ _HOME = {
     "generate_room": "thinkblox.generate",
     "load_scene": "thinkblox.scene.scene",
     "parse": "thinkblox.steps",
-    "save_room": "thinkblox.exporters.folder",
+    "save_room": "thinkblox.saving",
+    "save_scene": "thinkblox.exporters.saving",
     "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
 }
@@ -71,6 +73,7 @@ __all__ = [
     "load_scene",
     "parse",
     "save_room",
+    "save_scene",
     "verify",
     "verify_file",
 ]

@@ -7,11 +7,11 @@ import msgspec
 from msgspec import structs
 
 from thinkblox.errors import InputError
+from thinkblox.exporters.saving import write_scene
 from thinkblox.scene.scene import load_scene
 from thinkblox.suite import SuiteResult
-from thinkblox.value import Value, to_json
+from thinkblox.value import Value
 from thinkblox.verdict import Absence, Report
-from thinkblox.whole_file import write_whole
 
 if TYPE_CHECKING:
     from thinkblox.sim.subject import Subject
@@ -210,7 +210,7 @@ def _write(path: str, subject: "Subject", report: Report, reading: VerifyOptions
     if reading.out is not None:
         if subject.scene is None:
             raise InputError(f"{path}: a model has no scene.json; --out is for scenes and layouts")
-        write_whole(Path(reading.out), to_json(subject.scene))
+        write_scene(subject.scene, Path(reading.out))
     if reading.page is not None:
         from thinkblox.page import write_page
 

@@ -174,9 +174,10 @@ def _picture_size(text: str) -> int:
 
 def _generate(arguments: argparse.Namespace) -> int:
     from thinkblox import printing
-    from thinkblox.exporters.folder import check_folder, save_room
+    from thinkblox.exporters.folder import check_folder
     from thinkblox.generate import generate_room
     from thinkblox.placing import Effort
+    from thinkblox.saving import save_room
     from thinkblox.scene.room import Room
     from thinkblox.value import read_json, to_json
 
@@ -238,7 +239,7 @@ def _text(path: Path | None) -> str | None:
 def _render(arguments: argparse.Namespace) -> int:
     import msgspec
 
-    from thinkblox.exporters.folder import save_pictures
+    from thinkblox.exporters.saving import save_pictures
     from thinkblox.scene.scene import load_scene
 
     scene = load_scene(arguments.scene)

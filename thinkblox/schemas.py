@@ -2,6 +2,7 @@
 
 from thinkblox.brief import Brief
 from thinkblox.episode import Round
+from thinkblox.exporters.manifest import Manifest
 from thinkblox.plan import Plan
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
@@ -18,5 +19,7 @@ SCHEMAS: dict[str, type[Value]] = {
     "answer": Answer,
     "brief": Brief,
     "plan": Plan,
+    "manifest": Manifest,
 }
-"""By name: scene.json, a --room file, report.json and its parts, a line of trace.jsonl, what stands in <answer>."""
+"""By name: scene.json, a --room file, report.json and its parts, a line of trace.jsonl, what stands in <answer>, and
+manifest.json."""

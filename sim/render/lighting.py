@@ -7,7 +7,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.sim.render.materials import MATERIALS, finish_table
+from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats
@@ -101,9 +101,10 @@ def _lamps(tracer: Tracer) -> Floats:
 def bounce_table(tracer: Tracer, lights: Lights) -> Floats:
     """Radiance of the sky's steps, then that which each face sends back as if nothing stood in its light."""
     triangles = tracer.triangles
-    colour = np.array([p.colour for p in triangles.patches], np.float32)[triangles.patch]
-    material = np.array([p.material for p in triangles.patches])[triangles.patch]
-    diffuse, glow = finish_table("diffuse")[material][:, None], finish_table("glow")[material][:, None]
+    finishes = [p.reflectance for p in triangles.patches]
+    colour = np.array([p.mean_colour for p in triangles.patches], np.float32)[triangles.patch]
+    diffuse = np.array([finish.diffuse for finish in finishes], np.float32)[triangles.patch][:, None]
+    glow = np.array([finish.glow for finish in finishes], np.float32)[triangles.patch][:, None]
     facing = np.maximum(tracer.face_normals @ lights.sun, 0)[:, None]
     light = np.float32(0.42) + np.float32(0.34) * facing * lights.sun_colour
     back = colour * (np.maximum(diffuse, np.float32(0.4)) * light + glow)

@@ -6,7 +6,7 @@ from typing import get_args
 import numpy as np
 
 from thinkblox.scene.asset import Material
-from thinkblox.sim.render.tessellate import Floats
+from thinkblox.scene.visuals import Look
 
 Colour = tuple[float, float, float]
 
@@ -103,6 +103,9 @@ def linear(colour: Colour) -> Colour:
     return (r, g, b)
 
 
-def finish_table(name: str) -> Floats:
-    """One attribute of all finishes as an array in the order of MATERIALS."""
-    return np.array([float(getattr(FINISHES[m], name)) for m in MATERIALS], np.float32)
+def reflectance_of(look: Look) -> Reflectance:
+    """The reflection of a metal-rough surface; its highlight is as wide as that of the roughness."""
+    metal, rough = look.metallic, max(look.roughness, 0.2)
+    mirror = (1.0 - metal) * 0.06 * (1.0 - look.roughness) + metal * FINISHES["metal"].mirror
+    diffuse = 1.0 - metal * (1.0 - FINISHES["metal"].diffuse)
+    return Reflectance(diffuse=diffuse, mirror=mirror, gloss=max(2.0 / rough**4 - 2.0, 2.0), tinted=metal > 0.5)

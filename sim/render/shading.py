@@ -3,7 +3,7 @@
 import numpy as np
 
 from thinkblox.sim.render.lighting import Irradiance, Lights
-from thinkblox.sim.render.materials import MATERIALS, finish_table
+from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats, Ints
@@ -15,6 +15,7 @@ class Shader:
 
     def __init__(self, triangles: SoupTriangles, lights: Lights, pixel: float) -> None:
         patches = triangles.patches
+        self._patches = patches
         self._lights = lights
         self._pixel = np.float32(pixel)
         self._colour = np.array([p.colour for p in patches], np.float32)
@@ -23,7 +24,13 @@ class Shader:
         self._origin = np.array([p.origin for p in patches], np.float32)
         self._size = np.array([p.size for p in patches], np.float32)
         self._axis = np.argmax(self._size, 1)
-        self._table = {name: finish_table(name) for name in ("diffuse", "mirror", "gloss", "tinted", "sheen", "glow")}
+        finishes = [p.reflectance for p in patches]
+        self._finish = {
+            name: np.array([float(getattr(finish, name)) for finish in finishes], np.float32)
+            for name in ("diffuse", "mirror", "gloss", "tinted", "sheen", "glow")
+        }
+        self._density = np.array([p.density for p in patches], np.float32)
+        self._textured = np.array([p.texture is not None for p in patches], bool)
 
     def colours(self, points: Surfels, light: Irradiance, background: Floats, spread: float) -> Floats:
         """Linear RGB (n, 3) of points.
@@ -52,22 +59,23 @@ class Shader:
         width = self._pixel + np.float32(spread) * points.distance
         base = self._base(points, material, width / cosine)
         grazing = 1 - cosine
-        scatter = self._table["diffuse"][material] + self._table["sheen"][material] * grazing**2
+        patch, finish = points.patch, self._finish
+        scatter = finish["diffuse"][patch] + finish["sheen"][patch] * grazing**2
         colour = base * scatter[:, None] * (light.sky + light.sun)
-        glow = self._table["glow"][material] * (np.float32(0.45) + np.float32(0.55) * cosine)
+        glow = finish["glow"][patch] * (np.float32(0.45) + np.float32(0.55) * cosine)
         colour += base * glow[:, None]
-        shiny = np.flatnonzero(self._table["mirror"][material] > 0)
+        shiny = np.flatnonzero(finish["mirror"][patch] > 0)
         bent = points.view[shiny] + 2 * cosine[shiny, None] * points.normal[shiny]
-        colour[shiny] += self._shine(bent, light[shiny], material[shiny], base[shiny], cosine[shiny])
+        colour[shiny] += self._shine(bent, light[shiny], patch[shiny], base[shiny], cosine[shiny])
         return np.asarray(colour, np.float32)
 
-    def _shine(self, bent: Floats, light: Irradiance, material: Ints, base: Floats, cosine: Floats) -> Floats:
-        mirror, gloss = self._table["mirror"][material][:, None], self._table["gloss"][material][:, None]
+    def _shine(self, bent: Floats, light: Irradiance, patch: Ints, base: Floats, cosine: Floats) -> Floats:
+        mirror, gloss = self._finish["mirror"][patch][:, None], self._finish["gloss"][patch][:, None]
         mirror = mirror + np.float32(0.35) * (1 - mirror) * (1 - cosine[:, None]) ** 5
         sharp = np.maximum(bent @ self._lights.sun, np.float32(0))[:, None] ** gloss
         sky = self._lights.sky(bent[:, 2]) * np.minimum(light.sky.mean(1, keepdims=True) * np.float32(1.5), 1)
         shine = mirror * (sky + sharp * np.sqrt(gloss) * np.float32(0.25) * light.sun)
-        return np.asarray(np.where(self._table["tinted"][material][:, None] > 0, base * shine, shine), np.float32)
+        return np.asarray(np.where(self._finish["tinted"][patch][:, None] > 0, base * shine, shine), np.float32)
 
     def _base(self, points: Surfels, material: Ints, width: Floats) -> Floats:
         base = self._colour[points.patch]
@@ -80,7 +88,18 @@ class Shader:
             mine = np.flatnonzero(material == MATERIALS.index(name))
             if len(mine):
                 base[mine] = paint(points.patch[mine], points.position[mine], base[mine], width[mine])
+        if points.uv is not None:
+            self._paint_textures(points, base, width)
         return base
+
+    def _paint_textures(self, points: Surfels, base: Floats, width: Floats) -> None:
+        """Multiply the colours of textured points by what their textures show there."""
+        for number in np.unique(points.patch[self._textured[points.patch]]):
+            texture = self._patches[number].texture
+            if texture is not None and points.uv is not None:
+                mine = np.flatnonzero(points.patch == number)
+                texels = width[mine] * self._density[number] * np.float32(max(texture.size))
+                base[mine] *= texture.colours(points.uv[mine], texels)
 
     def _local(self, patch: Ints, position: Floats) -> Floats:
         """Points in the frames of their patches [m]."""

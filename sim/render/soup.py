@@ -8,8 +8,11 @@ from numpy.typing import NDArray
 
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.scene import Scene
-from thinkblox.sim.render.materials import MATERIALS, linear
+from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
+from thinkblox.scene.visuals import Look, MeshVisual
+from thinkblox.sim.render.materials import FINISHES, MATERIALS, Colour, Reflectance, linear, reflectance_of
 from thinkblox.sim.render.tessellate import Floats, Ints, Mesh, tessellate
+from thinkblox.sim.render.texture_map import TextureMap, stretch, texture_map
 from thinkblox.value import Quat, Vec3
 
 Pose = tuple[Vec3, Quat]
@@ -28,14 +31,36 @@ class Patch:
         owner: number of the object that it belongs to, or ROOM.
         rotation, origin: the shape's frame in the room, the rotation's columns being its axes.
         size: full extents in that frame [m].
+        look: what it is made of, where it is a mesh with a look of its own; its colour and material are the nearest.
+        density: how much of the look's texture a metre shows, as a share of the texture's side [1/m].
     """
 
-    colour: tuple[float, float, float]
+    colour: Colour
     material: int
     owner: int
     rotation: NDArray[np.float64]
     origin: NDArray[np.float64]
     size: Vec3
+    look: Look | None = None
+    density: float = 0.0
+
+    @property
+    def reflectance(self) -> Reflectance:
+        """How it answers to light."""
+        return FINISHES[MATERIALS[self.material]] if self.look is None else reflectance_of(self.look)
+
+    @property
+    def texture(self) -> TextureMap | None:
+        """What its colour is multiplied by, where it has a texture."""
+        return None if self.look is None or self.look.texture is None else texture_map(self.look.texture)
+
+    @property
+    def mean_colour(self) -> Colour:
+        """Linear RGB of the whole of it."""
+        if self.texture is None:
+            return self.colour
+        red, green, blue = (own * float(seen) for own, seen in zip(self.colour, self.texture.mean, strict=True))
+        return (red, green, blue)
 
 
 @dataclass
@@ -49,15 +74,19 @@ class Soup:
         """Add a mesh given in the patch's frame."""
         turn = patch.rotation.astype(np.float32)
         vertices = mesh.vertices @ turn.T + patch.origin.astype(np.float32)
-        self.meshes.append(Mesh(vertices, mesh.normals @ turn.T, mesh.faces))
+        self.meshes.append(Mesh(vertices, mesh.normals @ turn.T, mesh.faces, mesh.uv))
         self.patches.append(patch)
 
     def add_asset(self, asset: Asset, pose: Pose, owner: int, parts: Mapping[str, Pose] | None = None) -> None:
-        """Add all shapes of an asset at a pose; `parts` are the poses of links that moved against it, by name."""
+        """Add what is seen of an asset at a pose; `parts` are the poses of links that moved against it, by name."""
         for link in asset.links:
             position, quat_wxyz = (parts or {}).get(link.name, pose)
             turn, origin = quat_matrix(quat_wxyz), np.asarray(position, np.float64)
-            for shape in link.shapes:
+            for visual in link.visuals:
+                mesh = mesh_of(visual.mesh)
+                patch = _mesh_patch(visual, mesh, turn, origin, owner)
+                self.add(Mesh(mesh.vertices, mesh.normals, mesh.faces, mesh.uv), patch)
+            for shape in () if link.visuals else link.shapes:
                 self.add(tessellate(shape), _patch(shape, turn, origin, owner))
 
     def triangles(self) -> "SoupTriangles":
@@ -72,18 +101,26 @@ class Soup:
             np.concatenate(faces).astype(np.int32),
             index.astype(np.int32),
             tuple(self.patches),
+            self._uv(),
         )
+
+    def _uv(self) -> Floats | None:
+        if all(mesh.uv is None for mesh in self.meshes):
+            return None
+        none = (np.zeros((len(mesh.vertices), 2), np.float32) if mesh.uv is None else mesh.uv for mesh in self.meshes)
+        return np.concatenate(list(none)).astype(np.float32)
 
 
 @dataclass(frozen=True)
 class SoupTriangles:
-    """Vertices (n, 3), normals (n, 3), faces (m, 3) and the patch of each face (m,)."""
+    """Vertices (n, 3), normals (n, 3), faces (m, 3), the patch of each face (m,), and UV (n, 2) where any has it."""
 
     vertices: Floats
     normals: Floats
     faces: Ints
     patch: Ints
     patches: tuple[Patch, ...]
+    uv: Floats | None = None
 
 
 def _patch(shape: Shape, turn: NDArray[np.float64], origin: NDArray[np.float64], owner: int) -> Patch:
@@ -94,6 +131,22 @@ def _patch(shape: Shape, turn: NDArray[np.float64], origin: NDArray[np.float64],
         turn @ quat_matrix(shape.quat_wxyz),
         turn @ np.asarray(shape.position, np.float64) + origin,
         shape.size,
+    )
+
+
+def _mesh_patch(
+    visual: MeshVisual, mesh: TexturedMesh, turn: NDArray[np.float64], origin: NDArray[np.float64], owner: int
+) -> Patch:
+    length, width, height = (max(float(extent), 1e-4) for extent in np.ptp(mesh.vertices, axis=0))
+    return Patch(
+        linear(visual.look.base_colour),
+        MATERIALS.index("metal" if visual.look.metallic > 0.5 else "plastic"),
+        owner,
+        turn,
+        origin,
+        (length, width, height),
+        visual.look,
+        stretch(mesh),
     )
 
 

@@ -27,6 +27,7 @@ class Surfels:
         distance: along the ray [m], FAR where it leaves the scene (n,).
         clear: share of the light that passes the glass in front (n, 3), None without glass.
         front: number of the first patch, glass included (n,).
+        uv: places in textures (n, 2), None where nothing in the scene has any.
     """
 
     patch: Ints
@@ -38,6 +39,7 @@ class Surfels:
     front: Ints
     clear: Floats | None = None
     shine: Floats | None = None
+    uv: Floats | None = None
 
     def __getitem__(self, pick: NDArray[np.int64] | NDArray[np.bool_] | slice) -> "Surfels":
         """Some of the points."""
@@ -78,7 +80,16 @@ def see_part(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) ->
     front, clear, shine = patch, None, None
     if tracer.has_glass:
         front, clear, shine = _through_glass(tracer, origins, directions, distance, patch)
-    return Surfels(patch, position, normal, facing, directions, distance, front, clear, shine)
+    uv = _uv(tracer.triangles, face, hits.u, hits.v)
+    return Surfels(patch, position, normal, facing, directions, distance, front, clear, shine, uv)
+
+
+def _uv(triangles: SoupTriangles, face: Ints, u: Floats, v: Floats) -> Floats | None:
+    if triangles.uv is None:
+        return None
+    corners = triangles.uv[triangles.faces[face]]
+    found: Floats = corners[:, 0] * (1 - u - v)[:, None] + corners[:, 1] * u[:, None] + corners[:, 2] * v[:, None]
+    return found
 
 
 def _normals(tracer: Tracer, face: Ints, u: Floats, v: Floats, view: Floats) -> tuple[Floats, Floats]:

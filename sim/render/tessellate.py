@@ -28,11 +28,13 @@ class Mesh:
         vertices: (n, 3) [m]; a corner between hard faces is listed once for each of them.
         normals: (n, 3), unit length.
         faces: (m, 3) indices into the vertices.
+        uv: (n, 2) places in the texture, v upwards; None for what has none.
     """
 
     vertices: Floats
     normals: Floats
     faces: Ints
+    uv: Floats | None = None
 
 
 def tessellate(shape: Shape) -> Mesh:

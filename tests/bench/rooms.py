@@ -41,8 +41,8 @@ class Row:
 def run(job: tuple[str, int, Path]) -> Row | str:
     """Generate, write without pictures, and read the files back."""
     prompt, seed, out = job
-    from thinkblox.exporters.folder import save_room
     from thinkblox.generate import generate_room
+    from thinkblox.saving import save_room
 
     start = time.perf_counter()
     try:

@@ -4,11 +4,14 @@ from thinkblox.scene.asset import Asset, Joint, Link, Mount, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, Wall, rectangle
 from thinkblox.scene.scene import Scene, load_scene
+from thinkblox.scene.visuals import Look, MeshVisual
 
 __all__ = [
     "Asset",
     "Joint",
     "Link",
+    "Look",
+    "MeshVisual",
     "Mount",
     "Opening",
     "Placement",

@@ -6,6 +6,8 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from thinkblox.errors import InputError
+from thinkblox.scene.blobs import BlobKind
+from thinkblox.scene.visuals import MeshVisual
 from thinkblox.value import Quat, Value, Vec2, Vec3
 
 Mount = Literal["floor", "wall", "ceiling", "surface"]
@@ -13,6 +15,8 @@ Gaze = Literal["front", "back"]
 Material = Literal[
     "wood", "metal", "fabric", "leather", "glass", "ceramic", "plastic", "paper", "leaf", "stone", "light", "screen"
 ]
+MAX_VISUALS = 256
+"""Most meshes that one link shows."""
 _THIN = 1e-6
 Unit = Annotated[float, Meta(ge=0.0, le=1.0)]
 
@@ -91,11 +95,18 @@ class Joint(Value, frozen=True, kw_only=True):
 
 
 class Link(Value, frozen=True, kw_only=True, omit_defaults=True):
-    """A rigid part. The first link of an asset is its body and has no joint; doors and drawers are joined to it."""
+    """A rigid part. The first link of an asset is its body and has no joint; doors and drawers are joined to it.
+
+    Attributes:
+        shapes: what collides and weighs; also what is seen, where there are no `visuals`.
+        joint: how it moves against the body; None for the body itself and what is fixed to it.
+        visuals: meshes that are seen instead of the shapes.
+    """
 
     name: str
     shapes: Annotated[tuple[Shape, ...], Meta(min_length=1)]
     joint: Joint | None = None
+    visuals: Annotated[tuple[MeshVisual, ...], Meta(max_length=MAX_VISUALS)] = ()
 
 
 class Surface(Value, frozen=True, kw_only=True, omit_defaults=True):
@@ -141,7 +152,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
 
 
 class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True):
-    """Something placeable, made of convex shapes: what is seen is what collides.
+    """Something placeable, made of convex shapes: what is seen is what collides, but for links that have visuals.
 
     Attributes:
         id: "<category>-<hash of its content>".
@@ -201,3 +212,13 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=Tru
             gaze=self.gaze,
             collides=self.collides,
         )
+
+    @property
+    def blobs(self) -> tuple[tuple[str, BlobKind], ...]:
+        """Names and kinds of the blobs that it needs, each once."""
+        found: dict[tuple[str, BlobKind], None] = {}
+        for visual in (visual for link in self.links for visual in link.visuals):
+            found[(visual.mesh, "bin")] = None
+            if visual.look.texture is not None:
+                found[(visual.look.texture, "png")] = None
+        return tuple(found)

@@ -9,6 +9,7 @@ from thinkblox.errors import InputError
 from thinkblox.scene.actions import Action, check_pose, outcome
 from thinkblox.scene.arrangement import Arrangement, Known
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.asset_files import read_asset_files
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.support import Supported, supported
@@ -115,6 +116,13 @@ class Scene(Arrangement, frozen=True, kw_only=True):
 
 
 def load_scene(path: str | Path) -> Scene:
-    """Read a scene from a scene.json or from the output folder that holds one; raises InputError if it cannot."""
+    """Read a scene from a scene.json or from the output folder that holds one, and find the blobs that it names.
+
+    Raises:
+        InputError: it cannot be read; or a mesh or texture of an asset is missing or altered, which names both.
+    """
     file = Path(path)
-    return read_json(file / "scene.json" if file.is_dir() else file, Scene)
+    file = file / "scene.json" if file.is_dir() else file
+    scene = read_json(file, Scene)
+    read_asset_files(scene.assets.values(), file.parent)
+    return scene

@@ -1,0 +1,105 @@
+"""The formats that a scene can be written in; a user's own is registered like ours.
+
+from thinkblox.exporters import ExportFormat, register
+
+register(ExportFormat(name="list", suffix=".txt", write=write_list, says="the names of all objects"))
+thinkblox.save_scene(scene, "out/room", formats=("mjcf", "list"))  # writes scene.xml and scene.txt
+"""
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from thinkblox.errors import InputError
+
+if TYPE_CHECKING:
+    from thinkblox.exporters.inventory import Inventory
+
+DEFAULT = ("mjcf", "usd")
+"""What is written unless told otherwise."""
+_NAME = re.compile(r"[a-z][a-z0-9_-]{0,39}")
+_SUFFIX = re.compile(r"(\.[a-z0-9]{1,20}){1,3}")
+
+
+@dataclass(frozen=True)
+class ExportFormat:
+    """A way of writing a scene.
+
+    Attributes:
+        name: by which it is asked for: small letters, digits, "_" and "-".
+        suffix: how its file ends, with the dot; the file is called "scene" otherwise.
+        write: writes an inventory to a path; what else it writes goes into the same folder, named relative to it.
+        says: what it writes, in a few words.
+
+    Raises:
+        InputError: a name or a suffix that cannot be one.
+    """
+
+    name: str
+    suffix: str
+    write: "Callable[[Inventory, Path], None]"
+    says: str
+
+    def __post_init__(self) -> None:
+        if not _NAME.fullmatch(self.name):
+            raise InputError(f"{self.name!r} cannot name a format; use small letters, digits, '_' and '-'")
+        if not _SUFFIX.fullmatch(self.suffix) or self.suffix == ".json":
+            raise InputError(f"{self.suffix!r} cannot end a format's file; use a dot, small letters and digits")
+
+    @property
+    def file(self) -> str:
+        """The name of its file."""
+        return f"scene{self.suffix}"
+
+
+def _write_mjcf(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.mjcf import write_mjcf
+
+    write_mjcf(inventory, path)
+
+
+def _write_usd(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.usd import write_usd
+
+    write_usd(inventory, path)
+
+
+_FORMATS = {
+    "mjcf": ExportFormat("mjcf", ".xml", _write_mjcf, "MuJoCo's model of the room, with the keyframe 'settled'"),
+    "usd": ExportFormat("usd", ".usda", _write_usd, "the same bodies, masses, colliders and joints as UsdPhysics"),
+}
+
+
+def register(format: ExportFormat, *, replace: bool = False) -> None:
+    """Add a format; from then on it can be asked for by its name.
+
+    Raises:
+        InputError: the name is taken, unless `replace`.
+    """
+    if format.name in _FORMATS and not replace:
+        raise InputError(f"there is a format {format.name!r} already; choose another name, or replace=True")
+    _FORMATS[format.name] = format
+
+
+def formats() -> tuple[ExportFormat, ...]:
+    """All formats, ours first."""
+    return tuple(_FORMATS.values())
+
+
+def formats_named(names: Iterable[str]) -> tuple[ExportFormat, ...]:
+    """The formats of some names, each once.
+
+    Raises:
+        InputError: a name that no format has, or two formats that would write the same file.
+    """
+    chosen: dict[str, ExportFormat] = {}
+    for name in dict.fromkeys(names):
+        if name not in _FORMATS:
+            raise InputError(f"no format {name!r}; there are {', '.join(_FORMATS)}")
+        known = _FORMATS[name]
+        if known.file in chosen:
+            raise InputError(f"formats {chosen[known.file].name!r} and {name!r} both write {known.file}; ask for one")
+        chosen[known.file] = known
+    return tuple(chosen.values())

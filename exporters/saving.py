@@ -1,0 +1,189 @@
+"""Saving any scene, generated or edited, with its report, its formats and its pictures."""
+
+import re
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from thinkblox.errors import InputError
+from thinkblox.exporters.credits import credits_of
+from thinkblox.exporters.folder import check_folder, made_parents, whole_folder
+from thinkblox.exporters.formats import DEFAULT, ExportFormat, formats_named
+from thinkblox.exporters.manifest import MANIFEST, PICTURES, FileKind, Manifest, ManifestFile
+from thinkblox.scene.asset_files import asset_files
+from thinkblox.scene.scene import Scene
+from thinkblox.value import to_json
+from thinkblox.verdict import Report
+from thinkblox.whole_file import write_whole
+
+if TYPE_CHECKING:
+    from thinkblox.exporters.inventory import Inventory
+    from thinkblox.sim.verdict.settle import SettledState
+
+_EXTRA = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,99}")
+
+
+def save_scene(
+    scene: Scene,
+    out: str | Path,
+    report: Report | None = None,
+    *,
+    formats: Sequence[str] = DEFAULT,
+    pictures: bool = True,
+    overwrite: bool = False,
+    extra: Mapping[str, bytes] | None = None,
+) -> Path:
+    """Write a scene to the folder `out` with all its files; returns its path.
+
+    The files are written beside it first and then moved into place, so that `out` is complete or, after any failure
+    or interruption, as it was before.
+
+    Args:
+        scene: any: generated, edited, mended, or changed by hand.
+        out: the folder, made together with its parents.
+        report: what was measured of this very scene; the scene is verified when there is none.
+        formats: names of export formats, as `thinkblox.exporters.formats` lists them.
+        pictures: with preview.png and top.png.
+        overwrite: replace a room that we wrote there earlier.
+        extra: more files, by name, that are kept with the room as they are.
+
+    Raises:
+        InputError: `out` cannot be written, or is a file or a folder that is not one of ours, or one of ours without
+            `overwrite`; a format that does not exist; a report on other objects; an extra file whose name is taken;
+            a mesh or texture that nobody has loaded.
+    """
+    chosen, extra = formats_named(formats), dict(extra or {})
+    _check_report(scene, report)
+    for name in extra:
+        _check_extra(name, chosen)
+    check_folder(out, overwrite=overwrite)
+    beside = asset_files(scene.assets.values())
+    with whole_folder(out, overwrite=overwrite) as room:
+        from thinkblox.exporters.stocktaking import inventory_of
+
+        inventory = inventory_of(scene)
+        writing = _Writing(room)
+        writing.add("scene.json", to_json(scene), "scene", "the room, every placement and every asset")
+        for name, data in beside.items():
+            writing.add(name, data, "asset")
+        checked = report or _verified(inventory)
+        writing.add("report.json", to_json(checked), "report", "what was measured of each object and of the whole")
+        for kind in chosen:
+            writing.export(kind, inventory)
+        for name, data in extra.items():
+            writing.add(name, data, "extra")
+        if pictures:
+            _write_pictures(scene, inventory.state, room)
+            writing.found("picture", {"preview.png": "a three-quarter view", "top.png": "a plan with names"})
+        writing.finish(inventory, chosen)
+    return Path(out)
+
+
+def save_pictures(scene: Scene, out: str | Path, *, size: int = 1024) -> tuple[Path, ...]:
+    """Write preview.png and top.png of a scene, `size` pixels square, into the folder `out`; returns their paths.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    from thinkblox.sim.verdict.settle import settle
+
+    out = Path(out)
+    try:
+        with made_parents(out / PICTURES[0]), tempfile.TemporaryDirectory(prefix=".pictures-", dir=out) as work:
+            _write_pictures(scene, settle(scene), Path(work), size)
+            for name in PICTURES:
+                (Path(work) / name).replace(out / name)
+    except OSError as error:
+        raise InputError(f"{error.filename or out}: cannot be written: {error.strerror}") from error
+    return tuple(out / name for name in PICTURES)
+
+
+def write_scene(scene: Scene, path: Path) -> None:
+    """Write a scene as one scene.json, with the meshes and textures that it names beside it, if there are any.
+
+    Raises:
+        InputError: it cannot be written, or a mesh or texture is not known.
+    """
+    for name, data in asset_files(scene.assets.values()).items():
+        file = path.parent / name
+        try:
+            file.parent.mkdir(exist_ok=True)
+        except OSError as error:
+            raise InputError(f"{file.parent}: cannot be made: {error.strerror}") from error
+        write_whole(file, data)
+    write_whole(path, to_json(scene))
+
+
+def _check_report(scene: Scene, report: Report | None) -> None:
+    if report is None:
+        return
+    ids = {placement.id for placement in scene.placements}
+    other = sorted(ids ^ {verdict.id for verdict in report.objects})
+    if other:
+        raise InputError(
+            f"the report is not on this scene: only one of the two has {', '.join(other[:5])}; leave it out, and the"
+            " scene is verified"
+        )
+
+
+def _check_extra(name: str, chosen: Sequence[ExportFormat]) -> None:
+    taken = {"scene.json", "report.json", MANIFEST, *PICTURES, *(kind.file for kind in chosen)}
+    if not _EXTRA.fullmatch(name) or name.lower() in taken:
+        raise InputError(f"an extra file cannot be called {name!r}; use a plain name that no other file has")
+
+
+def _verified(inventory: "Inventory") -> Report:
+    from thinkblox.sim.verdict.verify import verify
+
+    return verify(inventory.scene, physics=inventory.physics, state=inventory.state)
+
+
+def _write_pictures(scene: Scene, settled: "SettledState", folder: Path, size: int = 1024) -> None:
+    from thinkblox.sim.render import render_preview, render_top
+
+    for name, render in zip(PICTURES, (render_preview, render_top), strict=True):
+        render(scene, size=size, poses=settled.poses).save(folder / name)
+
+
+class _Writing:
+    """A folder being filled, and what its manifest will say of it."""
+
+    def __init__(self, room: Path) -> None:
+        self._room = room
+        self._files: dict[str, ManifestFile] = {}
+
+    def add(self, name: str, data: bytes, kind: FileKind, says: str = "") -> None:
+        """Write one file; raises InputError when a format has written one of that name."""
+        if name in self._files:
+            raise InputError(f"an extra file cannot be called {name!r}: a format has written that file")
+        file = self._room / name
+        file.parent.mkdir(exist_ok=True)
+        file.write_bytes(data)
+        self._files[name] = ManifestFile(name=name, kind=kind, says=says)
+
+    def found(self, kind: FileKind, says: Mapping[str, str], format: str | None = None) -> None:
+        """Take account of the files that came since; `says` by name."""
+        every = (path for path in self._room.rglob("*") if not path.is_dir())
+        for name in sorted(path.relative_to(self._room).as_posix() for path in every):
+            if name not in self._files:
+                self._files[name] = ManifestFile(name=name, kind=kind, format=format, says=says.get(name, ""))
+
+    def export(self, format: ExportFormat, inventory: "Inventory") -> None:
+        """Write one format; raises InputError when its writer did not write its file."""
+        format.write(inventory, self._room / format.file)
+        if not (self._room / format.file).is_file():
+            raise InputError(f"the format {format.name!r} wrote no {format.file}; its writer is given that path")
+        self.found("format", {format.file: format.says}, format.name)
+
+    def finish(self, inventory: "Inventory", chosen: Sequence[ExportFormat]) -> None:
+        """Write the manifest."""
+        from thinkblox.sim.build import package_version
+
+        manifest = Manifest(
+            thinkblox=package_version(),
+            files=tuple(self._files.values()),
+            formats=tuple(kind.name for kind in chosen),
+            credits=credits_of(inventory.scene),
+        )
+        (self._room / MANIFEST).write_bytes(to_json(manifest))

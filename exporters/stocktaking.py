@@ -1,0 +1,173 @@
+"""Taking the inventory of a scene from the model that was measured."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from thinkblox.exporters.inventory import (
+    Inventory,
+    InventoryBody,
+    InventoryGeom,
+    InventoryJoint,
+    InventoryLook,
+    InventoryObject,
+    InventoryWall,
+)
+from thinkblox.exporters.looks import finish_look, look_of
+from thinkblox.scene.asset import Asset, Link, Shape
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.build import GROUND, build_spec, compiled
+from thinkblox.sim.geometry.solid import solid_of, weighing
+from thinkblox.sim.render.materials import palette
+from thinkblox.sim.settings import Physics
+from thinkblox.sim.verdict.settle import Pose, SettledState, settle
+from thinkblox.value import Quat, Vec3
+
+
+def inventory_of(scene: Scene, *, settled: SettledState | None = None, physics: Physics | None = None) -> Inventory:
+    """What a scene is made of, where it stands and where it comes to rest.
+
+    Args:
+        scene: what to take stock of.
+        settled: the state at rest, where it is known already; worked out otherwise.
+        physics: the engine's options.
+    """
+    physics = physics or Physics()
+    settled = settled or settle(scene, physics=physics)
+    return _Stocktaking(scene, physics, settled).inventory()
+
+
+class _Stocktaking:
+    """A compiled scene at its proposed and at its settled pose, and the looks found so far."""
+
+    def __init__(self, scene: Scene, physics: Physics, settled: SettledState) -> None:
+        self._scene, self._physics, self._settled = scene, physics, settled
+        self._model = compiled(build_spec(scene, physics=physics))
+        self._start, self._rest = (_state(self._model, qpos) for qpos in (self._model.qpos0, settled.qpos))
+        self._looks: dict[str, InventoryLook] = {}
+
+    def inventory(self) -> Inventory:
+        """All of it."""
+        walls = tuple(self._walls())
+        objects = tuple(self._object(placement) for placement in self._scene.placements)
+        return Inventory(self._scene, self._physics, walls, objects, self._looks, self._settled)
+
+    def _walls(self) -> Iterator[InventoryWall]:
+        colours, room = palette(self._scene.seed), self._scene.room
+        boxes: dict[str, list[InventoryGeom]] = {name: [] for name in (GROUND, *(wall.name for wall in room.walls))}
+        for number in range(int(self._model.body_geomnum[0])):
+            geom = self._model.geom(number)
+            boxes[geom.name.partition("/")[0]].append(self._slab(number))
+        for name, geoms in boxes.items():
+            label, colour = ("floor", colours.floor) if name == GROUND else ("wall", colours.wall)
+            yield InventoryWall(name, label, self._known(finish_look(label, colour)), tuple(geoms))
+
+    def _slab(self, number: int) -> InventoryGeom:
+        model = self._model
+        box = Shape(
+            kind="box",
+            size=_vec3(2.0 * model.geom_size[number]),
+            position=_vec3(model.geom_pos[number]),
+            quat_wxyz=_quat(model.geom_quat[number]),
+        )
+        return InventoryGeom(shape=box, collides=True, friction=_vec3(model.geom_friction[number]))
+
+    def _object(self, placement: Placement) -> InventoryObject:
+        asset, id = self._scene.asset_of(placement), placement.id
+        first, *rest = zip(asset.links, solid_of(asset).masses, strict=True)
+        fixed = [first, *((link, masses) for link, masses in rest if link.joint is None)]
+        bodies = [self._body(asset, id, id, fixed)]
+        for link, masses in rest:
+            if link.joint is not None:
+                bodies.append(self._body(asset, id, f"{id}/{link.name}", [(link, masses)]))
+        return InventoryObject(id, placement.category, asset.id, asset.licence, asset.author, asset.free, tuple(bodies))
+
+    def _body(self, asset: Asset, id: str, name: str, links: list[tuple[Link, tuple[float, ...]]]) -> InventoryBody:
+        model, body = self._model, int(self._model.body(name).id)
+        root = int(model.body(id).id)
+        # Which friction a geom has, the model says: its geoms are those shapes that collide or weigh, in their order.
+        friction = iter(model.geom_friction[model.geom_bodyid == body])
+        return InventoryBody(
+            name=name,
+            link=links[0][0].name,
+            parent=None if body == root else id,
+            joint=self._joint(name, links[0][0]),
+            proposed=_pose(self._start, body),
+            settled=_pose(self._rest, body),
+            in_object=_relative(self._rest, body, root),
+            mass=float(model.body_mass[body]),
+            centre=_vec3(model.body_ipos[body]),
+            inertia=_vec3(model.body_inertia[body]),
+            axes=_quat(model.body_iquat[body]),
+            geoms=tuple(geom for link, masses in links for geom in self._geoms(link, masses, friction)),
+        )
+
+    def _joint(self, name: str, link: Link) -> InventoryJoint | None:
+        if link.joint is None:
+            return None
+        dof = int(self._model.joint(name).dofadr[0])
+        return InventoryJoint(
+            kind=link.joint.kind,
+            axis=link.joint.axis,
+            anchor=link.joint.anchor,
+            lower=link.joint.lower,
+            upper=link.joint.upper,
+            friction=float(self._model.dof_frictionloss[dof]),
+            damping=float(self._model.dof_damping[dof]),
+        )
+
+    def _geoms(
+        self, link: Link, masses: tuple[float, ...], friction: Iterator[NDArray[np.float64]]
+    ) -> Iterator[InventoryGeom]:
+        mass_of = dict(zip(map(id, weighing(link)), masses, strict=True))
+        for shape in link.shapes:
+            mass = mass_of.get(id(shape), 0.0)
+            rubbing = next(friction) if shape.collide or mass else np.zeros(3)
+            look = None if link.visuals else self._known(finish_look(shape.material, shape.colour))
+            yield InventoryGeom(
+                shape=shape,
+                look=look,
+                collides=shape.collide,
+                mass=mass,
+                friction=_vec3(rubbing) if shape.collide else (0.0, 0.0, 0.0),
+            )
+        for visual in link.visuals:
+            yield InventoryGeom(mesh=visual.mesh, look=self._known(look_of(visual.look)))
+
+    def _known(self, look: InventoryLook) -> str:
+        self._looks.setdefault(look.name, look)
+        return look.name
+
+
+def _state(model: mujoco.MjModel, qpos: Any) -> mujoco.MjData:
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    return data
+
+
+def _pose(data: mujoco.MjData, body: int) -> Pose:
+    return _vec3(data.xpos[body]), _quat(data.xquat[body])
+
+
+def _relative(data: mujoco.MjData, body: int, root: int) -> Pose:
+    """Pose of a body in the frame of another."""
+    back, position, turn = np.zeros(4), np.zeros(3), np.zeros(4)
+    mujoco.mju_negQuat(back, data.xquat[root])
+    mujoco.mju_rotVecQuat(position, data.xpos[body] - data.xpos[root], back)
+    mujoco.mju_mulQuat(turn, back, data.xquat[body])
+    return _vec3(position), _quat(turn)
+
+
+def _vec3(values: Any) -> Vec3:
+    x, y, z = (float(value) for value in values)
+    return (x, y, z)
+
+
+def _quat(values: Any) -> Quat:
+    w, x, y, z = (float(value) for value in values)
+    return (w, x, y, z)
