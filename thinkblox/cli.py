@@ -254,16 +254,12 @@ def _render(arguments: argparse.Namespace) -> int:
 def _schema(arguments: argparse.Namespace) -> int:
     import json
 
-    from thinkblox.errors import InputError
-    from thinkblox.schemas import SCHEMAS
-    from thinkblox.value import json_schema
+    from thinkblox.schemas import SCHEMAS, published_schema
 
     if arguments.name is None:
         print("\n".join(SCHEMAS))
         return 0
-    if arguments.name not in SCHEMAS:
-        raise InputError(f"no schema {arguments.name!r}; there are {', '.join(SCHEMAS)}")
-    print(json.dumps(json_schema(SCHEMAS[arguments.name]), indent=2))
+    print(json.dumps(published_schema(arguments.name), indent=2))
     return 0
 
 

@@ -42,7 +42,7 @@ def _shifts(scene: Scene, asset: Asset, failed: Placement) -> list[Placement]:
     poses = []
     for radius in np.linspace(0.0, reach, RINGS + 1):
         for angle in np.linspace(0.0, 2 * np.pi, SPOKES, endpoint=False)[: 1 if radius == 0.0 else SPOKES]:
-            place = (round(x + radius * np.cos(angle), 3), round(y + radius * np.sin(angle), 3), z)
+            place = (round(float(x + radius * np.cos(angle)), 3), round(float(y + radius * np.sin(angle)), 3), z)
             poses += [placed_at(scene, asset, id=failed.id, position=place, yaw=failed.yaw + turn) for turn in turns]
     return poses
 

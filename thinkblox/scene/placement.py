@@ -3,16 +3,17 @@
 import math
 from typing import Annotated
 
-from msgspec import Meta
+from msgspec import Meta, structs
 from shapely import Polygon
 
-from thinkblox.value import Value, Vec2
+from thinkblox.checked import CheckedValue, Coordinate, Extent
+from thinkblox.value import Vec2
 
-Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
-Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
+STAND_IN = "//candidate"
+"""The id of what is only being measured: no file can hold it, so that it is never that of anything in a scene."""
 
 
-class Placement(Value, frozen=True, kw_only=True):
+class Placement(CheckedValue, frozen=True, kw_only=True):
     """An asset at a pose.
 
     Attributes:
@@ -22,15 +23,24 @@ class Placement(Value, frozen=True, kw_only=True):
         yaw: counter-clockwise [degrees]; at 0 the front faces +x.
         size: (along the front axis, across, up) [m].
         support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id.
+
+    Raises:
+        InputError: a field out of range, or not a finite number.
     """
 
-    id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*$", max_length=120)]
+    id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*\Z", max_length=120)]
     category: str
     asset: str
-    position: tuple[Finite, Finite, Finite]
-    yaw: Finite
+    position: tuple[Coordinate, Coordinate, Coordinate]
+    yaw: Coordinate
     size: tuple[Extent, Extent, Extent]
     support: str
+
+    def __post_init__(self) -> None:
+        if self.id == STAND_IN:
+            structs.replace(self, id="candidate")
+        else:
+            super().__post_init__()
 
     @property
     def front(self) -> Vec2:
