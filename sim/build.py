@@ -3,8 +3,6 @@
 import hashlib
 import math
 from collections.abc import Container
-from functools import cache
-from importlib.metadata import PackageNotFoundError, version
 
 import mujoco
 import numpy as np
@@ -17,6 +15,7 @@ from thinkblox.scene.scene import Scene
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.settings import Physics
+from thinkblox.version import package_version as package_version
 
 GROUND = "floor"
 """Name of the floor's geom; the walls' geoms are named after the walls."""
@@ -101,15 +100,6 @@ def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
     if visuals:
         _add_looks(spec)
     return spec
-
-
-@cache
-def package_version() -> str:
-    """The installed version of this package, or "0+unknown" when it runs from a bare source tree."""
-    try:
-        return version("thinkblox")
-    except PackageNotFoundError:
-        return "0+unknown"
 
 
 def _add_looks(spec: mujoco.MjSpec) -> None:

@@ -3,6 +3,7 @@
 import json
 import re
 from codecs import BOM_UTF8
+from collections.abc import Sequence
 from inspect import cleandoc
 from pathlib import Path
 from typing import Any, TypeVar
@@ -28,6 +29,12 @@ V = TypeVar("V", bound=msgspec.Struct)
 def to_json(value: Value) -> bytes:
     """UTF-8 JSON, indented, vectors on one line, a final newline; the same value gives the same bytes."""
     text = msgspec.json.format(msgspec.json.encode(value), indent=2)
+    return _VECTOR.sub(_on_one_line, text) + b"\n"
+
+
+def all_to_json(values: Sequence[Value]) -> bytes:
+    """A JSON array of values, written as `to_json` writes one."""
+    text = msgspec.json.format(msgspec.json.encode(values), indent=2)
     return _VECTOR.sub(_on_one_line, text) + b"\n"
 
 
