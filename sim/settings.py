@@ -59,7 +59,7 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
 
     Raises:
         InputError: a field out of range, or a `solref` whose time constant is less than two timesteps, which the engine
-            would change without a word.
+            would change without a word, or a `settle_time` of less than one.
     """
 
     timestep: AboveZero = 0.004
@@ -68,8 +68,8 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
     gravity: tuple[Number, Number, Number] = (0.0, 0.0, -9.81)
     settle_time: AboveZero = 1.0
     least_settle_time: NotNegative = 0.5
-    rest_time: AboveZero = 2.0
-    hold_time: AboveZero = 5.0
+    rest_time: NotNegative = 2.0
+    hold_time: NotNegative = 5.0
     chunk: Annotated[int, Meta(ge=1, le=1_000_000)] = 10
     lost: AboveZero = 0.1
     toppled: AboveZero = 15.0
@@ -81,6 +81,8 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
         super().__post_init__()
         if self.solref[0] < 2.0 * self.timestep:
             raise self.refused("solref[0]", f"is {self.solref[0]:g} s; two timesteps are {2 * self.timestep:g} s")
+        if self.settle_time < self.timestep:
+            raise self.refused("settle_time", f"is {self.settle_time:g} s; one timestep is {self.timestep:g} s")
 
 
 class Walking(CheckedValue, kw_only=True, frozen=True):

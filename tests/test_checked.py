@@ -14,6 +14,8 @@ from msgspec import structs
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
 from thinkblox.checked import CheckedValue
 from thinkblox.errors import InputError
+from thinkblox.importing.frames import about, split_yaw
+from thinkblox.phrases import constraints
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.scene.asset import MAX_LINKS, MAX_SHAPES, Asset, Joint, Link, Shape, Surface
 from thinkblox.scene.placement import STAND_IN, Placement
@@ -158,6 +160,7 @@ REFUSED = {
     "another mount": (Asset, {"mount": "roof"}, "mount"),
     "no time to settle": (Physics, {"settle_time": 0.0}, "settle_time"),
     "no timestep": (Physics, {"timestep": 0.0}, "timestep"),
+    "a settle of less than a step": (Physics, {"settle_time": 0.001}, "settle_time"),
     "looking after no step": (Physics, {"chunk": 0}, "chunk"),
     "contacts faster than two timesteps": (Physics, {"timestep": 0.005}, "solref"),
     "a share of two": (Tolerances, {"opens": 2.0}, "opens"),
@@ -179,7 +182,7 @@ def test_a_field_out_of_range_is_named(kind, change, field):
 def test_the_message_says_whose_field_it_is_and_what_it_holds():
     with pytest.raises(InputError, match=r"placement bed_1: yaw is nan; expected float"):
         structs.replace(VALUES[Placement], yaw=math.nan)
-    with pytest.raises(InputError, match=r"opening request: count is -3; expected int >= 0"):
+    with pytest.raises(InputError, match=r"OpeningRequest\.count is -3; expected int >= 0"):
         OpeningRequest(kind="door", count=-3)
 
 
@@ -188,6 +191,15 @@ def test_an_opening_is_not_called_as_a_part_of_the_room_is(name):
     door = structs.replace(VALUES[Opening], id=name)
     with pytest.raises(InputError, match=f"'{name}'.*part of the room"):
         rectangle(4.0, 3.0, openings=(door,))
+
+
+@given(st.floats(-1e-6, 1e-6))
+def test_a_turn_of_almost_nothing_is_never_a_whole_one(yaw):
+    [constraint] = constraints(f"It is turned to {yaw:.20f} degrees.")
+    assert 0.0 <= constraint.values[0] < 360.0
+    turned, rest = split_yaw(about("z", yaw))
+    assert 0.0 <= turned < 360.0
+    assert np.isfinite(rest).all()
 
 
 def test_numbers_of_numpy_become_plain_ones():

@@ -51,11 +51,12 @@ class CheckedValue(Value, frozen=True):
 
     def refused(self, field: str, why: str) -> InputError:
         """The error that says why this value cannot be, by its kind, its name and the field that is wrong."""
-        kind = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", type(self).__name__).lower()
+        kind = type(self).__name__
         named = next((f for f in ("id", "name", "key") if f in self.__struct_fields__), "")
         name = getattr(self, named, None)
-        called = f" {_shown(name)}" if isinstance(name, str) and name and not field.startswith(named) else ""
-        return InputError(f"{kind}{called}: {field} {why}")
+        if isinstance(name, str) and name and not field.startswith(named):
+            return InputError(f"{kind.lower()} {_shown(name)}: {field} {why}")
+        return InputError(f"{kind}.{field} {why}")
 
 
 @cache
