@@ -19,14 +19,25 @@ STATUS = "exit status of every command: 0 done; 1 done, but not all is as it sho
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
-    from thinkblox.errors import InputError
-
     arguments = _parser().parse_args(argv)
     stops: list[int] = []
     try:
         with stoppable(stops):
-            status: int = arguments.run(arguments)
-            sys.stdout.flush()
+            return _run(arguments)
+    except (KeyboardInterrupt, Exception):
+        # A compiled function that is stopped while it loads or is called makes another error of it.
+        if not stops:
+            raise
+        print("thinkblox: stopped; nothing was written", file=sys.stderr)
+        return 130
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    from thinkblox.errors import InputError
+
+    try:
+        status: int = arguments.run(arguments)
+        sys.stdout.flush()
     except InputError as error:
         print(f"thinkblox: {error}", file=sys.stderr)
         return 2
@@ -34,12 +45,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         # Whoever read the output, such as `head`, has had enough; the last flush at exit must not fail too.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
-    except (KeyboardInterrupt, ImportError):
-        # A compiled module that is stopped while it loads makes an ImportError of it.
-        if not stops:
-            raise
-        print("thinkblox: stopped; nothing was written", file=sys.stderr)
-        return 130
     return status
 
 
