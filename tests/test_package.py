@@ -99,7 +99,7 @@ def help_of(*words: str) -> str:
     return run(
         "import sys\nfrom thinkblox.cli import main\n"
         f"try:\n    main([*{words!r}, '--help'])\nexcept SystemExit:\n    pass\n"
-        "print(sorted({'mujoco', 'pxr', 'torch', 'numpy', 'shapely', 'trimesh'} & set(sys.modules)))"
+        "print(sorted({'mujoco', 'pxr', 'torch', 'numpy', 'shapely', 'trimesh', 'msgspec'} & set(sys.modules)))"
     )
 
 
