@@ -3,6 +3,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+PIP = $(BIN)/python -m pip --disable-pip-version-check install -c constraints.txt
 PROMPT ?= A calm bedroom, 4 m by 5 m, with a double bed against the long wall, two nightstands with a lamp on each, a wardrobe, and a small desk with a chair by the window.
 
 .PHONY: demo test slow lint types bench pictures schemas constraints clean
@@ -13,15 +14,15 @@ demo: $(VENV)/installed
 test: lint types
 	$(BIN)/python -m pytest -n auto -m "not slow"
 
-slow: $(VENV)/installed
+slow: $(VENV)/installed-dev
 	$(BIN)/python -m pytest -n auto -m slow
 
-lint: $(VENV)/installed
+lint: $(VENV)/installed-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-logo
 
-types: $(VENV)/installed
+types: $(VENV)/installed-dev
 	$(BIN)/mypy
 
 bench: $(VENV)/installed
@@ -40,12 +41,20 @@ schemas: $(VENV)/installed
 	mkdir -p docs/schema
 	for name in $$($(BIN)/thinkblox schema); do $(BIN)/thinkblox schema $$name > docs/schema/$$name.schema.json; done
 
+# What `make demo` needs: the package and what it runs on, nothing else.
 $(VENV)/installed: pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; call make with PYTHON=...")'
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet -c constraints.txt setuptools
-	$(BIN)/python -m pip install --quiet -c constraints.txt --no-build-isolation -e ".[dev]"
-	touch $@
+	@echo "Setting up $(VENV), once: about 120 MB to download, 560 MB on disk, a minute or two."
+	@$(PYTHON) -m venv $(VENV)
+	$(PIP) setuptools
+	$(PIP) --no-build-isolation -e .
+	@touch $@
+
+# The tools of development besides: tests, linters, types.
+$(VENV)/installed-dev: $(VENV)/installed
+	@echo "Adding the tools of development, once: about 35 MB to download, half a minute."
+	$(PIP) --no-build-isolation -e ".[dev]"
+	@touch $@
 
 # Resolve every dependency anew and pin what comes out.
 constraints:

@@ -3,8 +3,6 @@
 import hashlib
 import math
 from collections.abc import Container
-from functools import cache
-from importlib.metadata import PackageNotFoundError, version
 
 import mujoco
 import numpy as np
@@ -18,6 +16,7 @@ from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.mesh_visuals import add_mesh_visual
 from thinkblox.sim.settings import Physics
+from thinkblox.version import package_version as package_version
 
 GROUND = "floor"
 """Name of the floor's geom; the walls' geoms are named after the walls."""
@@ -106,15 +105,6 @@ def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
     return spec
 
 
-@cache
-def package_version() -> str:
-    """The installed version of this package, or "0+unknown" when it runs from a bare source tree."""
-    try:
-        return version("thinkblox")
-    except PackageNotFoundError:
-        return "0+unknown"
-
-
 def _add_looks(spec: mujoco.MjSpec) -> None:
     spec.visual.headlight.ambient, spec.visual.headlight.diffuse = (0.4, 0.4, 0.4), (0.5, 0.5, 0.5)
     spec.visual.global_.offwidth, spec.visual.global_.offheight = 1920, 1080
@@ -161,9 +151,13 @@ def add_placement(
     visuals: bool = False,
     free: bool | None = None,
     asleep: bool = False,
+    name: str | None = None,
 ) -> None:
-    """Add one object; `free` overrides whether it has a freejoint, and what has one can start asleep."""
-    id, masses = placement.id, solid_of(asset).masses
+    """Add one object; `free` overrides whether it has a freejoint, and what has one can start asleep.
+
+    Its body is called as the placement is, or `name`.
+    """
+    id, masses = name or placement.id, solid_of(asset).masses
     root = spec.worldbody.add_body(name=id, pos=placement.position, quat=yaw_quat(placement.yaw))
     if asset.free if free is None else free:
         root.add_freejoint(name=id + FREE_SUFFIX)

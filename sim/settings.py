@@ -1,19 +1,14 @@
 """Named settings of the physics and of the verdicts, each with its unit."""
 
-import math
-from collections.abc import Iterable
+from typing import Annotated
 
-from msgspec.structs import asdict
+from msgspec import Meta
 
-from thinkblox.errors import InputError
-from thinkblox.value import Value, Vec2, Vec3
-
-MOST_STEPS = 1_000_000
-"""Of `Physics.chunk`."""
+from thinkblox.checked import AboveZero, CheckedValue, NotNegative, Number, Share
 
 
-class Tolerances(Value, kw_only=True, frozen=True):
-    """Where a verdict draws its lines; raises InputError for one that is less than 0 or no number.
+class Tolerances(CheckedValue, kw_only=True, frozen=True):
+    """Where a verdict draws its lines.
 
     Attributes:
         penetration: deepest contact that is still resting or touching [m].
@@ -30,29 +25,23 @@ class Tolerances(Value, kw_only=True, frozen=True):
         size: by how much a placement's size may differ from its asset's [m].
     """
 
-    penetration: float = 0.001
-    outside: float = 0.001
-    touching: float = 0.010
-    clearance: float = 0.003
-    drift: float = 0.005
-    drop: float = 0.010
-    tilt: float = 2.0
-    pushed: float = 0.005
-    opens: float = 0.6
-    carried: float = 0.5
-    hold_drift: float = 0.010
-    hold_tilt: float = 2.0
-    size: float = 0.010
-
-    def __post_init__(self) -> None:
-        _refuse_less_than_zero(self, asdict(self))
+    penetration: NotNegative = 0.001
+    outside: NotNegative = 0.001
+    touching: NotNegative = 0.010
+    clearance: NotNegative = 0.003
+    drift: NotNegative = 0.005
+    drop: NotNegative = 0.010
+    tilt: NotNegative = 2.0
+    pushed: NotNegative = 0.005
+    opens: Share = 0.6
+    carried: Share = 0.5
+    hold_drift: NotNegative = 0.010
+    hold_tilt: NotNegative = 2.0
+    size: NotNegative = 0.010
 
 
-class Physics(Value, kw_only=True, frozen=True):
+class Physics(CheckedValue, kw_only=True, frozen=True):
     """How the engine is run; the exported model carries the same options.
-
-    Raises InputError, which names the field, for what the engine cannot be run with: a time or length that is not
-    positive and finite, a settle shorter than a step, a chunk of no steps.
 
     Attributes:
         timestep: [s].
@@ -67,40 +56,37 @@ class Physics(Value, kw_only=True, frozen=True):
         lost, toppled: motion [m] and rotation [degrees] past which a settle is given up.
         ground_friction: of floor and walls; below any object's, as the engine takes the larger of the two.
         wall_thickness, floor_thickness: of the slabs round and under the room [m].
+
+    Raises:
+        InputError: a field out of range, or a `solref` whose time constant is less than two timesteps, which the engine
+            would change without a word, or a `settle_time` of less than one.
     """
 
-    timestep: float = 0.004
-    solref: Vec2 = (0.008, 1.0)
-    impratio: float = 10.0
-    gravity: Vec3 = (0.0, 0.0, -9.81)
-    settle_time: float = 5.0
-    least_settle_time: float = 0.5
-    rest_time: float = 2.0
-    hold_time: float = 5.0
-    chunk: int = 10
-    lost: float = 0.1
-    toppled: float = 15.0
-    ground_friction: float = 0.2
-    wall_thickness: float = 0.1
-    floor_thickness: float = 0.5
+    timestep: AboveZero = 0.004
+    solref: tuple[AboveZero, AboveZero] = (0.008, 1.0)
+    impratio: AboveZero = 10.0
+    gravity: tuple[Number, Number, Number] = (0.0, 0.0, -9.81)
+    settle_time: AboveZero = 5.0
+    least_settle_time: NotNegative = 0.5
+    rest_time: NotNegative = 2.0
+    hold_time: NotNegative = 5.0
+    chunk: Annotated[int, Meta(ge=1, le=1_000_000)] = 10
+    lost: AboveZero = 0.1
+    toppled: AboveZero = 15.0
+    ground_friction: NotNegative = 0.2
+    wall_thickness: AboveZero = 0.1
+    floor_thickness: AboveZero = 0.5
 
     def __post_init__(self) -> None:
-        positive = ("timestep", "impratio", "settle_time", "lost", "toppled", "wall_thickness", "floor_thickness")
-        _refuse_not_positive(self, positive)
-        _refuse_less_than_zero(self, ("least_settle_time", "rest_time", "hold_time", "ground_friction"))
-        for name, numbers in (("solref", self.solref), ("gravity", self.gravity)):
-            if not all(map(math.isfinite, numbers)):
-                raise InputError(f"Physics.{name} is {numbers}; every number must be finite")
-        if not 1 <= self.chunk <= MOST_STEPS:
-            raise InputError(f"Physics.chunk is {self.chunk}; it must be 1 to {MOST_STEPS} steps")
+        super().__post_init__()
+        if self.solref[0] < 2.0 * self.timestep:
+            raise self.refused("solref[0]", f"is {self.solref[0]:g} s; two timesteps are {2 * self.timestep:g} s")
         if self.settle_time < self.timestep:
-            raise InputError(
-                f"Physics.settle_time is {self.settle_time:g} s; it must be at least one timestep, {self.timestep:g} s"
-            )
+            raise self.refused("settle_time", f"is {self.settle_time:g} s; one timestep is {self.timestep:g} s")
 
 
-class Walking(Value, kw_only=True, frozen=True):
-    """What a walkable way and a clear opening are; raises InputError for a measure that is less than 0 or no number.
+class Walking(CheckedValue, kw_only=True, frozen=True):
+    """What a walkable way and a clear opening are.
 
     Attributes:
         width: of the walker [m].
@@ -117,33 +103,15 @@ class Walking(Value, kw_only=True, frozen=True):
         window_excess: how far above the sill a piece before a window may reach [m].
     """
 
-    width: float = 0.5
-    robot: float = 0.2
-    headroom: float = 1.9
-    step: float = 0.03
-    reach: float = 0.6
-    large: float = 0.3
-    movable: float = 15.0
-    door_zone: float = 1.0
-    window_zone: float = 0.3
-    window_share: float = 0.2
-    window_width: float = 0.45
-    window_excess: float = 0.3
-
-    def __post_init__(self) -> None:
-        _refuse_not_positive(self, ("width", "robot"))
-        _refuse_less_than_zero(self, asdict(self))
-
-
-def _refuse_not_positive(settings: Value, names: Iterable[str]) -> None:
-    for name in names:
-        value = getattr(settings, name)
-        if not 0.0 < value < math.inf:
-            raise InputError(f"{type(settings).__name__}.{name} is {value}; it must be more than 0, and finite")
-
-
-def _refuse_less_than_zero(settings: Value, names: Iterable[str]) -> None:
-    for name in names:
-        value = getattr(settings, name)
-        if not value >= 0.0:
-            raise InputError(f"{type(settings).__name__}.{name} is {value}; it must be 0 or more")
+    width: AboveZero = 0.5
+    robot: AboveZero = 0.2
+    headroom: AboveZero = 1.9
+    step: NotNegative = 0.03
+    reach: NotNegative = 0.6
+    large: NotNegative = 0.3
+    movable: NotNegative = 15.0
+    door_zone: NotNegative = 1.0
+    window_zone: NotNegative = 0.3
+    window_share: Share = 0.2
+    window_width: NotNegative = 0.45
+    window_excess: NotNegative = 0.3

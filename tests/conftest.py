@@ -1,11 +1,11 @@
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from thinkblox.scene.asset import Asset, Link, Shape
 
-# A busy machine makes an example slow, not wrong.
-settings.register_profile("steady", deadline=None)
-settings.load_profile("steady")
+# On a busy machine an example takes as long as it takes; what matters is what comes out.
+settings.register_profile("whatever the load", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("whatever the load")
 
 
 def unit_box() -> Asset:

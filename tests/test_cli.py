@@ -3,7 +3,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -210,16 +209,19 @@ def test_the_scene_that_is_broken_above_is_fine_unbroken(tmp_path, capsys):
     assert "all passed" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("delay", [0.6, 1.2])
-def test_a_terminated_run_leaves_nothing_behind(tmp_path, delay):
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("placed", [1, 7])
+def test_a_stopped_run_leaves_nothing_behind(tmp_path, placed, number):
     prompt = "A buffet restaurant with five square tables with four chairs each and a long counter."
     command = [sys.executable, "-m", "thinkblox", "generate", prompt, "--out", str(tmp_path / "a" / "b" / "room")]
-    running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    time.sleep(delay)
-    running.terminate()
-    _, errors = running.communicate(timeout=60)
-    assert running.returncode in (130, -signal.SIGINT)  # a shell shows both as 130
-    assert b"nothing was written" in errors
+    running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert running.stderr is not None
+    for _ in range(placed):
+        assert "placed" in running.stderr.readline()
+    running.send_signal(number)
+    _, errors = running.communicate(timeout=300)
+    assert running.returncode == 130
+    assert "nothing was written" in errors
     assert list(tmp_path.iterdir()) == []
 
 
@@ -235,3 +237,22 @@ def test_render_draws_both_pictures(tmp_path, capsys):
     paths = [Path(path) for path in json.loads(capsys.readouterr().out)]
     assert [path.name for path in paths] == ["preview.png", "top.png"]
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in paths)
+
+
+def test_a_stop_that_comes_out_as_another_error_is_still_a_stop():
+    code = """
+import os, signal, sys
+from thinkblox.cli import main, schema
+
+def stopped_in_a_call(arguments):
+    try:
+        os.kill(os.getpid(), signal.SIGTERM)
+        signal.pause()
+    except KeyboardInterrupt:
+        raise TypeError("incompatible function arguments") from None
+
+schema._schema = stopped_in_a_call
+sys.exit(main(["schema"]))
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (130, "thinkblox: stopped; nothing was written\n")

@@ -300,7 +300,7 @@ def test_kinds_and_labels(stage: Any) -> None:
 def test_ids_that_are_no_identifiers_stay_apart() -> None:
     scene = sample_scene()
     first = scene.placements[0]
-    twins = tuple(structs.replace(first, id=id, position=(1.0, y, 0.0)) for id, y in (("a b", 1.0), ("a-b", 3.0)))
+    twins = tuple(structs.replace(first, id=id, position=(1.0, y, 0.0)) for id, y in (("a.b", 1.0), ("a-b", 3.0)))
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.ImportFromString(usd_text(inventory_of(structs.replace(scene, placements=twins))))
     stage = Usd.Stage.Open(layer)

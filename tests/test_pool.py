@@ -183,7 +183,8 @@ def test_numbers_of_numpy_are_numbers(pool: VerdictPool) -> None:
 
 
 def test_only_the_candidate_that_cannot_be_read_goes_without_a_verdict(pool: VerdictPool) -> None:
-    far = structs.replace(put(CRATE, 2.0, 2.0, id="far"), position=(1e9, 0.0, 0.0))
+    far = put(CRATE, 2.0, 2.0, id="far")
+    structs.force_setattr(far, "position", (1e9, 0.0, 0.0))
     good = put(CRATE, 2.0, 2.0)
     first, second, third = pool.check_one(scene(), CRATE, [good, far, good])
     assert first == third
@@ -209,7 +210,8 @@ def crumb() -> Asset:
 def test_what_is_no_job_is_refused_to_whoever_gave_it(pool: VerdictPool) -> None:
     with pytest.raises(InputError, match="str for its Asset"):
         pool.check_one(scene(), "crate", [])  # type: ignore[arg-type]
-    odd = structs.replace(put(CRATE, 2.0, 2.0), support=object())
+    odd = put(CRATE, 2.0, 2.0)
+    structs.force_setattr(odd, "support", object())
     with pytest.raises(InputError, match="object"):
         pool.check_one(scene(), CRATE, [odd])
 

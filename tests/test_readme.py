@@ -8,6 +8,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parent.parent
+PAGES = (
+    "https://github.com/thinkblox/thinkblox/blob/main/",
+    "https://raw.githubusercontent.com/thinkblox/thinkblox/main/",
+)
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}")
     for name in ("README.md", "docs/guide.md")
@@ -24,8 +28,8 @@ def test_python_blocks_run(block, tmp_path):
 
 def make(*arguments: str) -> subprocess.CompletedProcess[str]:
     """Make in this environment, which is taken as set up."""
-    installed = f"{sys.prefix}/installed"
-    command = ["make", "-C", str(ROOT), "-o", installed, f"VENV={sys.prefix}", *arguments]
+    done = [f"-o{sys.prefix}/{stamp}" for stamp in ("installed", "installed-dev")]
+    command = ["make", "-C", str(ROOT), *done, f"VENV={sys.prefix}", *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
@@ -48,11 +52,12 @@ def test_make_test_lints_types_and_tests():
 
 def test_the_commands_of_the_readme_run(tmp_path):
     shown = re.findall(r"^    thinkblox (\w+)(.*)$", (ROOT / "README.md").read_text(), re.MULTILINE)
-    assert [command for command, _ in shown] == ["generate", "verify", "render", "schema"]
+    assert [command for command, _ in shown] == ["generate", "verify", "render", "assets", "schema"]
     values = {"PROMPT": "An empty room with nothing in it but a chair.", "DIR": str(tmp_path / "room")}
     values |= {"SCENE": values["DIR"], "N": "2", "PX": "96", "NAME": "scene"}
     values |= {"PATH": values["DIR"], "A,B": "scenesmith,sceneeval_sim", "FILE": str(tmp_path / "page.html")}
     for command, rest in shown:
+        rest = rest.replace("--category NAME", "--category desk")
         words = re.sub(r"\[--(room|json|out|overwrite)[^]]*\]|#.*|[\[\]]", "", rest).split()
         arguments = [values.get(word, word) for word in words]
         done = subprocess.run(
@@ -65,6 +70,26 @@ def test_links_point_at_files():
     for name in ("README.md", "docs/guide.md", "docs/benchmarks.md"):
         for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
             assert (ROOT / name).parent.joinpath(link).exists(), (name, link)
+
+
+def test_the_readme_is_a_page_anywhere():
+    """The package index shows it without the repository round it: every link is absolute, and what it names is here."""
+    links = re.findall(r"\]\(([^)]+)\)", (ROOT / "README.md").read_text())
+    assert len(links) > 4
+    for link in links:
+        for home in PAGES:
+            if link.startswith(home):
+                assert (ROOT / link.removeprefix(home)).exists(), link
+        assert link.startswith(PAGES), link
+
+
+def test_setting_up_installs_what_runs_and_the_tools_only_where_used(tmp_path):
+    demo, test = (make("--dry-run", f"VENV={tmp_path}/fresh", target).stdout for target in ("demo", "test"))
+    assert "install -c constraints.txt --no-build-isolation -e .\n" in demo
+    assert "[dev]" not in demo
+    assert "[dev]" in test
+    assert "--quiet" not in demo + test
+    assert "lint-imports --no-logo" in test
 
 
 def test_the_tree_of_the_readme_names_what_exists():

@@ -97,7 +97,11 @@ def test_cushions_are_rounder_than_boards() -> None:
     assert volume(rounded_box(size, edge_radius(size, soft=True))) > 0.9 * 0.5 * 0.5 * 0.15
 
 
-quats = st.tuples(*[st.floats(-1, 1, allow_nan=False)] * 4).filter(lambda q: sum(c * c for c in q) > 0.01)
+quats = (
+    st.tuples(*[st.floats(-1, 1, allow_nan=False)] * 4)
+    .filter(lambda q: sum(c * c for c in q) > 0.01)
+    .map(lambda q: tuple(c / math.hypot(*q) for c in q))
+)
 places = st.tuples(*[st.floats(-5, 5, allow_nan=False)] * 3)
 
 

@@ -1,4 +1,5 @@
 import json
+import re
 from pathlib import Path
 
 import jsonschema
@@ -6,7 +7,8 @@ import pytest
 
 from thinkblox.cli import main
 from thinkblox.generate import generate_room
-from thinkblox.schemas import SCHEMAS
+from thinkblox.scene.scene import SCENE_VERSION
+from thinkblox.schemas import SCHEMAS, published_schema
 from thinkblox.value import Value, json_schema, to_json
 
 PUBLISHED = Path(__file__).parent.parent / "docs" / "schema"
@@ -15,8 +17,28 @@ PUBLISHED = Path(__file__).parent.parent / "docs" / "schema"
 @pytest.mark.parametrize("name", SCHEMAS)
 def test_what_is_published_is_what_the_code_reads(name):
     document = json.loads((PUBLISHED / f"{name}.schema.json").read_text())
-    assert document == json.loads(json.dumps(json_schema(SCHEMAS[name]))), "run make schemas"
+    assert document == json.loads(json.dumps(published_schema(name))), "run make schemas"
     jsonschema.Draft202012Validator.check_schema(document)
+
+
+@pytest.mark.parametrize("name", SCHEMAS)
+def test_a_schema_says_what_it_is_and_where_it_is_known(name):
+    document = published_schema(name)
+    assert document["$id"] == f"https://github.com/thinkblox/thinkblox/schema/v{SCENE_VERSION}/{name}.schema.json"
+    assert document["title"] == f"ThinkBLOX {name}"
+    assert document["description"]
+
+
+def test_patterns_are_ones_that_every_validator_reads():
+    texts = [json.dumps(published_schema(name)) for name in SCHEMAS]
+    patterns = [pattern for text in texts for pattern in re.findall(r'"pattern": "(.*?)"', text)]
+    assert patterns
+    assert all(pattern.endswith("$") for pattern in patterns)
+    assert not any(pattern.endswith("Z$") for pattern in patterns)
+
+
+def test_descriptions_have_no_indents_of_the_source():
+    assert not any("\\n        Raises" in json.dumps(published_schema(name)) for name in SCHEMAS)
 
 
 def test_a_real_room_is_valid_by_its_schemas():

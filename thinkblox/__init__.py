@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from thinkblox.steps import Rejection, Step, parse
     from thinkblox.verdict import Report, Verdict
 
+__version__: str
 _HOME = {
     "Generation": "thinkblox.generate",
     "InputError": "thinkblox.errors",
@@ -80,10 +81,12 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return import_module("thinkblox.version").package_version()
     if name not in _HOME:
         raise AttributeError(f"module 'thinkblox' has no attribute {name!r}; it has {', '.join(__all__)}")
     return getattr(import_module(_HOME[name]), name)
 
 
 def __dir__() -> list[str]:
-    return __all__
+    return [*__all__, "__version__"]

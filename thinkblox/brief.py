@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from msgspec import Meta
 
-from thinkblox.value import Value
+from thinkblox.checked import AboveZero, CheckedValue, Extent
 
 RelationKind = Literal[
     "on",  # rests on the anchor
@@ -49,11 +49,15 @@ Place = Literal[
 in by the door; a plan names the walls they mean. "in_corner" names one of these walls, or the two that meet there."""
 
 
-Measures = tuple[float | None, float | None, float | None]
+Measures = tuple[Extent | None, Extent | None, Extent | None]
 """Depth, width and height in the order of an asset's size [m]; None for what the prompt leaves open."""
+Name = Annotated[str, Meta(min_length=1, max_length=200)]
+Count = Annotated[int, Meta(ge=1, le=200)]
+"""How many of a kind are asked for."""
+Ordinal = Annotated[int, Meta(ge=0, le=1_000_000)]
 
 
-class Request(Value, frozen=True, kw_only=True):
+class Request(CheckedValue, frozen=True, kw_only=True):
     """Objects of one kind that belong to the room.
 
     Attributes:
@@ -65,16 +69,16 @@ class Request(Value, frozen=True, kw_only=True):
         size: what the prompt says of its size.
     """
 
-    key: str
-    category: str
-    count: Annotated[int, Meta(ge=1, le=200)] = 1
+    key: Name
+    category: Name
+    count: Count = 1
     asked: bool = True
     attributes: tuple[str, ...] = ()
     phrase: str = ""
     size: Measures = (None, None, None)
 
 
-class Relation(Value, frozen=True, kw_only=True):
+class Relation(CheckedValue, frozen=True, kw_only=True):
     """`subject` stands in this relation to `anchors`: keys of requests, or a Place.
 
     Attributes:
@@ -84,22 +88,22 @@ class Relation(Value, frozen=True, kw_only=True):
     """
 
     kind: RelationKind
-    subject: str
+    subject: Name
     anchors: tuple[str, ...] = ()
     each: bool = False
     asked: bool = True
-    rows: int = 0
+    rows: Ordinal = 0
 
 
-class OpeningRequest(Value, frozen=True, kw_only=True):
-    """A door or window that the prompt asks for."""
+class OpeningRequest(CheckedValue, frozen=True, kw_only=True):
+    """A door or window that the prompt asks for, or does not want: then `count` is 0."""
 
     kind: Literal["door", "window"]
     wall: str = ""
-    count: int = 1
+    count: Annotated[int, Meta(ge=0, le=200)] = 1
 
 
-class Brief(Value, frozen=True, kw_only=True):
+class Brief(CheckedValue, frozen=True, kw_only=True):
     """What the prompt asks for.
 
     Attributes:
@@ -118,10 +122,10 @@ class Brief(Value, frozen=True, kw_only=True):
     language: str = "en"
     room_type: str = "room"
     shape: Literal["rectangle", "L"] = "rectangle"
-    width: float | None = None
-    depth: float | None = None
-    area: float | None = None
-    height: float | None = None
+    width: AboveZero | None = None
+    depth: AboveZero | None = None
+    area: AboveZero | None = None
+    height: AboveZero | None = None
     openings: tuple[OpeningRequest, ...] = ()
     requests: tuple[Request, ...] = ()
     relations: tuple[Relation, ...] = ()

@@ -163,7 +163,7 @@ _FORMS: tuple[_Form, ...] = (
         "turned",
         re.compile(rf"turned to {_NUM} degrees"),
         lambda c: f"turned to {c.values[0]:g} degrees",
-        lambda g: Constraint(kind="turned", values=(float(g[0]) % 360.0,)),
+        lambda g: Constraint(kind="turned", values=(float(g[0]) % 360.0 % 360.0,)),
     ),
     _Form(
         "above",

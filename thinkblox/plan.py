@@ -1,10 +1,16 @@
 """In which order the objects of a brief are placed, and what each depends on."""
 
-from thinkblox.brief import Brief, Measures, RelationKind
-from thinkblox.value import Value
+from typing import Annotated
+
+from msgspec import Meta
+
+from thinkblox.brief import Brief, Measures, Name, Ordinal, RelationKind
+from thinkblox.checked import CheckedValue
+
+OfSome = Annotated[int, Meta(ge=1, le=1_000_000)]
 
 
-class Tie(Value, frozen=True, kw_only=True):
+class Tie(CheckedValue, frozen=True, kw_only=True):
     """A relation of one target, with the ids of the very objects it refers to, or a Place of the room.
 
     Attributes:
@@ -15,13 +21,13 @@ class Tie(Value, frozen=True, kw_only=True):
 
     kind: RelationKind
     anchors: tuple[str, ...] = ()
-    index: int = 0
-    count: int = 1
-    rows: int = 0
+    index: Ordinal = 0
+    count: OfSome = 1
+    rows: Ordinal = 0
     asked: bool = True
 
 
-class Target(Value, frozen=True, kw_only=True):
+class Target(CheckedValue, frozen=True, kw_only=True):
     """One object to place.
 
     Attributes:
@@ -32,13 +38,13 @@ class Target(Value, frozen=True, kw_only=True):
         size: what its asset must measure, where that is not left open.
     """
 
-    id: str
-    category: str
-    request: str
+    id: Name
+    category: Name
+    request: Name
     asked: bool = True
     attributes: tuple[str, ...] = ()
-    index: int = 0
-    count: int = 1
+    index: Ordinal = 0
+    count: OfSome = 1
     ties: tuple[Tie, ...] = ()
     size: Measures = (None, None, None)
 
@@ -48,7 +54,7 @@ class Target(Value, frozen=True, kw_only=True):
         return tuple(dict.fromkeys(a for tie in self.ties for a in tie.anchors if a.rsplit("_", 1)[-1].isdigit()))
 
 
-class Plan(Value, frozen=True, kw_only=True):
+class Plan(CheckedValue, frozen=True, kw_only=True):
     """The targets in the order in which they are placed: anchors, what belongs to them, small things.
 
     Attributes:

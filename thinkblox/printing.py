@@ -2,7 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
+from thinkblox.listing import CategoryEntry
 from thinkblox.suite import Criterion, SuiteResult
+from thinkblox.value import Vec3
 from thinkblox.verdict import Move, Report
 
 MARKS = {True: "passed", False: "FAILED", None: "-"}
@@ -101,6 +103,32 @@ def _number(value: float | None, unit: str) -> str:
         return "-"
     shown, factor = UNITS.get(unit, (unit, 1.0))
     return f"{value * factor:.4g} {shown}".strip()
+
+
+def categories(entries: Sequence[CategoryEntry]) -> str:
+    """A table of the catalogue, a line for each category."""
+    heading = ("category", "stands on", "size [m]", "mass [kg]", "attributes")
+    rows = [(e.name, e.mount, _lengths(e.size), f"{e.mass:g}", ", ".join(e.attributes)) for e in entries]
+    return f"{_table([heading, *rows])}\n{len(entries)} categories; size is depth x width x height"
+
+
+def category(entry: CategoryEntry) -> str:
+    """All about one category of the catalogue, a line for each fact."""
+    return f"{entry.name}: {entry.noun}\n" + _table(
+        [
+            ("stands on", entry.mount),
+            ("size", f"{_lengths(entry.size)} m (depth x width x height)"),
+            ("smallest", f"{_lengths(entry.smallest)} m"),
+            ("largest", f"{_lengths(entry.largest)} m"),
+            ("mass", f"{entry.mass:g} kg"),
+            ("attributes", ", ".join(entry.attributes) or "none that change its size"),
+            ("words", ", ".join(entry.words) or "none"),
+        ]
+    )
+
+
+def _lengths(size: Vec3) -> str:
+    return " x ".join(f"{length:g}" for length in size)
 
 
 def _table(rows: Sequence[Sequence[str]]) -> str:

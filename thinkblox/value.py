@@ -1,7 +1,10 @@
 """Immutable values that read and write strict JSON: the base of the whole vocabulary."""
 
+import json
 import re
 from codecs import BOM_UTF8
+from collections.abc import Sequence
+from inspect import cleandoc
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -29,6 +32,12 @@ def to_json(value: Value) -> bytes:
     return _VECTOR.sub(_on_one_line, text) + b"\n"
 
 
+def all_to_json(values: Sequence[Value]) -> bytes:
+    """A JSON array of values, written as `to_json` writes one."""
+    text = msgspec.json.format(msgspec.json.encode(values), indent=2)
+    return _VECTOR.sub(_on_one_line, text) + b"\n"
+
+
 def _on_one_line(vector: re.Match[bytes]) -> bytes:
     return b"[" + b", ".join(number.strip() for number in vector[1].split(b",")) + b"]"
 
@@ -49,15 +58,50 @@ def from_json(data: bytes | str, kind: type[V], *, where: str = "JSON") -> V:
 
 
 def read_json(path: Path, kind: type[V]) -> V:
-    """Read `kind` from a JSON file; raises InputError naming the file when it is missing, unreadable or wrong."""
+    """Read `kind` from a JSON file.
+
+    Raises:
+        InputError: it is missing, unreadable or wrong, or an object in it has a key twice; names the file.
+    """
     try:
-        data = path.read_bytes()
+        data = path.read_bytes().removeprefix(BOM_UTF8)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
-    return from_json(data.removeprefix(BOM_UTF8), kind, where=str(path))
+    value = from_json(data, kind, where=str(path))
+    _refuse_double_keys(data, str(path))
+    return value
+
+
+def _refuse_double_keys(data: bytes, where: str) -> None:
+    # msgspec takes the last of several silently; this costs half as much again as reading.
+    try:
+        json.loads(data, object_pairs_hook=_distinct)
+    except (ValueError, RecursionError, InputError) as error:
+        raise InputError(f"{where}: {error}") from error
+
+
+def _distinct(pairs: list[tuple[str, Any]]) -> None:
+    keys = [key for key, _ in pairs]
+    if len(set(keys)) < len(keys):
+        twice = next(key for key in keys if keys.count(key) > 1)
+        raise InputError(f"an object has the key {twice!r} twice; keep one of them")
 
 
 def json_schema(kind: type[Value]) -> dict[str, Any]:
     """The JSON Schema (2020-12) of a value type."""
-    schema: dict[str, Any] = msgspec.json.schema(kind)
+    schema: dict[str, Any] = _for_everybody(msgspec.json.schema(kind))
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+
+
+def _for_everybody(schema: Any) -> Any:
+    """A schema without what only Python says: its end of a text in patterns, and the indents of docstrings."""
+    if isinstance(schema, list):
+        return [_for_everybody(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    plain = {key: _for_everybody(part) for key, part in schema.items()}
+    if isinstance(plain.get("pattern"), str):
+        plain["pattern"] = re.sub(r"\\Z\Z", "$", plain["pattern"])
+    if isinstance(plain.get("description"), str):
+        plain["description"] = cleandoc(plain["description"])
+    return plain

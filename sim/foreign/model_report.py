@@ -8,7 +8,6 @@ import mujoco
 import numpy as np
 
 from thinkblox.errors import InputError
-from thinkblox.sim.build import package_version
 from thinkblox.sim.engine_errors import said
 from thinkblox.sim.foreign.geom_volumes import Volumes
 from thinkblox.sim.foreign.model_contacts import ModelContacts, Pair
@@ -22,6 +21,7 @@ from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.subject import Subject
 from thinkblox.sim.verdict.contacts import shares
 from thinkblox.verdict import Collision, Reason, Report, Support, Verdict
+from thinkblox.version import package_version
 
 SECONDS = 5.0
 ORDER: tuple[Reason, ...] = get_args(Reason)

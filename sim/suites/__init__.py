@@ -5,15 +5,15 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from thinkblox.errors import InputError
-from thinkblox.suite import SuiteResult
 
 if TYPE_CHECKING:
     from thinkblox.sim.subject import Subject
+    from thinkblox.suite import SuiteResult
 
 SUITES: tuple[str, ...] = ("molmospaces", "litereality", "scenesmith", "sceneeval", "sceneeval_sim")
 
 
-def run_suite(name: str, subject: "Subject", *, seed: int = 0) -> SuiteResult:
+def run_suite(name: str, subject: "Subject", *, seed: int = 0) -> "SuiteResult":
     """Measure a subject by one source's criteria.
 
     Args:
@@ -28,6 +28,7 @@ def run_suite(name: str, subject: "Subject", *, seed: int = 0) -> SuiteResult:
         raise InputError(f"there is no suite {name!r}; there are {', '.join(SUITES)}")
     from thinkblox.sim.quiet import quiet_engine
     from thinkblox.sim.suites.usable import unusable
+    from thinkblox.suite import SuiteResult
 
     module = import_module(f"thinkblox.sim.suites.{name}")
     refused = unusable(subject)

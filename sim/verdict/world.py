@@ -21,7 +21,7 @@ from thinkblox.sim.verdict.stage import Settled, Stage
 from thinkblox.verdict import Reason, Verdict
 
 CANDIDATE = "//candidate"
-"""Name of the candidate's body; no placement can be called so by the step language."""
+"""Name of the candidate's body; no placement can be called so."""
 PARKED = 50.0
 """Height above the ceiling at which the candidate waits [m]."""
 
@@ -220,7 +220,7 @@ class World:
             if len(self._stages) >= KEPT:
                 del self._stages[next(iter(self._stages))]
             spec = build_spec(self.scene, physics=self._physics, sleeping=True, only=there)
-            add_placement(spec, _parked(asset, self.scene.room.height + PARKED), asset, free=True)
+            add_placement(spec, _parked(asset, self.scene.room.height + PARKED), asset, free=True, name=CANDIDATE)
             self._stages[asset, there] = Stage(spec, self._physics)
         return self._stages[asset, there]
 
@@ -247,5 +247,5 @@ def _wobbles(motion: Motion) -> bool:
 
 def _parked(asset: Asset, height: float) -> Placement:
     return Placement(
-        id=CANDIDATE, category=asset.category, asset=asset.id, position=(0.0, 0.0, height), yaw=0.0, size=asset.size,
+        id="candidate", category=asset.category, asset=asset.id, position=(0.0, 0.0, height), yaw=0.0, size=asset.size,
     )  # fmt: skip

@@ -3,6 +3,7 @@
 from typing import Any
 
 from thinkblox.errors import InputError
+from thinkblox.importing.formats import FORMATS
 from thinkblox.importing.holodeck import is_holodeck
 from thinkblox.importing.idesign import is_idesign
 from thinkblox.importing.il3d import is_il3d
@@ -10,8 +11,6 @@ from thinkblox.importing.layoutgpt import is_layoutgpt
 from thinkblox.importing.layoutvlm import is_layoutvlm
 from thinkblox.importing.sceneeval import is_sceneeval
 
-FORMATS: tuple[str, ...] = ("holodeck", "idesign", "il3d", "layoutgpt", "layoutvlm", "metaspatial", "sceneeval")
-"""Formats that are read; MetaSpatial's is I-Design's."""
 _SIGNATURES = {
     "holodeck": is_holodeck,
     "idesign": is_idesign,

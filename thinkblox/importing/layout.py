@@ -7,9 +7,10 @@ from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
-from thinkblox.importing.detect import FORMATS, detect
+from thinkblox.importing.detect import detect
 from thinkblox.importing.document import Document, plain, read_document
 from thinkblox.importing.draft import Item, LayoutDraft
+from thinkblox.importing.formats import FORMATS
 from thinkblox.importing.holodeck import read_holodeck
 from thinkblox.importing.idesign import read_idesign
 from thinkblox.importing.il3d import read_il3d

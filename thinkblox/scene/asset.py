@@ -5,10 +5,10 @@ from typing import Annotated, Literal
 
 from msgspec import Meta
 
-from thinkblox.errors import InputError
+from thinkblox.checked import AboveZero, CheckedValue, Coordinate, Extent, NotNegative, Number, Share, is_unit
 from thinkblox.scene.blobs import BlobKind
 from thinkblox.scene.visuals import MeshVisual
-from thinkblox.value import Quat, Value, Vec2, Vec3
+from thinkblox.value import Value
 
 Mount = Literal["floor", "wall", "ceiling", "surface"]
 Gaze = Literal["front", "back"]
@@ -17,11 +17,18 @@ Material = Literal[
 ]
 MAX_VISUALS = 256
 """Most meshes that one link shows."""
+Point = tuple[Coordinate, Coordinate, Coordinate]
+Direction = tuple[Number, Number, Number]
+MAX_SHAPES = 2048
+"""Most shapes of one asset."""
+MAX_LINKS = 64
+"""Most links of one asset."""
+MAX_CORNERS = 4096
+"""Most corners of one hull."""
 _THIN = 1e-6
-Unit = Annotated[float, Meta(ge=0.0, le=1.0)]
 
 
-class Shape(Value, frozen=True, kw_only=True, omit_defaults=True):
+class Shape(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
     """One convex primitive of a link, in the asset frame.
 
     Attributes:
@@ -37,27 +44,28 @@ class Shape(Value, frozen=True, kw_only=True, omit_defaults=True):
         smooth: shade curved, for a hull that stands for a round thing.
 
     Raises:
-        InputError: an extent that is not positive, or a hull whose points span no volume.
+        InputError: a field out of range, a `quat_wxyz` whose length is not 1, or a hull whose points span no volume.
     """
 
     kind: Literal["box", "cylinder", "capsule", "sphere", "ellipsoid", "hull"]
-    size: Vec3
-    position: Vec3
-    quat_wxyz: Quat = (1.0, 0.0, 0.0, 0.0)
-    points: tuple[Vec3, ...] = ()
-    colour: tuple[Unit, Unit, Unit] = (0.7, 0.7, 0.7)
+    size: tuple[Extent, Extent, Extent]
+    position: Point
+    quat_wxyz: tuple[Number, Number, Number, Number] = (1.0, 0.0, 0.0, 0.0)
+    points: Annotated[tuple[Point, ...], Meta(max_length=MAX_CORNERS)] = ()
+    colour: tuple[Share, Share, Share] = (0.7, 0.7, 0.7)
     material: Material = "wood"
     collide: bool = True
     smooth: bool = False
 
     def __post_init__(self) -> None:
-        if min(self.size) <= 0.0:
-            raise InputError(f"a {self.kind} has the size {list(self.size)}; every extent must be positive")
+        super().__post_init__()
+        if not is_unit(self.quat_wxyz):
+            raise self.refused("quat_wxyz", f"is {self.quat_wxyz}; a unit quaternion is needed, of length 1")
         if self.kind == "hull" and not _spans_volume(self.points):
-            raise InputError(f"a hull of {len(self.points)} points spans no volume; 4 out of plane are needed")
+            raise self.refused("points", f"of the hull, {len(self.points)}, span no volume; 4 out of plane are needed")
 
 
-def _spans_volume(points: tuple[Vec3, ...]) -> bool:
+def _spans_volume(points: tuple[Point, ...]) -> bool:
     """Whether some four of the points are the corners of a body, at least a micrometre thick in every direction."""
     if len(points) < 4:
         return False
@@ -78,23 +86,33 @@ def _length(a: tuple[float, ...]) -> float:
     return math.hypot(*a)
 
 
-class Joint(Value, frozen=True, kw_only=True):
+class Joint(CheckedValue, frozen=True, kw_only=True):
     """How a link moves against its parent, at rest at 0.
 
     Attributes:
         axis: unit vector in the asset frame.
         anchor: a point on the axis in the asset frame [m].
         lower, upper: range, degrees for a hinge and metres for a slide; positive opens.
+
+    Raises:
+        InputError: a field out of range, an axis whose length is not 1, or a `lower` above `upper`.
     """
 
     kind: Literal["hinge", "slide"]
-    axis: Vec3
-    anchor: Vec3
-    lower: float
-    upper: float
+    axis: Direction
+    anchor: Point
+    lower: Coordinate
+    upper: Coordinate
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not is_unit(self.axis):
+            raise self.refused("axis", f"is {self.axis}; a unit vector is needed, of length 1")
+        if self.lower > self.upper:
+            raise self.refused("lower", f"is {self.lower:g}, above upper, which is {self.upper:g}")
 
 
-class Link(Value, frozen=True, kw_only=True, omit_defaults=True):
+class Link(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
     """A rigid part. The first link of an asset is its body and has no joint; doors and drawers are joined to it.
 
     Attributes:
@@ -103,13 +121,13 @@ class Link(Value, frozen=True, kw_only=True, omit_defaults=True):
         visuals: meshes that are seen instead of the shapes.
     """
 
-    name: str
+    name: Annotated[str, Meta(min_length=1, max_length=200)]
     shapes: Annotated[tuple[Shape, ...], Meta(min_length=1)]
     joint: Joint | None = None
     visuals: Annotated[tuple[MeshVisual, ...], Meta(max_length=MAX_VISUALS)] = ()
 
 
-class Surface(Value, frozen=True, kw_only=True, omit_defaults=True):
+class Surface(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
     """A level area that carries things.
 
     Attributes:
@@ -120,9 +138,9 @@ class Surface(Value, frozen=True, kw_only=True, omit_defaults=True):
     """
 
     name: str
-    position: Vec3
-    size: Vec2
-    headroom: float | None = None
+    position: Point
+    size: tuple[Extent, Extent]
+    headroom: NotNegative | None = None
     round: bool = False
 
 
@@ -136,7 +154,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
     id: str
     category: str
     description: str
-    size: Vec3
+    size: tuple[Extent, Extent, Extent]
     mass: float
     mount: Mount
     front: Literal["one", "two", "any"] = "one"
@@ -151,7 +169,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
         return self.mount in ("floor", "surface") and self.collides
 
 
-class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True):
+class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True):
     """Something placeable, made of convex shapes: what is seen is what collides, but for links that have visuals.
 
     Attributes:
@@ -166,25 +184,37 @@ class Asset(Value, frozen=True, kw_only=True, omit_defaults=True, cache_hash=Tru
         clearance: depth that should stay free before its front for use [m].
         surfaces: where other things can be put, largest useful first.
         attributes: the words it was made for, such as "round", "double", "three-seat".
+
+    Raises:
+        InputError: a field out of range, two links of one name, or more than MAX_LINKS links or MAX_SHAPES shapes.
     """
 
     id: str
     category: str
     description: str
-    size: Vec3
-    mass: Annotated[float, Meta(gt=0.0)]
-    friction: Annotated[float, Meta(gt=0.0)]
+    size: tuple[Extent, Extent, Extent]
+    mass: AboveZero
+    friction: AboveZero
     mount: Mount
-    links: Annotated[tuple[Link, ...], Meta(min_length=1)]
+    links: Annotated[tuple[Link, ...], Meta(min_length=1, max_length=MAX_LINKS)]
     front: Literal["one", "two", "any"] = "one"
     gaze: Gaze = "front"
-    clearance: float = 0.0
+    clearance: NotNegative = 0.0
     surfaces: tuple[Surface, ...] = ()
     attributes: tuple[str, ...] = ()
     licence: str = "Apache-2.0"
     author: str = "ThinkBLOX procedural furniture"
     provenance: str = ""
     flags: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        names = [link.name for link in self.links]
+        if twice := next((name for name in names if names.count(name) > 1), None):
+            raise self.refused("links", f"has two of the name {twice!r}; names must differ")
+        shapes = sum(len(link.shapes) for link in self.links)
+        if shapes > MAX_SHAPES:
+            raise self.refused("links", f"have {shapes} shapes in all; at most {MAX_SHAPES} are read")
 
     @property
     def collides(self) -> bool:

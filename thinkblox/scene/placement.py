@@ -7,13 +7,11 @@ from typing import Annotated
 from msgspec import Meta
 from shapely import Polygon
 
-from thinkblox.value import Value, Vec2, Vec3
-
-Finite = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
-Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
+from thinkblox.checked import CheckedValue, Coordinate, Extent
+from thinkblox.value import Vec2, Vec3
 
 
-class Placement(Value, frozen=True, kw_only=True):
+class Placement(CheckedValue, frozen=True, kw_only=True):
     """An asset at a pose.
 
     Attributes:
@@ -24,13 +22,16 @@ class Placement(Value, frozen=True, kw_only=True):
         size: (along the front axis, across, up) [m].
         support: what it rests on or hangs from: "floor", "ceiling", a wall's name or another placement's id; the scene
             that it is part of derives it.
+
+    Raises:
+        InputError: a field out of range, or not a finite number.
     """
 
-    id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*$", max_length=120)]
+    id: Annotated[str, Meta(pattern=r"^[A-Za-z][A-Za-z0-9_.-]*\Z", max_length=120)]
     category: str
     asset: str
-    position: tuple[Finite, Finite, Finite]
-    yaw: Finite
+    position: tuple[Coordinate, Coordinate, Coordinate]
+    yaw: Coordinate
     size: tuple[Extent, Extent, Extent]
     support: str = ""
 

@@ -9,6 +9,7 @@ from msgspec import Meta
 from shapely import Polygon
 from shapely.validation import explain_validity
 
+from thinkblox.checked import CheckedValue, Coordinate
 from thinkblox.errors import InputError
 from thinkblox.value import Value, Vec2
 
@@ -18,11 +19,11 @@ MAX_EXTENT = 100.0
 """Largest side of a room's bounding box that is accepted [m]."""
 _COMPASS = ("east", "north_east", "north", "north_west", "west", "south_west", "south", "south_east")
 
-Metres = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
-Positive = Annotated[float, Meta(gt=0.0, le=1000.0)]
+Upward = Annotated[float, Meta(ge=0.0, le=1000.0)]
+Width = Annotated[float, Meta(gt=0.0, le=1000.0)]
 
 
-class Opening(Value, frozen=True, kw_only=True):
+class Opening(CheckedValue, frozen=True, kw_only=True):
     """A door or window in a wall.
 
     Attributes:
@@ -33,13 +34,13 @@ class Opening(Value, frozen=True, kw_only=True):
         hinge: which end of the opening a door turns about, seen along the wall from its start.
     """
 
-    id: Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*$", max_length=80)]
+    id: Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*\Z", max_length=80)]
     kind: Literal["door", "window"]
-    wall: Annotated[int, Meta(ge=0)]
-    offset: Annotated[float, Meta(ge=0.0)]
-    width: Positive
-    height: Positive
-    sill: Annotated[float, Meta(ge=0.0)] = 0.0
+    wall: Annotated[int, Meta(ge=0, le=1000)]
+    offset: Upward
+    width: Width
+    height: Width
+    sill: Upward = 0.0
     hinge: Literal["start", "end"] = "start"
 
 
@@ -84,21 +85,26 @@ class Wall(Value, frozen=True, kw_only=True):
         return (dx * ax + dy * ay, dx * nx + dy * ny)
 
 
-class Room(Value, frozen=True, kw_only=True, cache_hash=True):
+class Room(CheckedValue, frozen=True, kw_only=True, cache_hash=True):
     """Floor polygon (simple, counter-clockwise, its bounding box starting at the origin), height [m] and openings.
 
     Raises:
         InputError: fewer than three corners, crossing or coinciding edges, clockwise order, an extent outside
-            MIN_EXTENT to MAX_EXTENT, an opening that its wall cannot hold, or two openings that overlap or share an id.
+            MIN_EXTENT to MAX_EXTENT, a height out of range, an opening that its wall cannot hold or that is called as a
+            part of the room is, or two openings that overlap or share an id.
     """
 
-    floor: tuple[tuple[Metres, Metres], ...]
+    floor: tuple[tuple[Coordinate, Coordinate], ...]
     height: Annotated[float, Meta(ge=1.5, le=50.0)] = 2.6
     openings: tuple[Opening, ...] = ()
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         _check_floor(self.floor)
+        taken = {"floor", "ceiling"} | {wall.name for wall in self.walls}
         for opening in self.openings:
+            if opening.id in taken:
+                raise InputError(f"an opening is called {opening.id!r}, which is the name of a part of the room")
             _check_opening(self, opening)
         _check_apart(self.openings)
 
@@ -151,8 +157,6 @@ def _check_floor(floor: tuple[Vec2, ...]) -> None:
         raise InputError(f"room.floor has {len(floor)} corners; a floor needs at least 3, counter-clockwise, in metres")
     if len(floor) > 1000:
         raise InputError(f"room.floor has {len(floor)} corners; at most 1000 are read")
-    if not all(math.isfinite(c) for corner in floor for c in corner):
-        raise InputError("room.floor has a coordinate that is not a finite number")
     if any(math.dist(a, b) < 0.01 for a, b in zip(floor, floor[1:] + floor[:1], strict=True)):
         raise InputError("room.floor has two corners in a row closer than 1 cm; remove one of them")
     polygon = _polygon(floor)

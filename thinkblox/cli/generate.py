@@ -1,0 +1,66 @@
+"""`thinkblox generate`: furnish a room from a prompt."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from thinkblox.cli.options import natural, whole
+from thinkblox.cli.progress import ObjectBar
+
+if TYPE_CHECKING:
+    from thinkblox.cli.options import Commands
+
+STATUS = (
+    "exit status: 0 all as asked; 1 written, but something asked for was not placed, does not stand as asked or did not"
+    " pass; 2 the input cannot be used, nothing was written; 130 stopped, nothing was written"
+)
+
+
+def add_command(commands: "Commands") -> None:
+    """Add the command and its options."""
+    parser = commands.add_parser("generate", help="furnish a room from a prompt", epilog=STATUS)
+    parser.add_argument("prompt", metavar="PROMPT", help="what the room should be")
+    parser.add_argument("--out", metavar="DIR", type=Path, required=True, help="folder to write; whole or not at all")
+    parser.add_argument("--seed", metavar="N", type=natural, default=0, help="same prompt, same seed, same room (0)")
+    parser.add_argument(
+        "--room", metavar="FILE", type=Path, help="furnish this room: JSON with floor, height, openings"
+    )
+    parser.add_argument("--candidates", metavar="N", type=_candidates, default=8, help="poses proposed per round (8)")
+    parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
+    parser.add_argument("--overwrite", action="store_true", help="replace an output folder of an earlier run")
+    parser.add_argument("--json", action="store_true", help="print the report as JSON")
+    parser.set_defaults(run=_generate)
+
+
+def _candidates(text: str) -> int:
+    return whole(text, 1, 256)
+
+
+def _generate(arguments: argparse.Namespace) -> int:
+    from thinkblox import printing
+    from thinkblox.exporters.folder import check_folder
+    from thinkblox.generate import generate_room
+    from thinkblox.placing import Effort
+    from thinkblox.saving import save_room
+    from thinkblox.scene.room import Room
+    from thinkblox.value import read_json, to_json
+
+    check_folder(arguments.out, overwrite=arguments.overwrite)
+    room = None if arguments.room is None else read_json(arguments.room, Room)
+    with ObjectBar(quiet=arguments.json) as progress:
+        result = generate_room(
+            arguments.prompt,
+            seed=arguments.seed,
+            room=room,
+            effort=Effort(candidates=arguments.candidates),
+            on_object=progress.tell,
+        )
+    save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
+    if arguments.json:
+        sys.stdout.write(to_json(result.report).decode())
+    else:
+        print(printing.summary(result.report, placed=len(result.scene.placements)))
+        print(printing.outcome(result.report))
+        print(f"written to {arguments.out}")
+    return 0 if result.report.complete else 1

@@ -1,0 +1,81 @@
+"""`thinkblox verify`: measure a scene, ours or anybody's."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from thinkblox.cli.options import natural, seconds
+from thinkblox.importing import FORMATS
+from thinkblox.sim.suites import SUITES
+
+if TYPE_CHECKING:
+    from thinkblox.cli.options import Commands
+
+STATUS = (
+    "exit status: 0 everything passed; 1 measured, but not all passed, the output says what; 2 the input cannot be"
+    " used; 130 stopped"
+)
+
+
+def add_command(commands: "Commands") -> None:
+    """Add the command and its options."""
+    parser = commands.add_parser("verify", help="measure a scene, ours or anybody's, object by object", epilog=STATUS)
+    parser.add_argument(
+        "scene", metavar="PATH", type=Path, help="an output folder, a scene.json, MJCF, URDF, or somebody's layout"
+    )
+    suites = f"published criteria, any of {', '.join(SUITES)}; 'all' for all"
+    parser.add_argument("--suite", metavar="A,B", type=_suites, default=(), help=suites)
+    parser.add_argument("--html", metavar="FILE", type=Path, help="write a page with pictures and the faults in them")
+    parser.add_argument("--fix", action="store_true", help="move what fails by the least that mends it")
+    parser.add_argument("--out", metavar="FILE", type=Path, help="write the (mended) scene as a scene.json")
+    formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, {', '.join(FORMATS)}"
+    parser.add_argument("--format", metavar="NAME", help=formats)
+    parser.add_argument("--assets", metavar="DIR", type=Path, help="folder with the meshes that a layout names")
+    parser.add_argument("--height", metavar="M", type=float, help="of the room, where a layout has none (2.6)")
+    parser.add_argument("--room", metavar="ID", help="which room of a file that holds several")
+    parser.add_argument("--short-side", metavar="M", type=float, help="of the room, for a layout in pixels")
+    parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
+    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for a foreign file (600)")
+    parser.add_argument("--json", action="store_true", help="print the report as JSON")
+    parser.set_defaults(run=_verify)
+
+
+def _suites(text: str) -> tuple[str, ...]:
+    names = tuple(dict.fromkeys(name.strip() for name in text.split(",") if name.strip()))
+    return SUITES if names == ("all",) else names
+
+
+def _verify(arguments: argparse.Namespace) -> int:
+    from thinkblox import printing
+    from thinkblox.checking import VerifyOptions, verify_file
+    from thinkblox.value import to_json
+
+    reading = VerifyOptions(
+        format=arguments.format,
+        assets=_text(arguments.assets),
+        height=arguments.height,
+        room=arguments.room,
+        short_side=arguments.short_side,
+        suites=arguments.suite,
+        seed=arguments.seed,
+        fix=arguments.fix,
+        out=_text(arguments.out),
+        page=_text(arguments.html),
+    )
+    report = verify_file(arguments.scene, reading, timeout=arguments.timeout)
+    passed = report.valid and all(suite.passed for suite in report.suites)
+    if arguments.json:
+        sys.stdout.write(to_json(report).decode())
+        return 0 if passed else 1
+    print(printing.summary(report, placed=len(report.objects)))
+    if arguments.fix:
+        print(f"\n{printing.moves(report)}")
+    for result in report.suites:
+        print(f"\n{printing.suite(result)}")
+    print("all passed" if passed else "not all passed")
+    return 0 if passed else 1
+
+
+def _text(path: Path | None) -> str | None:
+    return None if path is None else str(path)
