@@ -1,12 +1,11 @@
 """A room with one of everything that an exporter has to tell apart."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
 from thinkblox.scene.asset import Asset, Joint, Link, Shape
 from thinkblox.scene.room import Opening, Room
 from thinkblox.scene.scene import Scene
-from thinkblox.value import Value
 from thinkblox.verdict import Report, Verdict
 
 L_ROOM = Room(
@@ -72,8 +71,14 @@ def sample_scene() -> Scene:
     )
 
 
-class Line(Value, frozen=True):
-    text: str
+@dataclass(frozen=True)
+class Trace:
+    """What `save_room` needs of an Episode."""
+
+    lines: tuple[str, ...] = ("first", "second")
+
+    def to_jsonl(self) -> bytes:
+        return "".join(f"{line}\n" for line in self.lines).encode()
 
 
 @dataclass(frozen=True)
@@ -82,7 +87,7 @@ class Result:
 
     scene: Scene
     report: Report
-    trace: tuple[Line, ...] = (Line("first"), Line("second"))
+    episode: Trace = field(default_factory=Trace)
 
 
 def result() -> Result:

@@ -13,6 +13,7 @@ import pytest
 from PIL import Image
 from pxr import Usd, UsdGeom, UsdPhysics
 
+from thinkblox.episode import read_episode
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene, load_scene
 
@@ -81,8 +82,9 @@ def test_the_report_and_the_trace_agree_with_the_scene(written: Written) -> None
     report = json.loads((written.folder / "report.json").read_text())
     ids = [placement.id for placement in written.scene.placements]
     assert [verdict["id"] for verdict in report["objects"]] == ids
-    rounds = [json.loads(line) for line in (written.folder / "trace.jsonl").read_text().splitlines()]
-    assert {r["id"] for r in rounds} == set(ids)
+    episode = read_episode(written.folder)
+    assert {r.id for r in episode.rounds} == set(ids)
+    assert episode.scene == written.scene
     assert report["versions"]["mujoco"] == mujoco.__version__
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.export_rooms import Result, report_on, result
+from tests.export_rooms import Result, Trace, report_on, result
 from tests.textured import crate, crate_scene
 from thinkblox.errors import InputError
 from thinkblox.exporters import ExportFormat, register
@@ -36,7 +36,7 @@ def test_everything_is_written_and_nothing_else(tmp_path: Path) -> None:
     assert names(out) == WITHOUT_PICTURES
     assert names(tmp_path / "deep") == ["room"]
     assert load_scene(out) == result().scene
-    assert (out / "trace.jsonl").read_text() == '{"text":"first"}\n{"text":"second"}\n'
+    assert (out / "trace.jsonl").read_text() == "first\nsecond\n"
     assert out.stat().st_mode & 0o077 == (tmp_path / "deep").stat().st_mode & 0o077
 
 
@@ -59,7 +59,7 @@ def test_ours_is_replaced_only_when_asked(tmp_path: Path) -> None:
     out = save(result(), tmp_path / "room")
     with pytest.raises(InputError, match="already holds a room"):
         check_folder(out)
-    other = replace(result(), trace=())
+    other = replace(result(), episode=Trace(()))
     with pytest.raises(InputError, match="already holds a room"):
         save(other, out)
     assert (out / "trace.jsonl").stat().st_size > 0

@@ -15,7 +15,7 @@ from thinkblox.sim.verdict.world import World
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.suite import Criterion, Finding
 from thinkblox.value import from_json, to_json
-from thinkblox.verdict import Collision, Move, Report, Swing, Verdict
+from thinkblox.verdict import Collision, MendingMove, Report, Swing, Verdict
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))
 KINDS: tuple[Asset, ...] = (CRATE, table(), vase(), wardrobe())
@@ -36,8 +36,8 @@ def pool() -> Iterator[VerdictPool]:
         (Collision(other="b", depth=1, overlap=-0.0), Collision(other="b", depth=1.0, overlap=0.0)),
         (Swing(of="a", link="door", opens=1), Swing(of="a", link="door", opens=1.0)),
         (
-            Move(id="a", by=(-0.0, 0, 1), turn=-0.0, distance=1, why=("drop",), mended=True),
-            Move(id="a", by=(0.0, 0.0, 1.0), turn=0.0, distance=1.0, why=("drop",), mended=True),
+            MendingMove(id="a", by=(-0.0, 0, 1), turn=-0.0, distance=1, why=("drop",), mended=True),
+            MendingMove(id="a", by=(0.0, 0.0, 1.0), turn=0.0, distance=1.0, why=("drop",), mended=True),
         ),
         (Report(valid=True, depth=-0.0, drift=0), Report(valid=True)),
         (Finding(object="a", value=0, passed=True), Finding(object="a", value=-0.0, passed=True)),

@@ -11,7 +11,7 @@ from thinkblox.mending import mend
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict.world import World
-from thinkblox.verdict import Move, Verdict
+from thinkblox.verdict import MendingMove, Verdict
 
 CRATE = asset("crate", (0.5, 0.5, 0.5))
 HEAVY = asset("safe", (0.6, 0.6, 0.8), mass=80.0)
@@ -34,7 +34,7 @@ def shifted(where: Scene, id: str, *by: float) -> Scene:
     return where.moved(id, position=(x, y, z))
 
 
-def only_move(where: Scene) -> Move:
+def only_move(where: Scene) -> MendingMove:
     """The one move that mends a scene whole."""
     mended, moves = mend(where)
     assert not failing(mended), [str(v) for v in verdicts(mended).values()]
@@ -48,7 +48,7 @@ def only_move(where: Scene) -> Move:
     return move
 
 
-def mm(move: Move) -> list[float]:
+def mm(move: MendingMove) -> list[float]:
     return [1000 * c for c in move.by]
 
 
@@ -180,7 +180,7 @@ def test_what_cannot_be_mended_stays_and_is_named() -> None:
     room = scene(None, (put(tall, 2.0, 2.0), tall), (put(CRATE, 0.2, 3.0), CRATE))
     mended, moves = mend(room)
     by_id = {move.id: move for move in moves}
-    assert by_id["pole_1"] == Move(
+    assert by_id["pole_1"] == MendingMove(
         id="pole_1", by=(0.0, 0.0, 0.0), turn=0.0, distance=0.0, why=("outside",), mended=False
     )
     assert by_id["crate_1"].mended

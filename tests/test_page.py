@@ -27,7 +27,7 @@ from thinkblox.sim.render.soup import ROOM, Soup
 from thinkblox.sim.subject import subject_of
 from thinkblox.sim.verdict.verify import verify
 from thinkblox.suite import Criterion, Finding, SuiteResult
-from thinkblox.verdict import Absence, Access, Move, Push, Reason, RelationResult, Report, Swing, Verdict
+from thinkblox.verdict import Absence, Access, MendingMove, Push, Reason, RelationResult, Report, Swing, Verdict
 
 CRATE = asset("crate", (0.5, 0.5, 0.5), mass=30.0)
 HEAVY = asset("safe", (0.6, 0.6, 0.8), mass=80.0)
@@ -214,7 +214,7 @@ def test_names_from_outside_are_text(tmp_path: Path) -> None:
         absent=(Absence(id=NASTY, category=NASTY, asked=True, reason=NASTY),),
         relations=(RelationResult(kind=NASTY, subject=NASTY, anchors=(NASTY,), holds=False, measured=NASTY),),
         walker=Access(width=0.5, reach=1.0, unreachable=(id, NASTY)),
-        moves=(Move(id=NASTY, by=(0.0, 0.0, 0.0), turn=0.0, distance=0.0, why=("drop",), mended=False),),
+        moves=(MendingMove(id=NASTY, by=(0.0, 0.0, 0.0), turn=0.0, distance=0.0, why=("drop",), mended=False),),
         objects=(failed(id, "error", message=NASTY), failed(NASTY, "collision", blocked=(NASTY,))),
     )  # fmt: skip
     text = page_of(report, subject, title=NASTY, size=SIZE)
@@ -313,7 +313,7 @@ def test_doors_of_furniture_pushes_and_cut_off_things_are_marked() -> None:
             failed("crate_1", "pushes", pushed=(Push(other="wardrobe_1", distance=0.02),)),
         ),
         walker=Access(width=0.5, reach=0.5, unreachable=("crate_1", "door_9")),
-        moves=(Move(id="crate_1", by=(0.5, 0.0, 0.0), turn=0.0, distance=0.5, why=("drop",), mended=True),),
+        moves=(MendingMove(id="crate_1", by=(0.5, 0.0, 0.0), turn=0.0, distance=0.5, why=("drop",), mended=True),),
     )
     _, plan, scenery = pictured(where, report)
     swept = marks(plan, "swing")

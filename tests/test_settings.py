@@ -39,12 +39,12 @@ CRATE = asset("crate", (0.5, 0.5, 0.5))
     ],
 )
 def test_what_cannot_be_used_is_refused_by_its_name(kind: type, name: str, value: object) -> None:
-    with pytest.raises(InputError, match=rf"{kind.__name__}\.{name} is "):
+    with pytest.raises(InputError, match=rf"{kind.__name__}\.{name}(\[\d\])? is "):
         kind(**{name: value})
 
 
 def test_it_is_refused_in_a_file_too() -> None:
-    with pytest.raises(InputError, match=r"settings\.json: Physics\.settle_time"):
+    with pytest.raises(InputError, match=r"settings.json.*settle_time"):
         from_json(b'{"settle_time": 0}', Physics, where="settings.json")
 
 

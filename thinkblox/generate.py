@@ -1,6 +1,6 @@
 """The loop: a prompt becomes a plan, and each target of the plan a measured placement."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +21,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Absence, Report
 
@@ -55,6 +56,14 @@ class Progress:
     attempt: int
 
 
+@dataclass(frozen=True)
+class Judged:
+    """By what placements are judged: where the lines are drawn, and what the user requires besides."""
+
+    tolerances: Tolerances
+    requirements: tuple[Requirement, ...] = ()
+
+
 def generate_room(
     prompt: str,
     *,
@@ -66,6 +75,7 @@ def generate_room(
     source: AssetSource | None = None,
     effort: Effort | None = None,
     tolerances: Tolerances | None = None,
+    requirements: Sequence[Requirement] = (),
     on_object: Callable[[Progress], None] | None = None,
 ) -> Generation:
     """Furnish a room for a prompt; every placement in it has been measured in MuJoCo.
@@ -80,6 +90,7 @@ def generate_room(
         source: where assets come from; the catalogue of procedural furniture when not given.
         effort: how hard to try.
         tolerances: what counts as valid.
+        requirements: what you require of every placement besides; the loop looks for places that meet it.
         on_object: called after each object.
 
     Raises:
@@ -96,7 +107,7 @@ def generate_room(
         policy=policy or ExpertPolicy(),
         source=source or ProceduralAssets(),
         effort=effort or Effort(),
-        tolerances=tolerances or Tolerances(),
+        judged=Judged(tolerances or Tolerances(), tuple(requirements)),
         on_object=on_object or (lambda progress: None),
     )
 
@@ -138,14 +149,14 @@ def furnish(
     policy: Policy,
     source: AssetSource,
     effort: Effort,
-    tolerances: Tolerances,
+    judged: Judged,
     on_object: Callable[[Progress], None],
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
     loop = Loop(plan, kinds_of(plan, source), policy, source, effort)
     made: list[_Attempt] = []
     for number in range(1 + effort.restarts):
-        made.append(_Attempt(loop, scene, number, tolerances, on_object))
+        made.append(_Attempt(loop, scene, number, judged, on_object))
         last = _faults(made[-1].report)
         if not any(last) or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
@@ -177,9 +188,9 @@ class _Attempt:
     """One go at a whole room."""
 
     def __init__(
-        self, loop: Loop, scene: Scene, number: int, tolerances: Tolerances, on_object: Callable[[Progress], None]
+        self, loop: Loop, scene: Scene, number: int, judged: Judged, on_object: Callable[[Progress], None]
     ) -> None:
-        self.world = World(scene, tolerances=tolerances)
+        self.world = World(scene, tolerances=judged.tolerances, requirements=judged.requirements)
         self.rounds: list[Round] = []
         self.assets: dict[str, Asset] = {}
         absent: list[Absence] = []
@@ -195,4 +206,10 @@ class _Attempt:
             self.assets |= placing.assets
             self.rounds += [structs.replace(r, attempt=number) for r in placing.rounds]
             on_object(Progress(target, grown is not None, count, total, number))
-        self.report = report_on(self.world.scene, loop.plan, absent=absent, tolerances=tolerances)
+        self.report = report_on(
+            self.world.scene,
+            loop.plan,
+            absent=absent,
+            tolerances=judged.tolerances,
+            requirements=judged.requirements,
+        )

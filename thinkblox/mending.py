@@ -8,7 +8,7 @@ from typing import get_args
 import numpy as np
 from msgspec import structs
 
-from thinkblox.scene.actions import Move as MoveAction
+from thinkblox.scene.actions import Move
 from thinkblox.scene.placement import Placement, apart, to_micrometres
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.geometry.shifts import Shift, shifts
@@ -16,7 +16,7 @@ from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.world import World
 from thinkblox.strictness import Rules
 from thinkblox.value import Vec3
-from thinkblox.verdict import Move, Reason, Verdict
+from thinkblox.verdict import MendingMove, Reason, Verdict
 
 FINE = 0.00025
 """How finely the least shift is found [m]."""
@@ -40,8 +40,8 @@ def mend(
     physics: Physics | None = None,
     walking: Walking | None = None,
     tries: int = 160,
-) -> tuple[Scene, tuple[Move, ...]]:
-    """Move what fails by the least that makes it valid; returns the mended scene and every move.
+) -> tuple[Scene, tuple[MendingMove, ...]]:
+    """MendingMove what fails by the least that makes it valid; returns the mended scene and every move.
 
     Nothing is turned. What rests on something that moves, moves with it. Of two that collide the lighter one is moved,
     the heavier one only when that cannot be. Whatever is valid stays where it is and stays valid; what cannot be
@@ -70,7 +70,7 @@ class _Mending:
         self.start = self.scene
         self.before = self.now = self._verdicts(self.scene)
 
-    def run(self) -> tuple[Scene, tuple[Move, ...]]:
+    def run(self) -> tuple[Scene, tuple[MendingMove, ...]]:
         """Mend what can be mended."""
         self._mend_all(self._carriers_first(), self._stuck, SEATING)
         self._mend_all(self._lighter_first(frozenset({"collision"})), self._stuck)
@@ -124,9 +124,9 @@ class _Mending:
         return other in self.scene and _group_mass(self.scene, id) <= _group_mass(self.scene, other)
 
     def _mend(self, id: str, past: set[str]) -> None:
-        """Move one object to the nearest pose that is valid and spoils nothing, if one is found."""
+        """MendingMove one object to the nearest pose that is valid and spoils nothing, if one is found."""
         for moved in self._poses(id, past):
-            shifted = self.scene.apply(MoveAction(id=id, position=moved.position))
+            shifted = self.scene.apply(Move(id=id, position=moved.position))
             after = self._after(shifted, id, past)
             if after is not None:
                 self.steps.append(self.scene)
@@ -206,14 +206,14 @@ class _Mending:
             if all(again[other].valid for other, v in self.now.items() if v.valid):
                 self.scene, self.now = back, again
 
-    def _moves(self) -> Iterator[Move]:
+    def _moves(self) -> Iterator[MendingMove]:
         for old in self.start.placements:
             new = self.scene[old.id]
             dx, dy, dz = (round(b - a, 6) for a, b in zip(old.position, new.position, strict=True))
             if new.position != old.position or not self.now[old.id].valid:
                 distance = round(float(np.linalg.norm((dx, dy, dz))), 6)
                 why = self.before[old.id].reasons or self._reasons_below(old.id)
-                yield Move(
+                yield MendingMove(
                     id=old.id, by=(dx, dy, dz), turn=0.0, distance=distance, why=why, mended=self.now[old.id].valid
                 )
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from thinkblox.listing import CategoryEntry
 from thinkblox.suite import Criterion, SuiteResult
 from thinkblox.value import Vec3
-from thinkblox.verdict import Move, Report
+from thinkblox.verdict import MendingMove, Report
 
 MARKS = {True: "passed", False: "FAILED", None: "-"}
 UNITS = {"m": ("mm", 1000.0)}
@@ -61,7 +61,7 @@ def moves(report: Report) -> str:
     return "\n".join(_move(move) for move in report.moves)
 
 
-def _move(move: Move) -> str:
+def _move(move: MendingMove) -> str:
     why = ", ".join(move.why) or "for what it rests on"
     if not move.mended:
         return f"{move.id}: not mended ({why})"

@@ -10,6 +10,7 @@ from thinkblox.scene.landmarks import corners
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.verify import verify
 from thinkblox.verdict import Absence, RelationResult, Report
 
@@ -20,13 +21,20 @@ UNKNOWN = "unknown"
 NO_DOOR = "The room has no door, so that no walkable way could be measured."
 
 
-def report_on(scene: Scene, plan: Plan, *, absent: Sequence[Absence], tolerances: Tolerances) -> Report:
+def report_on(
+    scene: Scene,
+    plan: Plan,
+    *,
+    absent: Sequence[Absence],
+    tolerances: Tolerances,
+    requirements: Sequence[Requirement] = (),
+) -> Report:
     """Verify the scene and hold it against its plan."""
     missing = [
         Absence(id=word, category=UNKNOWN, asked=True, reason="the catalogue has nothing of that name")
         for word in plan.brief.missing
     ]
-    verified = verify(scene, tolerances=tolerances)
+    verified = verify(scene, tolerances=tolerances, requirements=requirements)
     gone = (*absent, *missing)
     relations = tuple(relations_of(scene, plan))
     there = not any(absence.asked for absence in gone)

@@ -21,6 +21,7 @@ Reason = Literal[
     "blocks_opening",  # keeps a door or drawer of furniture shut, its own or another's
     "blocks_way",  # leaves no walkable way from a door to a large object
     "riders",  # what rests on it, or rested on it, fails where the action leaves that
+    "requirement",  # does not meet what the user requires of it
     "size",  # asks for a size that the asset cannot have
     "unstable",  # the simulation itself failed
     "error",  # no verdict could be had; `message` says why
@@ -65,6 +66,13 @@ class Swing(Measurement, frozen=True, kw_only=True):
     hits: tuple[str, ...] = ()
 
 
+class Unmet(Value, frozen=True, kw_only=True):
+    """A requirement of the user's that a placement does not meet, and what it says of that."""
+
+    requirement: str
+    says: str
+
+
 class Pose(Measurement, frozen=True, kw_only=True):
     """Where an object stands: position [m] and yaw [degrees], as of a Placement."""
 
@@ -95,6 +103,7 @@ class Verdict(Measurement, frozen=True, kw_only=True):
         reachable: whether the robot of `Report.robot` comes within reach of it from a door; None where that was not
             measured, or for what does not stand on the floor.
         riders: verdicts on what rests on it, or rested on it, where an action moved or left that.
+        unmet: requirements of the user's that it does not meet.
         message: why there is no verdict.
     """
 
@@ -117,6 +126,7 @@ class Verdict(Measurement, frozen=True, kw_only=True):
     blocked: tuple[str, ...] = ()
     reachable: bool | None = None
     riders: tuple["Verdict", ...] = ()
+    unmet: tuple[Unmet, ...] = ()
     message: str = ""
 
     @property
@@ -161,6 +171,7 @@ class Verdict(Measurement, frozen=True, kw_only=True):
             "blocks_window": f"stands in front of {blocked}",
             "blocks_opening": f"does not let open: {shut}",
             "blocks_way": f"leaves no way to {blocked}",
+            "requirement": "; ".join(f"{u.requirement}: {u.says}" for u in self.unmet),
             "size": "asks for a size that it cannot have",
             "unstable": "the simulation failed",
             "error": self.message or "it could not be measured",
@@ -201,7 +212,7 @@ class Access(Measurement, frozen=True, kw_only=True):
     unreachable: tuple[str, ...] = ()
 
 
-class Move(Measurement, frozen=True, kw_only=True):
+class MendingMove(Measurement, frozen=True, kw_only=True):
     """How an object was moved to mend a fault.
 
     Attributes:
@@ -258,5 +269,5 @@ class Report(Measurement, frozen=True, kw_only=True):
     unusual: tuple[str, ...] = ()
     substituted: tuple[str, ...] = ()
     suites: tuple[SuiteResult, ...] = ()
-    moves: tuple[Move, ...] = ()
+    moves: tuple[MendingMove, ...] = ()
     notes: tuple[str, ...] = ()

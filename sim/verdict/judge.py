@@ -14,7 +14,7 @@ from thinkblox.sim.geometry.openings import blocked_openings
 from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.settings import Tolerances, Walking
 from thinkblox.value import Value
-from thinkblox.verdict import Collision, Pose, Push, Reason, Support, Swing, Verdict
+from thinkblox.verdict import Collision, Pose, Push, Reason, Support, Swing, Unmet, Verdict
 
 ORDER: tuple[Reason, ...] = get_args(Reason)
 GATE = frozenset({"collision", "outside", "size"})
@@ -105,12 +105,14 @@ def verdict(
     supports: tuple[Support, ...] = (),
     more: frozenset[Reason] = frozenset(),
     cut_off: tuple[str, ...] = (),
+    unmet: tuple[Unmet, ...] = (),
 ) -> Verdict:
     """Put together what was measured.
 
-    `more` are the reasons that settling gave, `cut_off` the ids that have no walkable way because of this object.
+    `more` are the reasons that settling gave, `cut_off` the ids that have no walkable way because of this object, and
+    `unmet` the requirements of the user's that it does not meet.
     """
-    found = static.reasons | more | ({"blocks_way"} if cut_off else set())
+    found = static.reasons | more | ({"blocks_way"} if cut_off else set()) | ({"requirement"} if unmet else set())
     reasons = tuple(reason for reason in ORDER if reason in found)
     moved = motion or Motion()
     return Verdict(
@@ -131,6 +133,7 @@ def verdict(
         pushed=moved.pushed,
         swings=static.swings,
         blocked=static.blocked + cut_off,
+        unmet=unmet,
     )
 
 

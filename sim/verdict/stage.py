@@ -38,12 +38,14 @@ class Settled(NamedTuple):
         motion: of the object, and what it pushed.
         supports: what carries it at the end.
         moved, stirred: the farthest that any point of it, and of anything else, was from its start at any look [m].
+        seconds: how long it took [s].
     """
 
     motion: Motion
     supports: tuple[Support, ...]
     moved: float
     stirred: float
+    seconds: float
 
 
 class Stage:
@@ -75,11 +77,11 @@ class Stage:
         finally:
             self._model.opt.sleep_tolerance = tolerance
         stirred = np.delete(track.farthest, mine).max(initial=0.0)
-        moved = float(track.farthest[mine])
+        moved, seconds = float(track.farthest[mine]), float(self._data.time)
         if motion.unstable:
-            return Settled(motion, (), moved, float(stirred))
+            return Settled(motion, (), moved, float(stirred), seconds)
         motion = structs.replace(motion, pushed=self._pushed(mine, track))
-        return Settled(motion, self._supports(id), moved, float(stirred))
+        return Settled(motion, self._supports(id), moved, float(stirred), seconds)
 
     def _put(self, number: int, placement: Placement) -> None:
         mujoco.mj_resetData(self._model, self._data)

@@ -1,6 +1,7 @@
 """The verdict on a whole scene: every object by itself, and then everything free at once."""
 
 import math
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
@@ -13,6 +14,7 @@ from thinkblox.sim.geometry.access import access, stands_on_floor
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.contacts import Contacts
+from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.settle import SettledState, diverged, free_addresses, motion_between, rest
 from thinkblox.sim.verdict.world import World
 from thinkblox.value import Value
@@ -44,6 +46,7 @@ def verify(
     walking: Walking | None = None,
     state: SettledState | None = None,
     way: bool = True,
+    requirements: Sequence[Requirement] = (),
 ) -> Report:
     """Measure a whole scene.
 
@@ -53,6 +56,7 @@ def verify(
         physics: the engine's options.
         walking: what a walkable way is.
         state: the scene at rest, when `settle` has already been run with the same physics.
+        requirements: what the user requires of every placement besides.
         way: whether objects that cut others off fail; the report names what is cut off in any case.
     """
     tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
@@ -60,7 +64,7 @@ def verify(
     state = state or rest(model, physics)
     held = hold(model, state, physics)
     walkable = access(scene, walking)
-    world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
+    world = World(scene, tolerances=tolerances, physics=physics, walking=walking, requirements=requirements)
     way = way and bool(walkable.unreachable)
     robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
     objects = tuple(_verdict(world, placement, way, robot) for placement in scene.placements)

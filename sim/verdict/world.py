@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, outcome
@@ -16,9 +16,10 @@ from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.geometry.swings import Surroundings, surroundings
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.gate import Gate
-from thinkblox.sim.verdict.judge import Motion, Static, fixed_supports, judge_motion, judge_pose, verdict, with_riders
+from thinkblox.sim.verdict.judge import fixed_supports, judge_motion, judge_pose, verdict, with_riders
+from thinkblox.sim.verdict.requirement import Requirement, unmet_by
 from thinkblox.sim.verdict.stage import Settled, Stage
-from thinkblox.verdict import Reason, Verdict
+from thinkblox.verdict import Reason, Unmet, Verdict
 
 CANDIDATE = "//candidate"
 """Name of the candidate's body; no placement can be called so."""
@@ -46,7 +47,7 @@ NARROW, WHOLE = Cut(0.01, 0.01), Cut(math.inf, math.inf)
 KEPT = 32
 """Compiled parts of a room that a world keeps."""
 WOBBLES = 1.0
-"""What takes longer than this to come to rest wobbles [s]."""
+"""What takes longer than this until all is at rest wobbles [s]."""
 WIDER = 0.05
 """How much wider than the way that the candidate went the second cut is [m]."""
 
@@ -57,6 +58,13 @@ class World:
     A candidate is measured among what it can touch and what that hangs together with. When anything moves so far that
     it might touch more, it is measured again in a wider part of the room, at last in all of it. The verdict is the one
     that the whole room gives.
+
+    Args:
+        scene: what stands there.
+        tolerances: where the lines are drawn.
+        physics: the engine's options.
+        walking: what a walkable way is.
+        requirements: what the user requires of every placement besides.
     """
 
     def __init__(
@@ -66,11 +74,13 @@ class World:
         tolerances: Tolerances | None = None,
         physics: Physics | None = None,
         walking: Walking | None = None,
+        requirements: Sequence[Requirement] = (),
     ) -> None:
         self.scene = scene
         self._tolerances = tolerances or Tolerances()
         self._physics = physics or Physics()
         self._walking = walking or Walking()
+        self._requirements = tuple(requirements)
         self._stages: dict[tuple[Asset, frozenset[str]], Stage] = {}
         self._without: dict[str, World] = {}
 
@@ -163,7 +173,13 @@ class World:
         return self._without[id]
 
     def _like(self, scene: Scene) -> "World":
-        return World(scene, tolerances=self._tolerances, physics=self._physics, walking=self._walking)
+        return World(
+            scene,
+            tolerances=self._tolerances,
+            physics=self._physics,
+            walking=self._walking,
+            requirements=self._requirements,
+        )
 
     def _check(self, candidates: Sequence[Placement], asset: Asset, way: bool) -> list[Verdict]:
         if not asset.collides:
@@ -184,20 +200,21 @@ class World:
             swings=swings,
         )
         cut_off = self.cut_off(candidate, asset) if way and not static.gated else ()
+        said = partial(verdict, candidate, static, cut_off=cut_off, unmet=self._unmet(candidate, asset))
         if not asset.free:
-            return verdict(candidate, static, supports=fixed_supports(candidate, asset, static), cut_off=cut_off)
+            return said(supports=fixed_supports(candidate, asset, static))
         if static.gated:
-            return verdict(candidate, static, cut_off=cut_off)
-        return self._settled_verdict(candidate, static, self._settled(candidate, asset), cut_off)
-
-    def _settled_verdict(
-        self, candidate: Placement, static: Static, settled: Settled, cut_off: tuple[str, ...]
-    ) -> Verdict:
+            return said()
+        settled = self._settled(candidate, asset)
         moved = judge_motion(settled.motion, self._tolerances)
-        carried = sum(support.share for support in settled.supports)
-        loose = carried < self._tolerances.carried and not moved
+        loose = sum(support.share for support in settled.supports) < self._tolerances.carried and not moved
         more: frozenset[Reason] = moved | (frozenset({"unsupported"}) if loose else frozenset())
-        return verdict(candidate, static, motion=settled.motion, supports=settled.supports, more=more, cut_off=cut_off)
+        return said(motion=settled.motion, supports=settled.supports, more=more)
+
+    def _unmet(self, candidate: Placement, asset: Asset) -> tuple[Unmet, ...]:
+        if not self._requirements:
+            return ()
+        return unmet_by(self._requirements, self.scene.with_placement(candidate, asset), candidate)
 
     def _settled(self, candidate: Placement, asset: Asset) -> Settled:
         """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough.
@@ -206,8 +223,8 @@ class World:
         """
         boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW
         settled = self._settled_in(cut, boxes, candidate, asset)
-        while cut is not WHOLE and (_wobbles(settled.motion) or not cut.holds(settled)):
-            cut = WHOLE if cut is not NARROW or _wobbles(settled.motion) else _wider(settled)
+        while cut is not WHOLE and (settled.seconds > WOBBLES or not cut.holds(settled)):
+            cut = WHOLE if cut is not NARROW or settled.seconds > WOBBLES else _wider(settled)
             settled = self._settled_in(cut, boxes, candidate, asset)
         return settled
 
@@ -239,10 +256,6 @@ class World:
 
 def _wider(settled: Settled) -> Cut:
     return Cut(settled.moved + WIDER, WIDER)
-
-
-def _wobbles(motion: Motion) -> bool:
-    return motion.restless or (motion.rest is not None and motion.rest > WOBBLES)
 
 
 def _parked(asset: Asset, height: float) -> Placement:

@@ -7,7 +7,7 @@ from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
-from thinkblox.importing.detect import detect
+from thinkblox.importing.detection import detect
 from thinkblox.importing.document import Document, plain, read_document
 from thinkblox.importing.draft import Item, LayoutDraft
 from thinkblox.importing.formats import FORMATS

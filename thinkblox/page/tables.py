@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from thinkblox.page.markup import Markup, element
 from thinkblox.suite import Criterion, Finding, SuiteResult
-from thinkblox.verdict import Absence, Move, RelationResult, Verdict
+from thinkblox.verdict import Absence, MendingMove, RelationResult, Verdict
 
 Cell = tuple[str, str]
 """Content and class of a table cell."""
@@ -141,12 +141,12 @@ def _number(value: float | None) -> str:
     return "–" if value is None else f"{value:.4g}"
 
 
-def moves_table(moves: Sequence[Move]) -> Markup:
+def moves_table(moves: Sequence[MendingMove]) -> Markup:
     """What was moved to mend faults, and what could not be."""
     lengths = ("Distance, mm", "East, mm", "North, mm", "Up, mm", "Turned, °")
     columns = [("Object", ""), ("Result", ""), *((name, "number") for name in lengths), ("Because of", "")]
 
-    def line(move: Move) -> Markup:
+    def line(move: MendingMove) -> Markup:
         says = element(
             "span", "mended" if move.mended else "not mended", class_=f"word {'passes' if move.mended else 'fails'}"
         )

@@ -68,7 +68,7 @@ class Swap(Value, frozen=True, kw_only=True, tag_field="action", tag="swap"):
 Action = Add | Move | Turn | Replace | Remove | Swap
 
 
-class Outcome(NamedTuple):
+class Applied(NamedTuple):
     """A scene after an action.
 
     Attributes:
@@ -82,7 +82,7 @@ class Outcome(NamedTuple):
     left: tuple[str, ...] = ()
 
 
-def outcome(scene: "Scene", action: Action) -> Outcome:
+def outcome(scene: "Scene", action: Action) -> Applied:
     """Do an action.
 
     Raises:
@@ -92,7 +92,7 @@ def outcome(scene: "Scene", action: Action) -> Outcome:
     """
     match action:
         case Add():
-            return Outcome(_added(scene, action))
+            return Applied(_added(scene, action))
         case Move():
             return _moved(scene, action.id, action.position, action.yaw)
         case Turn():
@@ -101,7 +101,7 @@ def outcome(scene: "Scene", action: Action) -> Outcome:
             return _replaced(scene, action)
         case Remove():
             left = tuple(p.id for p in scene.resting_on(action.id))
-            return Outcome(scene.without(action.id), (), left)
+            return Applied(scene.without(action.id), (), left)
         case Swap():
             return _swapped(scene, action.id, action.other)
 
@@ -120,13 +120,13 @@ def check_pose(id: str, position: Vec3, yaw: float | None) -> None:
         raise InputError(f"{id} cannot be moved to {position} and turned to {yaw}: that is not a pose")
 
 
-def _moved(scene: "Scene", id: str, position: Vec3, yaw: float | None) -> Outcome:
+def _moved(scene: "Scene", id: str, position: Vec3, yaw: float | None) -> Applied:
     old = scene[id]
     check_pose(id, position, yaw)
     new = structs.replace(old, position=position, yaw=old.yaw if yaw is None else (yaw % 360.0) % 360.0)
     riders = scene.riders(id)
     moved = [new, *(_carried_along(rider, old, new) for rider in riders)]
-    return Outcome(scene.with_placements(moved), tuple(p.id for p in riders))
+    return Applied(scene.with_placements(moved), tuple(p.id for p in riders))
 
 
 def _carried_along(rider: Placement, old: Placement, new: Placement) -> Placement:
@@ -137,7 +137,7 @@ def _carried_along(rider: Placement, old: Placement, new: Placement) -> Placemen
     return structs.replace(rider, position=(round(x, 6), round(y, 6), round(z, 6)), yaw=yaw)
 
 
-def _replaced(scene: "Scene", action: Replace) -> Outcome:
+def _replaced(scene: "Scene", action: Replace) -> Applied:
     old, asset = scene[action.id], action.asset
     position = action.position or _same_place(old, asset, scene)
     yaw = old.yaw if action.yaw is None else (action.yaw % 360.0) % 360.0
@@ -156,7 +156,7 @@ def _replaced(scene: "Scene", action: Replace) -> Outcome:
         group = [seated, *(_carried_along(upper, rider, seated) for upper in scene.riders(rider.id))]
         after = after.with_placements(group)
         carried += [p.id for p in group]
-    return Outcome(after, tuple(carried), tuple(left))
+    return Applied(after, tuple(carried), tuple(left))
 
 
 def _same_place(old: Placement, asset: Asset, scene: "Scene") -> Vec3:
@@ -194,7 +194,7 @@ def _fits(rider: Placement, surface: Surface, x: float, y: float) -> bool:
     return over and along and (surface.headroom is None or rider.size[2] <= surface.headroom)
 
 
-def _swapped(scene: "Scene", first: str, second: str) -> Outcome:
+def _swapped(scene: "Scene", first: str, second: str) -> Applied:
     one, other = scene[first], scene[second]
     if first == second or first in scene.carriers(second) or second in scene.carriers(first):
         raise InputError(f"{first} and {second} cannot change places: one is the other, or rests on it")
@@ -205,4 +205,4 @@ def _swapped(scene: "Scene", first: str, second: str) -> Outcome:
         groups.append([new, *(_carried_along(rider, mine, new) for rider in scene.riders(mine.id))])
     moved = [placement for group in groups for placement in group]
     carried = tuple(p.id for p in moved if p.id not in (first, second))
-    return Outcome(scene.with_placements(moved), carried)
+    return Applied(scene.with_placements(moved), carried)

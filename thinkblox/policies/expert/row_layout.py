@@ -18,7 +18,7 @@ WIDEST_WITH_SEATS = 2.4
 
 
 @dataclass(frozen=True)
-class Layout:
+class RowLayout:
     """One block of rows about its own middle: per slot the centre [m] and the yaw [degrees]."""
 
     slots: tuple[Vec2, ...]
@@ -33,7 +33,7 @@ class _Spacing:
     cost: float
 
 
-def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[Layout]:
+def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[RowLayout]:
     """Every way to lay out the members of a request in rows."""
     for dear, rows in enumerate(_row_counts(tie)):
         columns = -(-tie.count // rows)
@@ -87,7 +87,7 @@ def _even(length: float, count: int, size: float) -> float:
 
 def _layout(
     situation: Situation, count: int, columns: int, yaw: float, spacing: _Spacing, *, inward: bool, away: bool
-) -> Layout:
+) -> RowLayout:
     """Rows one behind the other, the first ahead; `inward`: every other row is turned to the one before it."""
     depth, width = situation.size[0], situation.size[1]
     rows = -(-count // columns)
@@ -101,4 +101,4 @@ def _layout(
         v = ((columns - 1) / 2 - column) * (width + spacing.beside)
         slots.append((ux * u + vx * v, uy * u + vy * v))
         yaws.append((yaw + (180.0 if inward and row % 2 == 0 else 0.0)) % 360.0)
-    return Layout(tuple(slots), tuple(yaws), spacing.cost)
+    return RowLayout(tuple(slots), tuple(yaws), spacing.cost)

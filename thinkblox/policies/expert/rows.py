@@ -14,7 +14,7 @@ from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import MAIN_WAY, need
-from thinkblox.policies.expert.row_layout import Layout
+from thinkblox.policies.expert.row_layout import RowLayout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.scene.placement import Placement
@@ -93,7 +93,7 @@ def _idea(blocks: Blocks, block: int, slot: int, tie: Tie, cost: float) -> Idea:
     return Idea((x, y, 0.0), yaw, words, f"it is number {tie.index + 1} of {tie.count} in rows", cost)
 
 
-def _everywhere(situation: Situation, layouts: list[Layout], facing: tuple[str, ...]) -> Blocks:
+def _everywhere(situation: Situation, layouts: list[RowLayout], facing: tuple[str, ...]) -> Blocks:
     """Each layout at every place of a grid about the middle of the room."""
     middle = np.array(situation.room.polygon.centroid.coords[0])
     ex, ey = situation.room.extent
