@@ -237,7 +237,7 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_again() -> None:
     with VerdictPool(workers=1, physics=SLOW) as pool:
         (first,) = pool.pids
         answer = pool.submit(*job)
-        assert within(10.0, answer.running)
+        assert within(60.0, answer.running)
         time.sleep(0.1)
         assert not answer.done()
         os.kill(first, signal.SIGKILL)
@@ -253,7 +253,7 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_again() -> None:
 def test_a_worker_that_stands_still_is_replaced_while_the_others_go_on() -> None:
     every = jobs()
     with VerdictPool(workers=2, timeout=2.0) as pool:
-        assert within(10.0, lambda: bool(pool.check(every)) and all(hand._process.known for hand in pool._hands))
+        assert within(60.0, lambda: bool(pool.check(every)) and all(hand._process.known for hand in pool._hands))
         stopped = pool.pids[0]
         os.kill(stopped, signal.SIGSTOP)
         start = time.monotonic()
@@ -328,10 +328,10 @@ def test_closing_ends_everything_at_once_even_in_the_midst_of_a_job() -> None:
     pool = VerdictPool(workers=2, physics=ENDLESS)
     pids = pool.pids
     answers = [pool.submit(*crates(1, height=1.0)) for _ in range(5)]
-    assert within(10.0, answers[0].running)
+    assert within(60.0, answers[0].running)
     start = time.monotonic()
     pool.close()
-    assert time.monotonic() - start < 3.0
+    assert time.monotonic() - start < 20.0
     assert gone(pids)
     for answer in answers:
         with pytest.raises(ThinkBloxError, match="closed"):
@@ -355,11 +355,11 @@ def test_a_worker_that_holds_too_much_memory_lets_go_of_it_and_is_replaced() -> 
     pids: list[int] = []
     with VerdictPool(workers=1, memory=0.001) as pool:
         for job in jobs()[:2]:
-            assert within(10.0, lambda: bool(pool.pids))
+            assert within(60.0, lambda: bool(pool.pids))
             pids += pool.pids
             assert encoded(pool.check_one(*job)) == directly(job)
         assert len({*pids}) == 2
-        assert within(10.0, lambda: gone(pids))
+        assert within(60.0, lambda: gone(pids))
         assert not any(hand._process.known for hand in pool._hands)
 
 
