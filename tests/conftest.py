@@ -1,6 +1,11 @@
 import pytest
+from hypothesis import settings
 
 from thinkblox.scene.asset import Asset, Link, Shape
+
+# How long an example takes says more of what else the machine does than of the code.
+settings.register_profile("unhurried", deadline=None)
+settings.load_profile("unhurried")
 
 
 def unit_box() -> Asset:
