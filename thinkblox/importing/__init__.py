@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 from thinkblox.importing.formats import FORMATS
 
 if TYPE_CHECKING:
-    from thinkblox.importing.detect import detect
     from thinkblox.importing.layout import Layout, read_layout
+    from thinkblox.importing.signatures import detect
 
 __all__ = ["FORMATS", "Layout", "detect", "read_layout"]
-_HOME = {"Layout": "layout", "detect": "detect", "read_layout": "layout"}
+_HOME = {"Layout": "layout", "detect": "signatures", "read_layout": "layout"}
 
 
 def __getattr__(name: str) -> Any:
