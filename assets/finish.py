@@ -78,7 +78,9 @@ def _primitive(part: Part, size: Vec3) -> Shape:
     hi = [_snap(v, i, size) for i, v in enumerate(part.hi)]
     extent = [max(1e-4, h - l) for l, h in zip(lo, hi, strict=True)]
     for group in _round_axes(part):
-        extent = [extent[group[0]] if i in group else e for i, e in enumerate(extent)]
+        # What fills the box along one axis is as wide as that, whatever the grid made of the others.
+        across = next((extent[i] for i in group if abs(extent[i] - size[i]) < 1e-6), extent[group[0]])
+        extent = [across if i in group else e for i, e in enumerate(extent)]
     centre = [_middle(lo[i], hi[i], extent[i], size[i] / 2 if i < 2 else size[2]) for i in range(3)]
     if part.kind in ("cylinder", "capsule"):
         across = extent[(part.axis + 1) % 3]

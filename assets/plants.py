@@ -10,6 +10,9 @@ from thinkblox.assets.shapes import disc, ellipsoid, frustum, rod
 from thinkblox.assets.spec import Spec
 from thinkblox.value import Vec2, Vec3
 
+_PRESSED = 2e-4
+"""What is no thicker along some axis is pressed flat [m]."""
+
 
 def pot(finish: Finish, radius: float, height: float) -> list[Part]:
     """Return a tapered pot with a rim, filled with soil [m]."""
@@ -53,7 +56,10 @@ def plant(spec: Spec) -> Build:
 
 
 def kept_inside(parts: list[Part], half: Vec2, top: float) -> list[Part]:
-    """Keep leaves within the box by clamping their corners, so that the pot keeps its shape."""
+    """Keep leaves within the box by clamping their corners, so that the pot keeps its shape.
+
+    A leaf that grows wholly outside is pressed flat by that, and left out.
+    """
     kept: list[Part] = []
     for part in parts:
         if part.kind != "hull":
@@ -63,7 +69,8 @@ def kept_inside(parts: list[Part], half: Vec2, top: float) -> list[Part]:
             (float(np.clip(a, -half[0], half[0])), float(np.clip(b, -half[1], half[1])), min(c, top))
             for a, b, c in part.points
         ]
-        kept.append(hull(part.finish, points, smooth=part.smooth))
+        if float(np.ptp(points, axis=0).min()) > _PRESSED:
+            kept.append(hull(part.finish, points, smooth=part.smooth))
     return kept
 
 

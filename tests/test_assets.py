@@ -4,7 +4,7 @@ from math import isfinite, prod
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from thinkblox.assets import CATALOGUE, Category, fit_asset, make_asset
@@ -103,6 +103,8 @@ def category_and_size(draw: st.DrawFn) -> tuple[Category, Vec3]:
 
 @settings(max_examples=150, deadline=None)
 @given(category_and_size(), st.integers(0, 50))
+@example((CATALOGUE["plant"], (1.0, 1.0, 3.0)), 2)  # a leaf that grows wholly outside
+@example((CATALOGUE["soap_dispenser"], (0.1061, 0.0433, 0.1399)), 33)  # round, between two points of the grid
 def test_any_size_in_the_range_is_hit(wanted: tuple[Category, Vec3], seed: int) -> None:
     category, size = wanted
     asset = fit_asset(make_asset(category.name, seed=seed), size)

@@ -126,6 +126,16 @@ def test_every_public_name_exists():
     assert run("import thinkblox; print(all(getattr(thinkblox, n) is not None for n in thinkblox.__all__))") == "True"
 
 
+@pytest.mark.parametrize("package", ["thinkblox", "thinkblox.importing"])
+def test_no_module_hides_a_name_that_is_loaded_when_asked_for(package):
+    """Importing a module sets its name in the package, over whatever would be loaded by that name."""
+    code = (
+        f"import pkgutil, {package} as package\n"
+        "print({m.name for m in pkgutil.iter_modules(package.__path__)} & set(package.__all__))"
+    )
+    assert run(code) == "set()"
+
+
 def test_an_unknown_name_says_what_there_is():
     import thinkblox
 

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 from thinkblox.importing.formats import FORMATS
 
 if TYPE_CHECKING:
-    from thinkblox.importing.detection import detect
     from thinkblox.importing.layout import ForeignLayout, read_layout
+    from thinkblox.importing.signatures import detect
 
 __all__ = ["FORMATS", "ForeignLayout", "detect", "read_layout"]
-_HOME = {"ForeignLayout": "layout", "detect": "detection", "read_layout": "layout"}
+_HOME = {"ForeignLayout": "layout", "detect": "signatures", "read_layout": "layout"}
 
 
 def __getattr__(name: str) -> Any:

@@ -7,7 +7,6 @@ from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
-from thinkblox.importing.detection import detect
 from thinkblox.importing.document import Document, plain, read_document
 from thinkblox.importing.draft import Item, LayoutDraft
 from thinkblox.importing.formats import FORMATS
@@ -20,6 +19,7 @@ from thinkblox.importing.library import Library
 from thinkblox.importing.mounting import mounts_of
 from thinkblox.importing.outline import room_of
 from thinkblox.importing.sceneeval import read_sceneeval
+from thinkblox.importing.signatures import detect
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
