@@ -10,6 +10,7 @@ import pytest
 from pxr import Usd, UsdGeom, UsdPhysics, UsdShade, UsdValidation
 
 from tests.textured import chequered_png, crate, crate_scene, without_visuals
+from thinkblox.checking import VerifyOptions, verify_file
 from thinkblox.exporters.mjcf import mjcf_text
 from thinkblox.exporters.saving import save_scene, write_scene
 from thinkblox.exporters.stocktaking import inventory_of
@@ -160,3 +161,9 @@ def test_the_same_scene_gives_the_same_bytes(tmp_path: Path, folder: Path) -> No
     assert names == sorted(path.relative_to(again) for path in again.rglob("*") if path.is_file())
     assert [name for name in names if (folder / name).read_bytes() != (again / name).read_bytes()] == []
     assert mjcf_text(inventory_of(crate_scene())) == (folder / "scene.xml").read_text()
+
+
+def test_what_verify_writes_brings_its_meshes_along(tmp_path: Path, folder: Path) -> None:
+    out = tmp_path / "again.json"
+    assert verify_file(folder, VerifyOptions(out=str(out))).valid
+    assert load_scene(out) == crate_scene()

@@ -42,7 +42,7 @@ def blob_name(id: str, kind: BlobKind) -> str:
 
 
 class BlobStore:
-    """Bytes by the hash of their content.
+    """Bytes by the hash of their content: those that were put stay, those of files are read again when need be.
 
     Args:
         keep: so many bytes of what was read from files stay in memory.
