@@ -24,8 +24,8 @@ from thinkblox.verdict import Verdict
 AT_REST = 5e-4
 """By how much the motion in a verdict that stands may differ [m, and 1000 degrees], a tenth of what is tolerated.
 
-Of 260 rooms 258 gave the same numbers; what wobbles, as two crates of 8 kg one on the other on a slender vase, is looked
-at when it is slow for a moment, and differed by 0.21 mm.
+Of 260 rooms 258 gave the same numbers; what wobbles, as two crates of 8 kg one on the other on a slender vase, is
+looked at when it is slow for a moment, and differed by 0.21 mm.
 """
 WOBBLES = 1.0
 """What takes longer to come to rest wobbles on [s]."""
