@@ -1,7 +1,7 @@
 """The walkable way: where somebody who comes in by a door can stand, and what that person can reach."""
 
 from collections.abc import Sequence
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -10,6 +10,7 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
@@ -182,7 +183,7 @@ def _placed(rings: Sequence[tuple[Placement, NDArray[np.float64]]]) -> NDArray[n
     return polygons
 
 
-@lru_cache(maxsize=1024)
+@kept
 def _hull(solid: Solid) -> NDArray[np.float64]:
     outline = solid.outline()
     whole = outline if isinstance(outline, Polygon) else shapely.convex_hull(outline)
@@ -190,7 +191,7 @@ def _hull(solid: Solid) -> NDArray[np.float64]:
     return corners
 
 
-@lru_cache(maxsize=1024)
+@kept
 def _widened(solid: Solid, base: float, walking: Walking) -> tuple[NDArray[np.float64], ...]:
     """Corners (n, 2) of each part of the outline in the walker's height, widened, in the asset's frame."""
     outline = solid.outline(above=walking.step - base, below=walking.headroom - base)

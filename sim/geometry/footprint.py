@@ -1,7 +1,7 @@
 """What an asset covers of the floor, exact enough to measure against walls."""
 
 import math
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Shape
+from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
 from thinkblox.sim.geometry.solid import Array, Solid, pose, rotation, shape_points
 
@@ -42,7 +43,7 @@ class Footprint:
         return shapely.Polygon(self.corners).area - self.area.area < 1e-9
 
 
-@lru_cache(maxsize=512)
+@kept
 def footprint_of(solid: Solid) -> Footprint:
     """The one `Footprint` of a solid."""
     return Footprint(solid)

@@ -8,7 +8,6 @@ of the room is where the object can be; its point nearest to where the object is
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -17,6 +16,7 @@ from shapely import MultiPoint, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.derived import kept_by_content
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, Wall
 from thinkblox.sim.geometry.openings import GRAZE, door_zone, window_zone
@@ -89,7 +89,7 @@ def pieces_of(plane: Plane, placement: Placement, asset: Asset) -> tuple[FlatPie
     return tuple(found)
 
 
-@lru_cache(maxsize=512)
+@kept_by_content
 def _shapes(asset: Asset) -> tuple[Array, ...]:
     every = [shape for link in asset.links for shape in link.shapes]
     return tuple(shape_points(shape) for shape in ([s for s in every if s.collide] or every))

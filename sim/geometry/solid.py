@@ -11,6 +11,7 @@ from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Asset, Link, Shape
+from thinkblox.scene.derived import kept_by_content
 from thinkblox.scene.placement import Placement
 from thinkblox.value import Quat
 
@@ -189,7 +190,7 @@ def _union(hulls: list[BaseGeometry]) -> BaseGeometry:
     return shapely.union_all([largest, *rest]) if rest else largest
 
 
-@lru_cache(maxsize=512)
+@kept_by_content
 def solid_of(asset: Asset) -> Solid:
     """The one `Solid` of an asset."""
     return Solid(asset)

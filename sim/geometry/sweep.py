@@ -2,13 +2,14 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import fcl
 import numpy as np
 from manifold3d import Manifold
 
 from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.derived import kept
 from thinkblox.sim.geometry.solid import Array, Solid, rotation, shape_points
 
 STEP = 0.015
@@ -98,7 +99,7 @@ class Swept:
         return _around([box for sweep in self.sweeps for box in sweep.bounds.reshape(-1, 2, 3)])
 
 
-@lru_cache(maxsize=512)
+@kept
 def moving_of(solid: Solid) -> Swept:
     """The one `Swept` of a solid."""
     return Swept(solid.asset)

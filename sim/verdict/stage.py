@@ -81,7 +81,7 @@ class Stage:
         if motion.unstable:
             return Settled(motion, (), moved, float(stirred), seconds)
         motion = structs.replace(motion, pushed=self._pushed(mine, track))
-        return Settled(motion, self._supports(id), moved, float(stirred), seconds)
+        return Settled(motion, self._supports(id, steady=motion.rest is not None), moved, float(stirred), seconds)
 
     def _put(self, number: int, placement: Placement) -> None:
         mujoco.mj_resetData(self._model, self._data)
@@ -116,14 +116,14 @@ class Stage:
         ]
         return tuple(sorted(found, key=lambda push: (-push.distance, push.other)))
 
-    def _supports(self, id: str) -> tuple[Support, ...]:
+    def _supports(self, id: str, *, steady: bool) -> tuple[Support, ...]:
         """What carries an object now, with which share of its weight; woken, for what sleeps has no contacts."""
         body = self._model.body(id)
         self._data.qvel[int(body.dofadr[0])] = NUDGE
         mujoco.mj_forward(self._model, self._data)
         weight = float(body.subtreemass[0]) * -self._physics.gravity[2]
         forces = self._contacts.carriers_of(self._data, id)
-        if sum(forces.values()) < STEADY * weight:
+        if steady and sum(forces.values()) < STEADY * weight:
             forces = self._mean_forces(id)
         return shares(forces, weight)
 

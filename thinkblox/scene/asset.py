@@ -169,7 +169,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
         return self.mount in ("floor", "surface") and self.collides
 
 
-class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True):
+class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_hash=True, dict=True):
     """Something placeable, made of convex shapes: what is seen is what collides, but for links that have visuals.
 
     Attributes:
