@@ -222,15 +222,18 @@ class World:
         What wobbles on ends as rounding errors have it, and so it is what it does in the whole room that counts.
         """
         boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW
-        settled = self._settled_in(cut, boxes, candidate, asset)
+        there = self._within(boxes, cut)
+        settled = self._stage(asset, there).settle(CANDIDATE, candidate)
         while cut is not WHOLE and (settled.seconds > WOBBLES or not cut.holds(settled)):
             cut = WHOLE if cut is not NARROW or settled.seconds > WOBBLES else _wider(settled)
-            settled = self._settled_in(cut, boxes, candidate, asset)
+            before, there = there, self._within(boxes, cut)
+            if there != before:
+                settled = self._stage(asset, there).settle(CANDIDATE, candidate)
         return settled
 
-    def _settled_in(self, cut: Cut, boxes: Boxes, candidate: Placement, asset: Asset) -> Settled:
-        there = self._neighbours.hanging_together(self._neighbours.meetings(boxes, cut.reach), cut.gap)
-        return self._stage(asset, there).settle(CANDIDATE, candidate)
+    def _within(self, boxes: Boxes, cut: Cut) -> frozenset[str]:
+        """The objects that a cut holds."""
+        return self._neighbours.hanging_together(self._neighbours.meetings(boxes, cut.reach), cut.gap)
 
     def _stage(self, asset: Asset, there: frozenset[str]) -> Stage:
         if (asset, there) not in self._stages:
