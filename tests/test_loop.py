@@ -10,7 +10,7 @@ from tests.sim_rooms import asset, put, scene, table, vase
 from thinkblox.assets import make_asset
 from thinkblox.errors import InputError
 from thinkblox.generate import Generation, generate_room
-from thinkblox.judge import judge, judge_all
+from thinkblox.judging import judge, judge_all
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort

@@ -1,4 +1,5 @@
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -44,7 +45,7 @@ def test_every_folder_with_code_or_data_is_listed():
 def test_a_wheel_holds_everything_and_building_it_warns_of_nothing(tmp_path):
     source = tmp_path / "source"
     source.mkdir()
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
     for name in ("thinkblox", *LINKED):
         shutil.copytree(ROOT / name, source / name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__"))
@@ -59,6 +60,9 @@ def test_a_wheel_holds_everything_and_building_it_warns_of_nothing(tmp_path):
         held = set(wheel.namelist())
         metadata = wheel.read(next(name for name in held if name.endswith("METADATA"))).decode()
     assert {path.as_posix() for path in shipped()} <= held
+    links = re.findall(r"\]\(([^)]+)\)", metadata)
+    assert len(links) > 4
+    assert all(link.startswith("https://") for link in links)
     assert all(f"Project-URL: {name}, https://" in metadata for name in ("Homepage", "Changelog", "Issues"))
 
 

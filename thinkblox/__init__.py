@@ -13,11 +13,18 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from thinkblox.checking import VerifyOptions, verify_file
+    from thinkblox.episode import Episode, read_episode
     from thinkblox.errors import InputError, ThinkBloxError
     from thinkblox.exporters.saving import save_scene
     from thinkblox.generate import Generation, generate_room
+    from thinkblox.judging import Try, judge, judge_all
+    from thinkblox.observe import Observation
+    from thinkblox.placing import Effort
+    from thinkblox.plan import Target
     from thinkblox.policies import Policy
     from thinkblox.saving import save_room
+    from thinkblox.scene.actions import Add, Move, Remove, Replace, Swap, Turn
+    from thinkblox.scene.asset import Asset
     from thinkblox.scene.placement import Placement
     from thinkblox.scene.room import Opening, Room
     from thinkblox.scene.scene import Scene, load_scene
@@ -29,50 +36,80 @@ if TYPE_CHECKING:
 
 __version__: str
 _HOME = {
+    "Add": "thinkblox.scene.actions",
+    "Asset": "thinkblox.scene.asset",
+    "Effort": "thinkblox.placing",
+    "Episode": "thinkblox.episode",
     "Generation": "thinkblox.generate",
     "InputError": "thinkblox.errors",
     "Job": "thinkblox.sim.workers.pool",
+    "Move": "thinkblox.scene.actions",
+    "Observation": "thinkblox.observe",
     "Opening": "thinkblox.scene.room",
     "Placement": "thinkblox.scene.placement",
     "Policy": "thinkblox.policies",
-    "VerifyOptions": "thinkblox.checking",
     "Rejection": "thinkblox.steps",
+    "Remove": "thinkblox.scene.actions",
+    "Replace": "thinkblox.scene.actions",
     "Report": "thinkblox.verdict",
     "Room": "thinkblox.scene.room",
     "Scene": "thinkblox.scene.scene",
     "Step": "thinkblox.steps",
+    "Swap": "thinkblox.scene.actions",
+    "Target": "thinkblox.plan",
     "ThinkBloxError": "thinkblox.errors",
+    "Try": "thinkblox.judging",
+    "Turn": "thinkblox.scene.actions",
     "Verdict": "thinkblox.verdict",
     "VerdictPool": "thinkblox.sim.workers.pool",
+    "VerifyOptions": "thinkblox.checking",
     "World": "thinkblox.sim.verdict.world",
     "generate_room": "thinkblox.generate",
+    "judge": "thinkblox.judging",
+    "judge_all": "thinkblox.judging",
     "load_scene": "thinkblox.scene.scene",
     "parse": "thinkblox.steps",
+    "read_episode": "thinkblox.episode",
     "save_room": "thinkblox.saving",
     "save_scene": "thinkblox.exporters.saving",
     "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
 }
 __all__ = [
+    "Add",
+    "Asset",
+    "Effort",
+    "Episode",
     "Generation",
     "InputError",
     "Job",
+    "Move",
+    "Observation",
     "Opening",
     "Placement",
     "Policy",
     "Rejection",
+    "Remove",
+    "Replace",
     "Report",
     "Room",
     "Scene",
     "Step",
+    "Swap",
+    "Target",
     "ThinkBloxError",
+    "Try",
+    "Turn",
     "Verdict",
     "VerdictPool",
     "VerifyOptions",
     "World",
     "generate_room",
+    "judge",
+    "judge_all",
     "load_scene",
     "parse",
+    "read_episode",
     "save_room",
     "save_scene",
     "verify",

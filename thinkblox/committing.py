@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from msgspec import structs
 
-from thinkblox.judge import Proposal
+from thinkblox.judging import Proposal
 from thinkblox.scene.actions import Add
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene

@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.judge import Try
+from thinkblox.judging import Try
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.plan import Plan
 from thinkblox.scene.asset import Asset

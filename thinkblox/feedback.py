@@ -2,7 +2,7 @@
 
 import math
 
-from thinkblox.judge import Try
+from thinkblox.judging import Try
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene

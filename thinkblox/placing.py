@@ -13,7 +13,7 @@ from thinkblox.assets.source import AssetSource
 from thinkblox.committing import commit
 from thinkblox.episode import Round, RoundKind
 from thinkblox.feedback import feedback_line
-from thinkblox.judge import Proposal, Try, asset_for, measured, proposed, rejected, understand
+from thinkblox.judging import Proposal, Try, asset_for, measured, proposed, rejected, understand
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.phrases import phrase
 from thinkblox.plan import Plan, Target

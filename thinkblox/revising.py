@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import NamedTuple
 
-from thinkblox.judge import Proposal, Try, measured
+from thinkblox.judging import Proposal, Try, measured
 from thinkblox.phrases import phrase
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.scene.actions import Move
