@@ -1,7 +1,9 @@
 """What an asset fills, worked out once per asset: volumes, manifolds, corner points and footprints."""
 
+import atexit
 import math
 from functools import cached_property, lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import shapely
@@ -100,6 +102,13 @@ def weighing(link: Link) -> tuple[Shape, ...]:
     return tuple(s for s in link.shapes if s.collide) or link.shapes
 
 
+# Polyhedra that are alive when the interpreter ends are complained of on standard error, so they are not kept on a solid.
+_PIECES: "WeakKeyDictionary[Solid, tuple[Manifold, ...]]" = WeakKeyDictionary()
+_UNIONS: "WeakKeyDictionary[Solid, Manifold]" = WeakKeyDictionary()
+atexit.register(_PIECES.clear)
+atexit.register(_UNIONS.clear)
+
+
 class Solid:
     """An asset as geometry; everything is in the asset's frame and worked out when first asked for."""
 
@@ -135,10 +144,12 @@ class Solid:
         corner: Array = self.cloud[0].max(axis=0)
         return corner
 
-    @cached_property
+    @property
     def pieces(self) -> tuple[Manifold, ...]:
         """Each piece as a polyhedron of its volume."""
-        return tuple(_hull(shape) for shape in self.colliders)
+        if self not in _PIECES:
+            _PIECES[self] = tuple(_hull(shape) for shape in self.colliders)
+        return _PIECES[self]
 
     @cached_property
     def masses(self) -> tuple[tuple[float, ...], ...]:
@@ -147,10 +158,12 @@ class Solid:
         density = self.asset.mass / sum(map(sum, volumes))
         return tuple(tuple(volume * density for volume in link) for link in volumes)
 
-    @cached_property
+    @property
     def manifold(self) -> Manifold:
         """Union of the colliding shapes; round ones keep their volume."""
-        return Manifold.batch_boolean(list(self.pieces), OpType.Add)
+        if self not in _UNIONS:
+            _UNIONS[self] = Manifold.batch_boolean(list(self.pieces), OpType.Add)
+        return _UNIONS[self]
 
     @cached_property
     def volume(self) -> float:
