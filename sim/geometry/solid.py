@@ -102,7 +102,7 @@ def weighing(link: Link) -> tuple[Shape, ...]:
     return tuple(s for s in link.shapes if s.collide) or link.shapes
 
 
-# Polyhedra that are alive when the interpreter ends are complained of on standard error, so they are not kept on a solid.
+# Polyhedra that are alive when the interpreter ends are complained of on standard error: so a solid does not keep them.
 _PIECES: "WeakKeyDictionary[Solid, tuple[Manifold, ...]]" = WeakKeyDictionary()
 _UNIONS: "WeakKeyDictionary[Solid, Manifold]" = WeakKeyDictionary()
 atexit.register(_PIECES.clear)
