@@ -33,7 +33,10 @@ class AssetSource(Protocol):
         ...
 
     def make(self, category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
-        """A new asset; the same arguments give the same asset. Raises InputError for what cannot be made."""
+        """A new asset; the same arguments give the same asset. Raises InputError for what cannot be made.
+
+        Its id differs with its content, for a scene holds one asset under each id.
+        """
         ...
 
     def fit(self, asset: Asset, size: Vec3) -> Asset:

@@ -173,3 +173,24 @@ def test_supports_kept_up_step_by_step_are_those_derived_anew(steps) -> None:
 def test_what_is_put_is_put() -> None:
     scene = Scene(room=ROOM).with_placement(put(CUP, 1.0, 1.0), CUP)
     assert scene.placements[0].support == "floor"
+
+
+def test_two_assets_of_one_id_are_refused() -> None:
+    other = structs.replace(CUP, mass=5.0)
+    with pytest.raises(InputError, match="cup_1"):
+        furnished().apply(Add(id="cup_9", asset=other, position=(3.0, 1.0, 0.0), yaw=0.0))
+    alone = Scene(room=ROOM).apply(Add(id="cup_1", asset=CUP, position=(1.0, 1.0, 0.0), yaw=0.0))
+    assert alone.apply(Replace(id="cup_1", asset=other)).asset_of(alone["cup_1"]).mass == 5.0
+
+
+def test_lists_and_ints_are_poses_and_rubbish_is_none() -> None:
+    scene = furnished()
+    assert scene.apply(Move(id="bench_1", position=[2, 3, 0], yaw=450)) == scene.apply(  # type: ignore[arg-type]
+        Move(id="bench_1", position=(2.0, 3.0, 0.0), yaw=90.0)
+    )
+    for position in (None, "abc", (1.0, 2.0), (1.0, 2.0, "x"), (math.nan, 1.0, 0.0)):
+        with pytest.raises(InputError, match="bench_1"):
+            scene.apply(Move(id="bench_1", position=position))  # type: ignore[arg-type]
+    for action in ("move", None, 7):
+        with pytest.raises(InputError, match="no action"):
+            scene.apply(action)  # type: ignore[arg-type]

@@ -207,7 +207,7 @@ def test_numbers_of_numpy_become_plain_ones():
         VALUES[Placement], position=(np.float64(1.0), np.float32(2.0), np.int64(0)), yaw=np.float64(90.0)
     )
     assert there == VALUES[Placement]
-    assert [type(number) for number in (*there.position, there.yaw)] == [float, float, int, float]
+    assert [type(number) for number in (*there.position, there.yaw)] == [float, float, float, float]
     assert type(structs.replace(VALUES[Physics], chunk=np.int32(5)).chunk) is int
     with pytest.raises(InputError, match=r"yaw is nan"):
         structs.replace(VALUES[Placement], yaw=np.float64(math.nan))

@@ -8,16 +8,18 @@ import pytest
 
 from tests.sim_rooms import asset, put, scene, table, vase
 from thinkblox.assets import make_asset
+from thinkblox.assets.source import ProceduralAssets
+from thinkblox.brief import Brief
 from thinkblox.errors import InputError
 from thinkblox.generate import Generation, generate_room
 from thinkblox.judging import judge, judge_all
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort
-from thinkblox.plan import Target
+from thinkblox.plan import Plan, Target
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.scene.agreement import residual
-from thinkblox.scene.room import rectangle
+from thinkblox.scene.room import Room, rectangle
 from thinkblox.sim.verdict.world import World
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Step, parse, write_step
@@ -107,6 +109,73 @@ def test_a_policy_class_instead_of_an_object_is_fine_or_named() -> None:
 
     with pytest.raises(InputError, match="no propose"):
         generate_room(ONE_CHAIR, policy=Without())  # type: ignore[arg-type]
+
+
+def test_what_came_before_a_failure_is_kept() -> None:
+    class Late:
+        def propose(self, observation, n, rng):
+            yield chair(2.0, 1.5)
+            raise RuntimeError("late\nand with a line break")
+
+    result = furnished(Late())
+    assert result.report.valid
+    assert "late and with" in result.trace[0].tries[1].rejection.message  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(("answer", "says"), [("text", "one str"), (b"text", "one bytes"), (None, "NoneType")])
+def test_one_text_instead_of_a_list_is_named(answer: object, says: str) -> None:
+    class One:
+        def propose(self, observation, n, rng):
+            return answer
+
+    assert says in furnished(One(), rounds=1).report.absent[0].reason
+
+
+def test_texts_that_no_file_can_hold_are_rejected_and_cut() -> None:
+    policy = Answers(["half \ud800" + chair(2.0, 1.5), "x" * 3_000_000, chair(2.0, 1.5).replace("}", ', "yaw": 3}')])
+    result = furnished(policy, rounds=1)
+    reasons = [t.rejection.reason for t in result.trace[0].tries if t.rejection]
+    assert reasons == ["format", "format", "json"]
+    assert len(result.episode.to_jsonl()) < 200_000
+
+
+def test_what_a_source_does_not_have_is_absent_and_the_rest_is_placed() -> None:
+    class SoldOut(ProceduralAssets):
+        def make(self, category, *, seed, attributes=(), size=None):
+            if category == "desk":
+                raise InputError("desks are sold out")
+            return super().make(category, seed=seed, attributes=attributes, size=size)
+
+    result = generate_room("A room with a desk, a lamp on the desk and a bed", source=SoldOut(), seed=0)
+    assert [(a.id, a.reason) for a in result.report.absent] == [("desk_1", "desks are sold out")]
+    assert "bed_1" in result.scene
+    assert not result.report.complete
+
+
+def test_rubbish_from_a_role_is_named() -> None:
+    class Rubbish:
+        def brief(self, prompt):
+            return {"chairs": 10**6}
+
+    with pytest.raises(InputError, match="briefer answered with a dict"):
+        generate_room(ONE_CHAIR, briefer=Rubbish())
+    with pytest.raises(InputError, match="twice"):
+        Plan(brief=Brief(prompt=""), targets=(target("chair_1"), target("chair_1")))
+    with pytest.raises(InputError, match="id"):
+        target("Chair")
+    for wrong in ({"restarts": -1}, {"candidates": 0}, {"rounds": 1.5}):
+        with pytest.raises(InputError, match=next(iter(wrong))):
+            Effort(**wrong)
+
+
+def test_a_room_of_ints_is_seen_as_it_is_read_back() -> None:
+    policy = Answers([chair(2.0, 1.5)])
+    room = Room(floor=((0, 0), (4, 0), (4, 3), (0, 3)), height=3)
+    result = generate_room(ONE_CHAIR, room=room, policy=policy, effort=Effort(restarts=0))
+    seen = policy.seen
+    assert [d.observation.text() for d in result.episode.decisions()] == [o.text() for o in seen]
+    assert from_json(to_json(result.episode.room), Room) == room
+    assert '"floor":[[0.0,0.0]' in seen[0].text()
 
 
 def test_roles_can_be_played_by_anybody() -> None:

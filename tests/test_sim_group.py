@@ -4,6 +4,7 @@ import pytest
 from msgspec import structs
 
 from tests.sim_rooms import asset, box, put, scene, table, vase
+from thinkblox.errors import InputError
 from thinkblox.scene import Shape, rectangle
 from thinkblox.scene.actions import Add, Move, Remove, Replace, Swap, Turn
 from thinkblox.scene.scene import Scene
@@ -105,3 +106,40 @@ def test_what_rolls_on_for_ever_is_restless() -> None:
     )
     (verdict,) = World(scene(rectangle(6.0, 6.0))).check([put(ball, 3.0, 3.0)], ball)
     assert verdict.valid or "restless" in verdict.reasons
+
+
+def test_what_stands_on_two_is_measured_when_one_of_them_goes() -> None:
+    """A tray across the gap of two stools rests on neither by its middle, and on both in fact."""
+    stool, tray = asset("stool", (0.4, 0.4, 0.5), mass=5.0), asset("tray", (0.3, 0.6, 0.02), mass=1.0, mount="surface")
+    room = scene(
+        rectangle(4.0, 4.0), (put(stool, 2.0, 1.75, id="stool_1"), stool), (put(stool, 2.0, 2.25, id="stool_2"), stool),
+        (put(tray, 2.0, 2.0, 0.5), tray),
+    )  # fmt: skip
+    assert room["tray_1"].support == "floor"
+    world = World(room)
+    assert world.check([room["tray_1"]], tray)[0].valid
+    assert world.measure(Remove(id="stool_2")).reasons == ("riders",)
+    away = structs.replace(room["stool_2"], position=(3.5, 3.5, 0.0))
+    assert world.check([away], stool)[0].reasons == ("riders",)
+
+
+def test_an_action_that_changes_nothing_has_the_verdict_of_what_stands(room: Scene) -> None:
+    there = room["table_1"]
+    (standing,) = World(room).check([there], TABLE)
+    assert World(room).measure(Move(id="table_1", position=there.position)) == standing
+    assert World(room).measure(Turn(id="table_1", yaw=360.0)) == standing
+    assert World(room).measure(Replace(id="table_1", asset=TABLE)) == standing
+
+
+def test_requirements_are_functions() -> None:
+    class Callable:
+        def __call__(self, scene, placement):
+            return "no"
+
+    room = scene(rectangle(4.0, 4.0))
+    (verdict,) = World(room, requirements=[Callable()]).check([put(CRATE, 2.0, 2.0, id="crate_1")], CRATE)
+    assert verdict.reasons == ("requirement",)
+    assert "Callable: no" in str(verdict)
+    for wrong in (lambda s, p: "", [3], 7):
+        with pytest.raises(InputError, match="function"):
+            World(room, requirements=wrong)  # type: ignore[arg-type]

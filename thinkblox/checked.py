@@ -25,6 +25,8 @@ Coordinate = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 """Of a point in a room or an asset [m]."""
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
 """Of a thing along one axis [m]."""
+ObjectId = Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*_[0-9]+\Z", max_length=80)]
+"""Of an object that a policy can name: "<category>_<n>"."""
 UNIT_TOLERANCE = 1e-6
 """How far the length of a unit vector or quaternion may be from 1."""
 
@@ -34,9 +36,9 @@ _SHOWN = 80
 
 
 class CheckedValue(Value, frozen=True):
-    """A value none of whose fields is ever out of range.
+    """A value none of whose fields is ever out of range, and whose fields are what they are once it has been read.
 
-    Numbers of numpy become plain ones.
+    An int in place of a float becomes one, a list in place of a tuple too, and numbers of numpy become plain ones.
 
     Raises:
         InputError: a field of another type, out of the range of its `Meta`, or not a finite number; it names the value,
@@ -45,9 +47,11 @@ class CheckedValue(Value, frozen=True):
 
     def __post_init__(self) -> None:
         try:
-            msgspec.convert(self, _twin(type(self)), from_attributes=True)
+            twin = msgspec.convert(self, _twin(type(self)), from_attributes=True)
         except msgspec.ValidationError:
-            _make_plain(self)
+            twin = _made_plain(self)
+        for name in self.__struct_fields__:
+            msgspec.structs.force_setattr(self, name, getattr(twin, name))
 
     def refused(self, field: str, why: str) -> InputError:
         """The error that says why this value cannot be, by its kind, its name and the field that is wrong."""
@@ -66,12 +70,12 @@ def _twin(kind: type[CheckedValue]) -> type[msgspec.Struct]:
     return msgspec.defstruct(f"{kind.__name__}Fields", [(name, hints[name]) for name in kind.__struct_fields__])
 
 
-def _make_plain(value: CheckedValue) -> None:
+def _made_plain(value: CheckedValue) -> msgspec.Struct:
     """Give a value that was refused plain numbers for those of numpy; what is refused then is an InputError."""
     for name in value.__struct_fields__:
         msgspec.structs.force_setattr(value, name, _plain(getattr(value, name)))
     try:
-        msgspec.convert(value, _twin(type(value)), from_attributes=True)
+        return msgspec.convert(value, _twin(type(value)), from_attributes=True)
     except msgspec.ValidationError as error:
         raise value.refused(*_field(value, str(error))) from None
 

@@ -203,6 +203,8 @@ def _checked(file: Path, beginning: Beginning, assets: dict[str, Asset], rounds:
         missing = {done.asset, *(p.asset for p in done.committed)}.difference(assets)
         if missing:
             raise InputError(f"{file}: a round for {done.id} speaks of an asset that is not there: {missing.pop()!r}")
+        if not (done.chosen is None or 0 <= done.chosen < len(done.tries)) or done.attempt < 0 or done.number < 0:
+            raise InputError(f"{file}: a round for {done.id} counts what is not there: its choice, number or attempt")
         if done.kind == "policy" and done.id not in planned:
             raise InputError(f"{file}: a round for {done.id}, which is not planned")
     return Episode(

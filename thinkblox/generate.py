@@ -2,13 +2,16 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
+from thinkblox.brief import Brief
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError
+from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
@@ -24,6 +27,8 @@ from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Absence, Report
+
+M = TypeVar("M")
 
 
 @dataclass(frozen=True)
@@ -99,10 +104,10 @@ def generate_room(
     _check_arguments(prompt, seed, room)
     planner = planner or ExpertPlanner()
     _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
-    brief = (briefer or GrammarBriefer()).brief(prompt)
-    room = room or planner.room(brief, np.random.default_rng((seed, 0)))
+    brief = _made("briefer", (briefer or GrammarBriefer()).brief(prompt), Brief)
+    room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
     return furnish(
-        planner.plan(brief, room),
+        _made("planner", planner.plan(brief, room), Plan),
         Scene(prompt=prompt, seed=seed, room=room),
         policy=policy or ExpertPolicy(),
         source=source or ProceduralAssets(),
@@ -110,6 +115,13 @@ def generate_room(
         judged=Judged(tolerances or Tolerances(), tuple(requirements)),
         on_object=on_object or (lambda progress: None),
     )
+
+
+def _made(role: str, made: object, kind: type[M]) -> M:
+    """What somebody else's role has made; raises InputError when it is something else."""
+    if not isinstance(made, kind):
+        raise InputError(f"the {role} answered with a {type(made).__name__}; it must give a {kind.__name__}")
+    return made
 
 
 def _check_arguments(prompt: object, seed: object, room: object) -> None:
@@ -153,10 +165,11 @@ def furnish(
     on_object: Callable[[Progress], None],
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
-    loop = Loop(plan, kinds_of(plan, source), policy, source, effort)
+    makeable, refused = _makeable(plan, scene, source)
+    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort)
     made: list[_Attempt] = []
     for number in range(1 + effort.restarts):
-        made.append(_Attempt(loop, scene, number, judged, on_object))
+        made.append(_Attempt(loop, scene, number, judged, on_object, refused))
         last = _faults(made[-1].report)
         if not any(last) or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
@@ -165,12 +178,26 @@ def furnish(
         prompt=scene.prompt,
         seed=scene.seed,
         room=scene.room,
-        plan=plan,
+        plan=makeable,
         kinds=loop.kinds,
         assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
         rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
     )
     return Generation(best.world.scene, best.report, episode)
+
+
+def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
+    """The plan without what the source cannot make, and that with the reasons."""
+    kept: list[Target] = []
+    refused: list[Absence] = []
+    for target in plan.targets:
+        try:
+            source.usual(target.category)
+            asset_for(target, scene, source)
+            kept.append(target)
+        except InputError as error:
+            refused.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=str(error)))
+    return (structs.replace(plan, targets=tuple(kept)) if refused else plan), refused
 
 
 def _faults(report: Report) -> tuple[int, ...]:
@@ -188,12 +215,18 @@ class _Attempt:
     """One go at a whole room."""
 
     def __init__(
-        self, loop: Loop, scene: Scene, number: int, judged: Judged, on_object: Callable[[Progress], None]
+        self,
+        loop: Loop,
+        scene: Scene,
+        number: int,
+        judged: Judged,
+        on_object: Callable[[Progress], None],
+        refused: Sequence[Absence],
     ) -> None:
         self.world = World(scene, tolerances=judged.tolerances, requirements=judged.requirements)
         self.rounds: list[Round] = []
         self.assets: dict[str, Asset] = {}
-        absent: list[Absence] = []
+        absent = list(refused)
         total = len(loop.plan.targets)
         for count, target in enumerate(loop.plan.targets, 1):
             rng = np.random.default_rng((scene.seed, number, count))

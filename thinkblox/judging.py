@@ -13,7 +13,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
-from thinkblox.steps import Rejection, Step, parse
+from thinkblox.steps import MAX_TEXT, Rejection, Step, parse
 from thinkblox.value import Value, Vec3
 from thinkblox.verdict import Verdict
 
@@ -126,8 +126,10 @@ def understand(
     try:
         action = _action(scene, target, step, asset, source)
         after = scene.apply(action)
+    except _SizeError as error:
+        return Rejection(reason="size", message=str(error))
     except InputError as error:
-        return Rejection(reason="size" if step.size is not None else "action", message=str(error))
+        return Rejection(reason="action", message=str(error))
     if step.action == "remove":
         return Proposal(text, action, None, None)
     placement = after[step.id]
@@ -146,8 +148,9 @@ def measured(world: "World", proposal: Proposal) -> Try:
 
 
 def rejected(text: object, why: Rejection) -> Try:
-    """The try of what cannot be used."""
-    return Try(text=text if isinstance(text, str) else "", rejection=why)
+    """The try of what cannot be used; of a longer text than is read, as much as would be."""
+    said = text[:MAX_TEXT] if isinstance(text, str) else ""
+    return Try(text=said.encode("utf-8", "replace").decode(), rejection=why)
 
 
 def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -> Asset:
@@ -169,7 +172,14 @@ def style_seed(scene: Scene) -> int:
 def _sized(asset: Asset, wanted: Measures, source: AssetSource, *, slack: float = SAME_SIZE) -> Asset:
     x, y, z = (want or usual for want, usual in zip(wanted, asset.size, strict=True))
     same = all(abs(a - b) <= slack for a, b in zip((x, y, z), asset.size, strict=True))
-    return asset if same else source.fit(asset, (x, y, z))
+    try:
+        return asset if same else source.fit(asset, (x, y, z))
+    except InputError as error:
+        raise _SizeError(str(error)) from error
+
+
+class _SizeError(InputError):
+    """An asset cannot have the size that is wanted."""
 
 
 def _impossible(scene: Scene, step: Step) -> str:

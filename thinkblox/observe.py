@@ -29,6 +29,8 @@ Reason in numbered lines inside <think>, then answer with one JSON object inside
 1. ...
 </think>
 <answer>{"id": "...", "position": [x, y, z], "yaw": degrees, "size": [depth, width, height]}</answer>
+Walls are listed counter-clockwise, wall i from corner i of the floor to corner i + 1; an opening begins "offset" from
+its wall's start. "free" lists [x, y, radius] of free circles on a surface, "opens" doors and drawers that need space.
 The object must not collide, must stay inside the room, must rest on something and stand still, and must leave doors and
 ways free; all of this is measured in a physics simulation."""
 SPOTS = 2
@@ -135,6 +137,7 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
         openings = [
             {
                 "id": o.id,
+                "kind": o.kind,
                 "wall": room.walls[o.wall].name,
                 "offset": o.offset,
                 "width": o.width,
@@ -163,6 +166,9 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
     def _object(self, placement: Placement) -> dict[str, object]:
         p = placement
         seen: dict[str, object] = {"id": p.id, "position": p.position, "yaw": p.yaw, "size": p.size, "on": p.support}
+        card = self.layout.asset_of(p)
+        if card.opens:
+            seen["opens"] = card.opens
         surfaces = [
             {
                 "name": surface.name,
@@ -170,7 +176,7 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
                 "size": surface.size,
                 "free": [[*spot.position[:2], spot.clear] for spot in free_spots(self.layout, p, surface, count=SPOTS)],
             }
-            for surface in self.layout.asset_of(p).surfaces
+            for surface in card.surfaces
         ]
         return {**seen, "surfaces": surfaces} if surfaces else seen
 
@@ -184,13 +190,14 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
             "front": asset.front,
             "size": asset.size,
             "sizes": self.sizes,
+            "opens": asset.opens,
             "surface_heights": [surface.position[2] for surface in asset.surfaces],
             "wanted": [describe_tie(tie) for tie in self.target.ties],
         }
 
 
 def kinds_of(plan: Plan, source: AssetSource) -> dict[str, Kind]:
-    """What is known of the categories of a plan before anything of them is there."""
+    """What is known of the categories of a plan before anything of them is there; raises InputError as the source."""
     found = {target.category: source.usual(target.category) for target in plan.targets}
     return {category: Kind(size=size, mount=mount) for category, (size, mount) in found.items()}
 

@@ -12,6 +12,7 @@ from msgspec import structs
 from thinkblox.assets.source import AssetSource
 from thinkblox.committing import commit
 from thinkblox.episode import Round, RoundKind
+from thinkblox.errors import InputError
 from thinkblox.feedback import feedback_line
 from thinkblox.judging import Proposal, Try, asset_for, measured, proposed, rejected, understand
 from thinkblox.observe import Kind, Observation, observe
@@ -51,6 +52,12 @@ class Effort:
     repairs: int = 40
     revisions: int = 16
     restarts: int = 2
+
+    def __post_init__(self) -> None:
+        for name, least in (("candidates", 1), ("rounds", 0), ("repairs", 0), ("revisions", 0), ("restarts", 0)):
+            value = getattr(self, name)
+            if type(value) is not int or value < least:
+                raise InputError(f"Effort.{name} is {value!r}; it must be a whole number, at least {least}")
 
 
 @dataclass(frozen=True)
@@ -123,13 +130,18 @@ class Placing:
         return self._try("policy", read, propose_seconds=seconds, tell=True)
 
     def _texts(self, observation: Observation) -> list[object]:
-        """What the policy answers; a policy that fails has a try that says so, for the room is not to blame."""
+        """What the policy answers; where it fails, what came before that, and a try that says so."""
         most = self.loop.effort.candidates
+        texts: list[object] = []
         try:
-            return list(islice(self.loop.policy.propose(observation, most, self.rng), most))
+            answers = self.loop.policy.propose(observation, most, self.rng)
+            if isinstance(answers, str | bytes):
+                raise TypeError(f"it gave one {type(answers).__name__}; a list of texts is wanted")
+            texts.extend(islice(answers, most))
         except Exception as error:  # a policy is anybody's code, and the rest of the room can do without it
-            why = f"the policy failed: {type(error).__name__}: {error}"
-            return [rejected("", Rejection(reason="policy", message=why[:500]))]
+            why = " ".join(f"the policy failed: {type(error).__name__}: {error}".split())[:500]
+            texts.append(rejected("", Rejection(reason="policy", message=why.encode("utf-8", "replace").decode())))
+        return texts
 
     def _understood(self, text: object) -> Proposal | Try:
         found = understand(self.scene, self.target, text, asset=self.asset, source=self.loop.source)

@@ -5,7 +5,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from thinkblox.brief import Brief, Measures, Name, Ordinal, RelationKind
-from thinkblox.checked import CheckedValue
+from thinkblox.checked import CheckedValue, ObjectId
 
 OfSome = Annotated[int, Meta(ge=1, le=1_000_000)]
 
@@ -38,7 +38,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
         size: what its asset must measure, where that is not left open.
     """
 
-    id: Name
+    id: ObjectId
     category: Name
     request: Name
     asked: bool = True
@@ -64,6 +64,13 @@ class Plan(CheckedValue, frozen=True, kw_only=True):
     brief: Brief
     targets: tuple[Target, ...] = ()
     notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        ids = [target.id for target in self.targets]
+        twice = next((id for id in ids if ids.count(id) > 1), None)
+        if twice is not None:
+            raise self.refused("targets", f"name {twice!r} twice; ids must differ")
 
     def target(self, id: str) -> Target:
         """The target called `id`; raises KeyError."""

@@ -20,7 +20,9 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta
 
-from thinkblox.value import Value, Vec3
+from thinkblox.checked import ObjectId
+from thinkblox.errors import InputError
+from thinkblox.value import Value, Vec3, refuse_double_keys
 
 MAX_TEXT = 20_000
 """Longest text that is read [characters]."""
@@ -49,7 +51,6 @@ _TAGS = ("<think>", "</think>", "<answer>", "</answer>")
 Coordinate = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Degrees = Annotated[float, Meta(ge=-3600.0, le=3600.0)]
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
-Id = Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*_[0-9]+\Z", max_length=80)]
 Word = Annotated[str, Meta(min_length=1, max_length=60)]
 
 
@@ -64,13 +65,13 @@ class Answer(Value, frozen=True, kw_only=True, omit_defaults=True):
     """
 
     action: ActionName = "add"
-    id: Id
+    id: ObjectId
     position: tuple[Coordinate, Coordinate, Coordinate] | None = None
     yaw: Degrees | None = None
     size: tuple[Extent, Extent, Extent] | None = None
     category: Word | None = None
     attributes: Annotated[tuple[Word, ...], Meta(max_length=16)] = ()
-    other: Id | None = None
+    other: ObjectId | None = None
 
 
 class Step(Value, frozen=True, kw_only=True):
@@ -108,6 +109,8 @@ def parse(text: str) -> Step | Rejection:
     """Read a policy's text; never raises, whatever the text."""
     if len(text) > MAX_TEXT:
         return Rejection(reason="format", message=f"the text has {len(text)} characters; at most {MAX_TEXT} are read")
+    if not text.isascii() and text.encode("utf-8", "ignore").decode() != text:
+        return Rejection(reason="format", message="the text is not valid: it holds halves of characters (surrogates)")
     parts = _parts(text)
     if parts is None:
         found = ", ".join(f"{text.count(tag)} {tag}" for tag in _TAGS)
@@ -131,9 +134,12 @@ def _parts(text: str) -> tuple[str, str] | None:
 
 def _read_answer(think: str, answer: str) -> Step | Rejection:
     try:
-        read = msgspec.json.decode(answer.encode("utf-8", "replace"), type=Answer)
+        read = msgspec.json.decode(answer, type=Answer)
+        refuse_double_keys(answer.encode(), "the answer")
     except msgspec.ValidationError as error:
         return Rejection(reason="fields", message=f"the answer's object is wrong: {error}")
+    except InputError as error:
+        return Rejection(reason="json", message=str(error))
     except (msgspec.DecodeError, RecursionError) as error:
         return Rejection(reason="json", message=f"the answer is not one JSON object: {error}")
     said = {name for name in ALLOWED["replace"] + ("other",) if getattr(read, name) not in (None, ())}

@@ -68,11 +68,12 @@ def read_json(path: Path, kind: type[V]) -> V:
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
     value = from_json(data, kind, where=str(path))
-    _refuse_double_keys(data, str(path))
+    refuse_double_keys(data, str(path))
     return value
 
 
-def _refuse_double_keys(data: bytes, where: str) -> None:
+def refuse_double_keys(data: bytes, where: str) -> None:
+    """Raise InputError for a JSON text in which an object has a key twice."""
     # msgspec takes the last of several silently; this costs half as much again as reading.
     try:
         json.loads(data, object_pairs_hook=_distinct)

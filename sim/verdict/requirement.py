@@ -10,12 +10,7 @@ from thinkblox.verdict import Unmet
 
 
 class Requirement(Protocol):
-    """A function of a scene and one of its placements; its name is that of the requirement in verdicts."""
-
-    @property
-    def __name__(self) -> str:
-        """By which verdicts call it."""
-        ...
+    """A function of a scene and one of its placements; verdicts call it by its name, or by that of its class."""
 
     def __call__(self, scene: Scene, placement: Placement, /) -> str:
         """What is wrong with the placement in the scene, in a line with its numbers; empty when nothing is."""
@@ -30,12 +25,26 @@ def unmet_by(requirements: Sequence[Requirement], scene: Scene, placement: Place
     """
     found = []
     for requirement in requirements:
-        says = requirement(scene, placement)
+        says, name = requirement(scene, placement), _name_of(requirement)
         if not isinstance(says, str):
             raise InputError(
-                f"the requirement {requirement.__name__} answered with a {type(says).__name__};"
+                f"the requirement {name} answered with a {type(says).__name__};"
                 " it must say what is wrong, or '' when nothing is"
             )
         if says:
-            found.append(Unmet(requirement=requirement.__name__, says=says))
+            found.append(Unmet(requirement=name, says=says))
     return tuple(found)
+
+
+def check_requirements(requirements: object) -> tuple[Requirement, ...]:
+    """The requirements as a tuple; raises InputError for what is no sequence of functions."""
+    if callable(requirements) or not isinstance(requirements, Sequence):
+        raise InputError(f"requirements are a list of functions; this is a {type(requirements).__name__}")
+    wrong = next((r for r in requirements if not callable(r)), None)
+    if wrong is not None:
+        raise InputError(f"a requirement is a function of a scene and a placement; this is a {type(wrong).__name__}")
+    return tuple(requirements)
+
+
+def _name_of(requirement: Requirement) -> str:
+    return str(getattr(requirement, "__name__", type(requirement).__name__))

@@ -9,6 +9,7 @@ from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, ou
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import ON_FLOOR
 from thinkblox.sim.build import add_placement, build_spec
 from thinkblox.sim.geometry.access import FreeFloor
 from thinkblox.sim.geometry.bounds import Boxes, Neighbours, piece_boxes
@@ -17,7 +18,7 @@ from thinkblox.sim.geometry.swings import Surroundings, surroundings
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.gate import Gate
 from thinkblox.sim.verdict.judge import fixed_supports, judge_motion, judge_pose, verdict, with_riders
-from thinkblox.sim.verdict.requirement import Requirement, unmet_by
+from thinkblox.sim.verdict.requirement import Requirement, check_requirements, unmet_by
 from thinkblox.sim.verdict.stage import Settled, Stage
 from thinkblox.verdict import Reason, Unmet, Verdict
 
@@ -80,7 +81,7 @@ class World:
         self._tolerances = tolerances or Tolerances()
         self._physics = physics or Physics()
         self._walking = walking or Walking()
-        self._requirements = tuple(requirements)
+        self._requirements = check_requirements(requirements)
         self._stages: dict[tuple[Asset, frozenset[str]], Stage] = {}
         self._without: dict[str, World] = {}
 
@@ -122,12 +123,26 @@ class World:
         after, carried, left = outcome(self.scene, action)
         if isinstance(action, Add):
             return self.check([after[action.id]], action.asset, way=way)[0]
+        if after == self.scene:
+            return self._standing(action.id, way)
         world = self.with_scene(after)
-        others = (*((action.other,) if isinstance(action, Swap) else ()), *carried, *left)
+        moved = (action.id, *((action.other,) if isinstance(action, Swap) else ()), *carried)
+        others = dict.fromkeys((*moved[1:], *left, *(id for gone in moved for id in self._leaning_on(gone))))
+        others.pop(action.id, None)
         riders = [world._standing(id, way) for id in others]
         if isinstance(action, Remove):
             return with_riders(Verdict(id=action.id, valid=True), riders)
         return with_riders(world._standing(action.id, way), riders)
+
+    def _leaning_on(self, id: str) -> list[str]:
+        """Whatever free and not on the floor is near enough to an object that it may stand on it, in part at least."""
+        placement = self.scene[id]
+        asset = self.scene.asset_of(placement)
+        if not asset.collides:
+            return []
+        near = self._neighbours.meetings(piece_boxes(solid_of(asset), placement), NARROW.reach)
+        there = [self.scene[other] for other in near if other != id]
+        return [p.id for p in there if self.scene.asset_of(p).free and p.position[2] > ON_FLOOR]
 
     def _standing(self, id: str, way: bool) -> Verdict:
         """The verdict on an object where it stands."""
@@ -135,10 +150,13 @@ class World:
         return self.check([placement], self.scene.asset_of(placement), way=way)[0]
 
     def _takes_along(self, candidate: Placement) -> bool:
-        if candidate.id not in self.scene or not self.scene.resting_on(candidate.id):
+        """Whether a candidate puts an object of the scene elsewhere, and others stand on that."""
+        if candidate.id not in self.scene:
             return False
         old = self.scene[candidate.id]
-        return (old.position, old.yaw, old.asset) != (candidate.position, candidate.yaw, candidate.asset)
+        if (old.position, old.yaw, old.asset) == (candidate.position, candidate.yaw, candidate.asset):
+            return False
+        return bool(self.scene.resting_on(candidate.id) or self._leaning_on(candidate.id))
 
     def _as_action(self, candidate: Placement, asset: Asset) -> Action:
         """Another pose of an object that the scene has, and maybe another asset, as an action."""

@@ -1,6 +1,7 @@
 """What can be done to a scene, as values; a scene applies them, and what they do not concern stays bit-identical."""
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import structs
@@ -104,26 +105,36 @@ def outcome(scene: "Scene", action: Action) -> Applied:
             return Applied(scene.without(action.id), (), left)
         case Swap():
             return _swapped(scene, action.id, action.other)
+        case _:
+            raise InputError(
+                f"a {type(action).__name__} is no action; there are Add, Move, Turn, Replace, Remove, Swap"
+            )
 
 
 def _added(scene: "Scene", action: Add) -> "Scene":
     if action.id in scene:
         raise InputError(f"{action.id} cannot be added: the scene has an object of that id; move or replace it")
-    check_pose(action.id, action.position, action.yaw)
-    placement = placed_at(scene, action.asset, id=action.id, position=action.position, yaw=action.yaw)
+    position, yaw = check_pose(action.id, action.position, action.yaw)
+    placement = placed_at(scene, action.asset, id=action.id, position=position, yaw=yaw or 0.0)
     return scene.with_placement(placement, action.asset)
 
 
-def check_pose(id: str, position: Vec3, yaw: float | None) -> None:
-    """Raise InputError unless all the numbers are finite."""
-    if not all(math.isfinite(value) for value in (*position, yaw or 0.0)):
+def check_pose(id: str, position: Sequence[float], yaw: float | None) -> tuple[Vec3, float | None]:
+    """A pose as a Placement has it, its yaw within 0 to 360 degrees; raises InputError unless it is finite numbers."""
+    try:
+        x, y, z = (float(c) + 0.0 for c in position)
+        turn = None if yaw is None else (float(yaw) % 360.0) % 360.0
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{id} cannot be put at {position!r} and turned to {yaw!r}: that is no pose") from error
+    if not all(map(math.isfinite, (x, y, z, turn or 0.0))):
         raise InputError(f"{id} cannot be moved to {position} and turned to {yaw}: that is not a pose")
+    return (x, y, z), turn
 
 
 def _moved(scene: "Scene", id: str, position: Vec3, yaw: float | None) -> Applied:
     old = scene[id]
-    check_pose(id, position, yaw)
-    new = structs.replace(old, position=position, yaw=old.yaw if yaw is None else (yaw % 360.0) % 360.0)
+    place, turn = check_pose(id, position, yaw)
+    new = structs.replace(old, position=place, yaw=old.yaw if turn is None else turn)
     riders = scene.riders(id)
     moved = [new, *(_carried_along(rider, old, new) for rider in riders)]
     return Applied(scene.with_placements(moved), tuple(p.id for p in riders))
@@ -139,9 +150,8 @@ def _carried_along(rider: Placement, old: Placement, new: Placement) -> Placemen
 
 def _replaced(scene: "Scene", action: Replace) -> Applied:
     old, asset = scene[action.id], action.asset
-    position = action.position or _same_place(old, asset, scene)
-    yaw = old.yaw if action.yaw is None else (action.yaw % 360.0) % 360.0
-    check_pose(old.id, position, yaw)
+    position, turn = check_pose(old.id, action.position or _same_place(old, asset, scene), action.yaw)
+    yaw = old.yaw if turn is None else turn
     new = structs.replace(
         old, category=asset.category, asset=asset.id, position=position, yaw=yaw, size=asset.size, support=""
     )

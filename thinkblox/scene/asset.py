@@ -149,6 +149,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
 
     Attributes:
         collides: whether any part of it can be touched; a rug cannot.
+        opens: names of its doors and drawers.
     """
 
     id: str
@@ -162,6 +163,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
     surfaces: tuple[Surface, ...] = ()
     gaze: Gaze = "front"
     collides: bool = True
+    opens: tuple[str, ...] = ()
 
     @property
     def free(self) -> bool:
@@ -241,6 +243,7 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
             surfaces=self.surfaces,
             gaze=self.gaze,
             collides=self.collides,
+            opens=tuple(link.name for link in self.links if link.joint is not None),
         )
 
     @property

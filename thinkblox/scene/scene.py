@@ -78,6 +78,12 @@ class Scene(Arrangement, frozen=True, kw_only=True):
             kept.append(placement)
         before = self.assets.get(asset.id, asset)
         same = before is asset or before == asset
+        others = [p.id for p in self.placements if p.asset == asset.id and p.id != placement.id]
+        if not same and others:
+            raise InputError(
+                f"{placement.id}: its asset is called {asset.id!r}, as is another one that {others[0]} shows;"
+                " ids of assets must differ with their content, as those of ThinkBLOX, which end in a hash of it"
+            )
         return self._with(kept, {**self.assets, asset.id: asset}, [placement.id] if same else None)
 
     def with_placements(self, placements: Iterable[Placement]) -> "Scene":
@@ -100,10 +106,8 @@ class Scene(Arrangement, frozen=True, kw_only=True):
             InputError: a coordinate that is not a finite number.
         """
         old = self[id]
-        check_pose(id, position or old.position, yaw)
-        new = structs.replace(
-            old, position=old.position if position is None else position, yaw=old.yaw if yaw is None else yaw
-        )
+        place, turn = check_pose(id, old.position if position is None else position, yaw)
+        new = structs.replace(old, position=place, yaw=old.yaw if turn is None else turn)
         return self.with_placements([new])
 
     def _with(

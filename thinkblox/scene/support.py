@@ -23,7 +23,7 @@ def placed_at(scene: Arrangement, asset: Known, *, id: str, position: Vec3, yaw:
         id=id,
         category=asset.category,
         asset=asset.id,
-        position=position,
+        position=(float(position[0]), float(position[1]), float(position[2])),
         yaw=(yaw % 360.0) % 360.0,
         size=asset.size,
     )
