@@ -142,7 +142,7 @@ def test_the_measured_failure_goes_back_to_the_policy():
     assert [o.round for o in policy.seen] == [0, 1, 2]
     line = policy.seen[1].feedback[0]
     assert line.startswith("chair_1 at (-3.00, 1.00, 0.00) turned to 0 degrees: reaches ")
-    assert re.search(r"\d+\.\d mm outside the room; move at least 3.27 m towards \+x", line)
+    assert re.search(r"\d+\.\d mm outside the room; move at least 3.50 m towards \+x", line)
     assert line in policy.seen[1].text()
 
 

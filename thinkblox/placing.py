@@ -25,7 +25,6 @@ from thinkblox.scene.nearby import first_pose, nearest_poses
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.saying import place_words
 from thinkblox.scene.scene import Scene
-from thinkblox.sim.settings import Walking
 from thinkblox.sim.verdict.world import World
 from thinkblox.steps import Rejection, write_step
 from thinkblox.value import Vec3
@@ -69,7 +68,6 @@ class Loop:
     policy: Policy
     source: AssetSource
     effort: Effort
-    walking: Walking = field(default_factory=Walking)
 
 
 @dataclass
@@ -190,9 +188,7 @@ class Placing:
 
     def _told(self, tried: Try) -> Try:
         asset = next((p.asset for p, _ in self.failed if p.placement == tried.placement), None) or self.asset
-        return structs.replace(
-            tried, feedback=feedback_line(self.scene, self.target.id, tried, asset, self.loop.walking)
-        )
+        return structs.replace(tried, feedback=feedback_line(self.scene, self.target.id, tried, asset))
 
     def _unmet(self, proposal: Proposal) -> int:
         """How many of the relations asked for would not hold."""

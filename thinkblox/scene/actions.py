@@ -106,9 +106,7 @@ def outcome(scene: "Scene", action: Action) -> Applied:
         case Swap():
             return _swapped(scene, action.id, action.other)
         case _:
-            raise InputError(
-                f"a {type(action).__name__} is no action; there are Add, Move, Turn, Replace, Remove, Swap"
-            )
+            raise InputError(f"a {type(action).__name__} is no action: Add, Move, Turn, Replace, Remove, Swap")
 
 
 def _added(scene: "Scene", action: Add) -> "Scene":

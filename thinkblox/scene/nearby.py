@@ -1,13 +1,17 @@
 """The search for the nearest pose that may be valid, around one that is not."""
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 
 import numpy as np
+from msgspec import structs
 
 from thinkblox.scene.arrangement import Arrangement, Known
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.support import placed_at
+from thinkblox.value import Vec2, Vec3
 
 REACH = 2.0
 """How far from the failed pose the search goes on the floor [m]; on a surface it covers the surface."""
@@ -32,6 +36,66 @@ def nearest_poses(scene: Arrangement, asset: Known, failed: Placement) -> Iterat
     free = (blocked < 0.001) & (outside(rects, scene.room.polygon) < 0.0005)
     for index in np.flatnonzero(free):
         yield tries[int(index)]
+
+
+def nearest_shift(scene: Arrangement, asset: Known, failed: Placement, *, clear_of: Sequence[str] = ()) -> Vec3 | None:
+    """The least shift [m] to where it seems free and carried, seen as a box from above; None when 10 m do not do.
+
+    Args:
+        scene: in which it failed; an object of its id is looked past.
+        asset: what it shows.
+        failed: where it failed; it is not turned.
+        clear_of: ids of openings whose floor stays free.
+    """
+    (x, y, z), up = failed.position, _lift(scene, asset, failed)
+    steps = _OFFSETS if asset.mount != "wall" else _along(failed)
+    tops = (z + up, z + up + failed.size[2])
+    rects = Rects.of([((x + dx, y + dy), failed.size[:2], failed.yaw, *tops) for dx, dy in steps])
+    riders = {p.id for p in scene.riders(failed.id)} if failed.id in scene else set()
+    others = tuple(
+        p for p in scene.placements if scene.asset_of(p).collides and p.id != failed.id and p.id not in riders
+    )
+    solid = asset.collides and len(others) > 0
+    blocked = overlap_depth(rects, Rects.of_placements(others)).max(-1) if solid else np.zeros(len(rects))
+    zones = [zone.footprint for id in clear_of for zone in things(scene, id) if zone.kind == "opening"]
+    for index in np.flatnonzero((blocked < 0.001) & (outside(rects, scene.room.polygon) < 0.0005)):
+        dx, dy = steps[int(index)]
+        moved = structs.replace(failed, position=(x + dx, y + dy, max(0.0, z + up)))
+        if not any(moved.footprint.intersection(zone).area > 1e-6 for zone in zones):
+            return (dx, dy, up)
+    return None
+
+
+def _lift(scene: Arrangement, asset: Known, failed: Placement) -> float:
+    """How far up it goes to lie on what is nearest below or above its middle [m]."""
+    z = failed.position[2]
+    if asset.mount == "ceiling":
+        return scene.room.height - failed.size[2] - z
+    if asset.mount == "wall":
+        return max(0.0, -z) - max(0.0, z + failed.size[2] - scene.room.height)
+    heights = [0.0]
+    for other in scene.placements:
+        ahead, aside = other.to_local((failed.position[0], failed.position[1]))
+        under = abs(ahead) <= other.size[0] / 2 and abs(aside) <= other.size[1] / 2
+        if other.id != failed.id and under and asset.mount == "surface":
+            heights += [other.position[2] + surface.position[2] for surface in scene.asset_of(other).surfaces]
+    return min((height - z for height in heights), key=abs)
+
+
+def _along(failed: Placement) -> list[Vec2]:
+    (lx, ly), reach = failed.left, sorted({round(math.hypot(*step), 3) for step in _OFFSETS})
+    return [(0.0, 0.0), *((sign * s * lx, sign * s * ly) for s in reach[1:] for sign in (1.0, -1.0))]
+
+
+def _rings() -> list[Vec2]:
+    """Offsets in all directions, the nearest first [m]: to the centimetre at first, then coarser."""
+    radii = [n / 100 for n in range(1, 31)] + [0.3 + n / 20 for n in range(1, 35)]
+    radii += [2.0 + n / 4 for n in range(1, 33)]
+    turns = [2 * math.pi * n / SPOKES for n in range(SPOKES)]
+    return [(0.0, 0.0), *((round(r * math.cos(t), 4), round(r * math.sin(t), 4)) for r in radii for t in turns)]
+
+
+_OFFSETS = _rings()
 
 
 def _shifts(scene: Arrangement, asset: Known, failed: Placement) -> list[Placement]:
