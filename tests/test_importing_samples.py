@@ -1,5 +1,6 @@
 """Small files as the generators write them: rooms, openings, sizes, mounts and what is said about them."""
 
+import json
 import shutil
 import subprocess
 import sys
@@ -79,8 +80,26 @@ def test_layoutgpt_scale_is_guessed_and_said_when_it_is_not_given():
     layout = read_layout(DATA / "layoutgpt.json", room="Bedroom-803")
     assert 2.7 < min(layout.scene.room.extent) < 4.2
     assert any("guessed" in note for note in layout.notes)
+
+
+def test_layoutgpt_scale_is_one_for_all_rooms_of_a_file(tmp_path):
+    rooms = [read_layout(DATA / "layoutgpt.json", room=f"Bedroom-80{n}").scene.room.extent for n in (3, 4)]
+    assert rooms[0][0] == pytest.approx(rooms[1][1]), "both are 256 pixels, and nothing in the second is usual"
+    assert rooms[0][1] / rooms[1][0] == pytest.approx(320 / 300)
+    unusual = json.loads((DATA / "layoutgpt.json").read_text())[1]
+    (tmp_path / "one.json").write_text(json.dumps(unusual))
     with pytest.raises(InputError, match="pixels"):
-        read_layout(DATA / "layoutgpt.json", room="Bedroom-804")
+        read_layout(tmp_path / "one.json")
+
+
+@pytest.mark.parametrize(
+    ("depth", "base"), [(35.0, 0.0), (35.5, 0.0), (36.5, 0.0), (37.0, 0.0), (38.0, 2.0), (34.0, -2.0)]
+)
+def test_layoutgpt_bases_within_a_pixel_of_the_floor_stand_on_it(tmp_path, depth, base):
+    text = (DATA / "layoutgpt.json").read_text().replace('"depth": 36.0', f'"depth": {depth}')
+    (tmp_path / "layout.json").write_text(text)
+    bed = read_layout(tmp_path / "layout.json", room="Bedroom-803", short_side=2.56).scene.placements[0]
+    assert bed.position[2] == pytest.approx(base / 100)
 
 
 def test_layoutgpt_file_of_several_rooms_asks_which():
