@@ -30,7 +30,7 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     Attributes:
         format: "thinkblox", "mjcf", "urdf" or one of `thinkblox.importing.FORMATS`; None to tell by the file.
         assets: folder with the meshes that a layout names.
-        height: of the room, for a layout that has none [m]; None for the usual.
+        height: of the room, for a layout that has none [m]; None for the usual, or more where something is higher.
         room: which one, of a file that holds several.
         short_side: of the room, for a layout in pixels [m].
         suites: names of the published criteria to measure by.
@@ -161,13 +161,12 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
 
         return open_model(path), (), ()
     from thinkblox.importing import read_layout
-    from thinkblox.importing.layout import HEIGHT
 
     layout = read_layout(
         path,
         format=None if format == "layout" else format,
         assets=reading.assets,
-        height=HEIGHT if reading.height is None else reading.height,
+        height=reading.height,
         room=reading.room,
         short_side=reading.short_side,
     )

@@ -32,7 +32,9 @@ def add_command(commands: "Commands") -> None:
     formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, {', '.join(FORMATS)}"
     parser.add_argument("--format", metavar="NAME", help=formats)
     parser.add_argument("--assets", metavar="DIR", type=Path, help="folder with the meshes that a layout names")
-    parser.add_argument("--height", metavar="M", type=float, help="of the room, where a layout has none (2.6)")
+    parser.add_argument(
+        "--height", metavar="M", type=float, help="of the room, where a layout has none (2.6, or what is highest)"
+    )
     parser.add_argument("--room", metavar="ID", help="which room of a file that holds several")
     parser.add_argument("--short-side", metavar="M", type=float, help="of the room, for a layout in pixels")
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")

@@ -7,6 +7,7 @@ from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
+from thinkblox.importing.ceiling import assumed_height, corded
 from thinkblox.importing.document import Document, plain, read_document
 from thinkblox.importing.draft import Item, LayoutDraft
 from thinkblox.importing.formats import FORMATS
@@ -17,7 +18,7 @@ from thinkblox.importing.layoutgpt import read_layoutgpt
 from thinkblox.importing.layoutvlm import read_layoutvlm
 from thinkblox.importing.library import Library
 from thinkblox.importing.mounting import mounts_of
-from thinkblox.importing.outline import room_of
+from thinkblox.importing.outline import origin_of, room_of
 from thinkblox.importing.sceneeval import read_sceneeval
 from thinkblox.importing.signatures import detect
 from thinkblox.scene.asset import Mount
@@ -25,9 +26,6 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import MAX_PLACEMENTS, Scene
 from thinkblox.value import Value, Vec3
-
-HEIGHT = 2.6
-"""Of a room where the layout has none [m]."""
 
 
 class ForeignLayout(Value, frozen=True, kw_only=True):
@@ -53,7 +51,7 @@ def read_layout(
     *,
     format: str | None = None,
     assets: str | Path | None = None,
-    height: float = HEIGHT,
+    height: float | None = None,
     room: str | None = None,
     short_side: float | None = None,
 ) -> ForeignLayout:
@@ -63,7 +61,7 @@ def read_layout(
         path: its JSON file.
         format: one of FORMATS; None to tell by its keys.
         assets: the folder with the meshes and annotations that it names; those beside the file are found without.
-        height: of the room where the layout has none [m].
+        height: of the room where the layout has none [m]; None for the usual one, or more where something is higher.
         room: which one, of a file that holds several: a room's id, or LayoutGPT's query_id.
         short_side: of the room, for a layout in pixels [m].
 
@@ -90,10 +88,10 @@ def _format_of(document: Document, format: str | None) -> str:
     return format
 
 
-def _check_options(path: Path, assets: str | Path | None, height: float, short_side: float | None) -> None:
+def _check_options(path: Path, assets: str | Path | None, height: float | None, short_side: float | None) -> None:
     if assets is not None and not Path(assets).is_dir():
         raise InputError(f"{assets}: is no folder; name the one that holds the meshes of {path.name}")
-    if not 1.5 <= height <= 50.0:
+    if height is not None and not 1.5 <= height <= 50.0:
         raise InputError(f"a room {height:g} m high; it must be 1.5 to 50 m")
     if short_side is not None and not 0.5 <= short_side <= 100.0:
         raise InputError(f"a room whose short side is {short_side:g} m; it must be 0.5 to 100 m")
@@ -113,20 +111,24 @@ def _draft(
     return read_layoutvlm(document, library) if format == "layoutvlm" else read_idesign(document, library)
 
 
-def _layout(document: Document, draft: LayoutDraft, format: str, height: float) -> ForeignLayout:
+def _layout(document: Document, draft: LayoutDraft, format: str, height: float | None) -> ForeignLayout:
     _check_items(document, draft.items)
-    room, (dx, dy), notes = room_of(document, draft.outline, height=height)
-    shift = (dx, dy, -draft.outline.level)
+    shift = origin_of(draft.outline)
     bodies = [body_of(document, _shifted(item, shift)) for item in draft.items]
+    known = draft.outline.height if draft.outline.height is not None else height
+    up = assumed_height(bodies) if known is None else known
+    room, notes = room_of(document, draft.outline, height=up)
+    mounts = mounts_of(room, bodies, ceiling=known is not None)
+    if known is None:
+        notes = (f"The room's height is not in the file; it was taken to be {up:.4g} m.", *notes)
+        bodies = [corded(b, up) if m == "ceiling" else b for b, m in zip(bodies, mounts, strict=True)]
     ids = _ids(room, draft.items)
-    scene = _scene(room, bodies, ids, mounts_of(room, bodies), plain(draft.prompt))
-    said = [*draft.notes, *notes, *(note for body in bodies for note in body.notes)]
     return ForeignLayout(
-        scene=scene,
+        scene=_scene(room, bodies, ids, mounts, plain(draft.prompt)),
         format=format,
         substituted=tuple(id for id, body in zip(ids, bodies, strict=True) if body.boxed),
         unplaced=tuple(plain(name) for name in draft.unplaced),
-        notes=tuple(said),
+        notes=(*draft.notes, *notes, *(note for body in bodies for note in body.notes)),
     )
 
 
