@@ -20,6 +20,8 @@ OURS = "thinkblox"
 """The format of our own scene.json."""
 MODELS = ("mjcf", "urdf")
 MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
+MOST_MOVE = 100.0
+"""How far --fix can be told to move things [m]."""
 TIMEOUT = 600.0
 """How long the measuring of a foreign file may take unless told otherwise [s]."""
 
@@ -36,6 +38,7 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
         suites: names of the published criteria to measure by.
         seed: of what the suites sample.
         fix: move what fails by the least that mends it, and measure what comes out.
+        max_move: how far anything is moved at most [m]; None for the usual.
         out: file to which the scene is written, as our scene.json; None to write none.
         page: HTML file to write; None for none.
     """
@@ -48,6 +51,7 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     suites: tuple[str, ...] = ()
     seed: int = 0
     fix: bool = False
+    max_move: float | None = None
     out: str | None = None
     page: str | None = None
 
@@ -83,6 +87,8 @@ def _check_names(reading: VerifyOptions) -> None:
     for name in reading.suites:
         if name not in SUITES:
             raise InputError(f"there is no suite {name!r}; there are {', '.join(SUITES)}")
+    if reading.max_move is not None and not 0.0 < reading.max_move <= MOST_MOVE:
+        raise InputError(f"a largest move of {reading.max_move:g} m; it must be above 0 and at most {MOST_MOVE:g} m")
     known = (OURS, *MODELS, *FORMATS)
     if reading.format is not None and reading.format not in known:
         raise InputError(f"no format {reading.format!r}; there are {', '.join(known)}")
@@ -133,7 +139,7 @@ def _measured(path: str, format: str, reading: VerifyOptions) -> Report:
     subject, notes, unplaced = _opened(Path(path), format, reading)
     report = _report(subject)
     if reading.fix:
-        subject, report = _mended(path, subject, report)
+        subject, report = _mended(path, subject, report, reading.max_move)
     absent = tuple(Absence(id=name, category="", asked=True, reason="the layout gives it no pose") for name in unplaced)
     report = structs.replace(
         report,
@@ -184,14 +190,14 @@ def _report(subject: "Subject") -> Report:
     return model_report(subject)
 
 
-def _mended(path: str, subject: "Subject", report: Report) -> tuple["Subject", Report]:
+def _mended(path: str, subject: "Subject", report: Report, max_move: float | None) -> tuple["Subject", Report]:
     """The same with what fails moved, and the report on that."""
-    from thinkblox.mending import mend
+    from thinkblox.mending import FURTHEST, mend
     from thinkblox.sim.subject import subject_of
 
     if subject.scene is None:
         raise InputError(f"{path}: a model is measured, not mended; scenes and layouts are what --fix moves things in")
-    scene, moves = mend(subject.scene)
+    scene, moves = mend(subject.scene, furthest=FURTHEST if max_move is None else max_move)
     again = report
     if any(move.mended for move in moves):
         subject = subject_of(scene, source=subject.source, substituted=subject.substituted)

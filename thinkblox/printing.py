@@ -64,7 +64,8 @@ def moves(report: Report) -> str:
 def _move(move: MendingMove) -> str:
     why = ", ".join(move.why) or "for what it rests on"
     if not move.mended:
-        return f"{move.id}: not mended ({why})"
+        needs = f"; it would have to be moved {move.needs * 1000:.0f} mm" if move.needs is not None else ""
+        return f"{move.id}: not mended ({why}){needs}"
     x, y, z = (1000 * part for part in move.by)
     return f"{move.id}: moved {move.distance * 1000:.1f} mm ({x:+.1f}, {y:+.1f}, {z:+.1f}) ({why})"
 

@@ -28,6 +28,8 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--suite", metavar="A,B", type=_suites, default=(), help=suites)
     parser.add_argument("--html", metavar="FILE", type=Path, help="write a page with pictures and the faults in them")
     parser.add_argument("--fix", action="store_true", help="move what fails by the least that mends it")
+    cap = "how far --fix moves anything at most (0.3); what needs more is listed with the distance"
+    parser.add_argument("--max-move", metavar="M", type=float, help=cap)
     parser.add_argument("--out", metavar="FILE", type=Path, help="write the (mended) scene as a scene.json")
     formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, {', '.join(FORMATS)}"
     parser.add_argument("--format", metavar="NAME", help=formats)
@@ -62,6 +64,7 @@ def _verify(arguments: argparse.Namespace) -> int:
         suites=arguments.suite,
         seed=arguments.seed,
         fix=arguments.fix,
+        max_move=arguments.max_move,
         out=_text(arguments.out),
         page=_text(arguments.html),
     )

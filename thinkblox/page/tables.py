@@ -147,9 +147,9 @@ def moves_table(moves: Sequence[MendingMove]) -> Markup:
     columns = [("Object", ""), ("Result", ""), *((name, "number") for name in lengths), ("Because of", "")]
 
     def line(move: MendingMove) -> Markup:
-        says = element(
-            "span", "mended" if move.mended else "not mended", class_=f"word {'passes' if move.mended else 'fails'}"
-        )
+        far = f", needs {move.needs * 1000:.0f} mm" if move.needs is not None else ""
+        said = "mended" if move.mended else f"not mended{far}"
+        says = element("span", said, class_=f"word {'passes' if move.mended else 'fails'}")
         numbers = (move.distance * 1000, *(c * 1000 for c in move.by), move.turn)
         cells = [(f"{number:.1f}", "number") for number in numbers]
         return row(move.id, [(says, ""), *cells, (", ".join(r.replace("_", " ") for r in move.why), "")])
