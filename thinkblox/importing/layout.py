@@ -124,7 +124,7 @@ def _layout(document: Document, draft: LayoutDraft, format: str, height: float |
         bodies = [corded(b, up) if m == "ceiling" else b for b, m in zip(bodies, mounts, strict=True)]
     ids = _ids(room, draft.items)
     return ForeignLayout(
-        scene=_scene(room, bodies, ids, mounts, plain(draft.prompt)),
+        scene=_scene(document, room, bodies, ids, mounts, plain(draft.prompt)),
         format=format,
         substituted=tuple(id for id, body in zip(ids, bodies, strict=True) if body.boxed),
         unplaced=tuple(plain(name) for name in draft.unplaced),
@@ -163,8 +163,10 @@ def _ids(room: Room, items: Iterable[Item]) -> list[str]:
     return ids
 
 
-def _scene(room: Room, bodies: Sequence[ItemBody], ids: Sequence[str], mounts: Sequence[Mount], prompt: str) -> Scene:
-    assets = [body.asset(mount) for body, mount in zip(bodies, mounts, strict=True)]
+def _scene(
+    document: Document, room: Room, bodies: Sequence[ItemBody], ids: Sequence[str], mounts: Sequence[Mount], prompt: str
+) -> Scene:
+    assets = [body.asset(document, mount) for body, mount in zip(bodies, mounts, strict=True)]
     placements = tuple(
         Placement(
             id=id,
