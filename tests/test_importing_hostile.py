@@ -352,7 +352,7 @@ def test_errors_of_a_mesh_name_file_object_and_mesh(tmp_path):
 def test_a_piece_without_volume_names_file_object_and_mesh(tmp_path, monkeypatch):
     path = write(tmp_path, "idesign")
     flat = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
-    monkeypatch.setattr("thinkblox.importing.body.convex_pieces", lambda mesh: (flat, flat + (0, 0, 1)))
+    monkeypatch.setattr("thinkblox.importing.body.convex_pieces", lambda mesh: (flat, flat + np.array([0.0, 0.0, 1.0])))
     trimesh.creation.box((1, 1, 1)).export(tmp_path / "bed_1.glb")
     message = _refused(path, "'bed_1' of .*bed_1.glb: ")
     assert "`$[0]`" in message

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from thinkblox.headline import headline
 from thinkblox.listing import CategoryEntry
 from thinkblox.suite import Criterion, SuiteResult
 from thinkblox.value import Vec3
@@ -25,9 +26,8 @@ def summary(report: Report, *, placed: int) -> str:
 
 
 def _whole(report: Report, placed: int) -> str:
-    still = f"in {report.simulated:g} s with everything free: {report.drift * 1000:.2f} mm, {report.tilt:.2f} degrees"
     counts = f"{placed} object{'' if placed == 1 else 's'} placed, {len(report.absent)} not"
-    return f"{counts}; deepest contact {report.depth * 1000:.2f} mm; {still}"
+    return "; ".join((counts, *headline(report)))
 
 
 def _faults(report: Report) -> Iterator[str]:
