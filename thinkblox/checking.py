@@ -35,6 +35,8 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
         height: of the room, for a layout that has none [m]; None for the usual, or more where something is higher.
         room: which one, of a file that holds several.
         short_side: of the room, for a layout in pixels [m].
+        sizes: JSON file with sizes of objects by name, for a layout that has none.
+        room_size: (east, north) or (east, north, up), for a scene graph without walls [m].
         suites: names of the published criteria to measure by.
         seed: of what the suites sample.
         fix: move what fails by the least that mends it, and measure what comes out.
@@ -48,6 +50,8 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     height: float | None = None
     room: str | None = None
     short_side: float | None = None
+    sizes: str | None = None
+    room_size: tuple[float, ...] | None = None
     suites: tuple[str, ...] = ()
     seed: int = 0
     fix: bool = False
@@ -175,6 +179,8 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
         height=reading.height,
         room=reading.room,
         short_side=reading.short_side,
+        sizes=reading.sizes,
+        room_size=reading.room_size,
     )
     subject = subject_of(layout.scene, source=layout.format, substituted=layout.substituted)
     return subject, layout.notes, layout.unplaced

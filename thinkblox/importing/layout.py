@@ -2,8 +2,8 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
@@ -21,6 +21,7 @@ from thinkblox.importing.mounting import mounts_of
 from thinkblox.importing.outline import origin_of, room_of
 from thinkblox.importing.sceneeval import read_sceneeval
 from thinkblox.importing.signatures import detect
+from thinkblox.importing.sizes import Sizes, read_sizes, size_in
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
@@ -54,6 +55,8 @@ def read_layout(
     height: float | None = None,
     room: str | None = None,
     short_side: float | None = None,
+    sizes: str | Path | None = None,
+    room_size: Sequence[float] | None = None,
 ) -> ForeignLayout:
     """Read a layout of another generator.
 
@@ -64,6 +67,8 @@ def read_layout(
         height: of the room where the layout has none [m]; None for the usual one, or more where something is higher.
         room: which one, of a file that holds several: a room's id, or LayoutGPT's query_id.
         short_side: of the room, for a layout in pixels [m].
+        sizes: a JSON file that maps names of objects to (along the front, across, up) [m]; it goes before the layout's.
+        room_size: (east, north) or (east, north, up) of the room [m], for a scene graph without walls.
 
     Raises:
         InputError: the file is not such a layout, or what it says cannot be; names file and JSON path.
@@ -72,8 +77,9 @@ def read_layout(
     document = read_document(path)
     name = _format_of(document, format)
     _check_options(path, assets, height, short_side)
-    library = Library(roots=((Path(assets),) if assets is not None else ()) + (path.absolute().parent,))
-    draft = _draft(document, name, library, room, short_side)
+    roots = ((Path(assets),) if assets is not None else ()) + (path.absolute().parent,)
+    library = Library(roots=roots, sizes=read_sizes(Path(sizes)) if sizes is not None else {})
+    draft = _sized(_draft(document, name, library, room, short_side, _room_size(room_size)), library)
     return _layout(document, draft, name, height)
 
 
@@ -97,8 +103,32 @@ def _check_options(path: Path, assets: str | Path | None, height: float | None, 
         raise InputError(f"a room whose short side is {short_side:g} m; it must be 0.5 to 100 m")
 
 
+def _room_size(size: Sequence[float] | None) -> Sequence[float] | None:
+    if size is not None and (len(size) not in (2, 3) or not all(0.5 <= length <= 100.0 for length in size)):
+        raise InputError(f"a room of {' x '.join(map(str, size))} m; give two or three lengths of 0.5 to 100 m")
+    return size
+
+
+def _sized(draft: LayoutDraft, library: Library) -> LayoutDraft:
+    """The draft with the sizes of the user's own table."""
+    return replace(draft, items=tuple(_given(item, library.sizes) for item in draft.items))
+
+
+def _given(item: Item, sizes: Sizes) -> Item:
+    size = size_in(sizes, item.name, item.kind, item.sought)
+    if size is None:
+        return item
+    x, y, z = (length * factor for length, factor in zip(size, item.scale, strict=True))
+    return replace(item, size=(x, y, z))
+
+
 def _draft(
-    document: Document, format: str, library: Library, room: str | None, short_side: float | None
+    document: Document,
+    format: str,
+    library: Library,
+    room: str | None,
+    short_side: float | None,
+    room_size: Sequence[float] | None,
 ) -> LayoutDraft:
     if format == "layoutgpt":
         return read_layoutgpt(document, room=room, short_side=short_side)
@@ -108,7 +138,9 @@ def _draft(
         return read_sceneeval(document, library, room=room)
     if format == "il3d":
         return read_il3d(document, library)
-    return read_layoutvlm(document, library) if format == "layoutvlm" else read_idesign(document, library)
+    if format == "layoutvlm":
+        return read_layoutvlm(document, library)
+    return read_idesign(document, library, room_size=room_size)
 
 
 def _layout(document: Document, draft: LayoutDraft, format: str, height: float | None) -> ForeignLayout:
@@ -144,8 +176,7 @@ def _check_items(document: Document, items: Sequence[Item]) -> None:
 
 def _shifted(item: Item, shift: Vec3) -> Item:
     x, y, z = (p + s for p, s in zip(item.position, shift, strict=True))
-    values: dict[str, Any] = {**item.__dict__, "position": (x, y, z)}
-    return Item(**values)
+    return replace(item, position=(x, y, z))
 
 
 def _ids(room: Room, items: Iterable[Item]) -> list[str]:

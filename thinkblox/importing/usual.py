@@ -12,8 +12,8 @@ DENSITY = 40.0
 """Of the bounding box of furniture that is not known [kg/m3]: published weights of used furniture give 24 to 61."""
 FRICTION = 0.5
 RUGS = frozenset({"rug", "carpet", "mat", "doormat", "runner", "rugs", "carpets"})
-RUG_HEIGHT = 0.05
-"""What is called a rug and is flatter than this is walked on [m]."""
+RUG_HEIGHT = 0.12
+"""What is called a rug and is no thicker than this is walked on [m]: generators give a carpet 0.10."""
 
 
 def words_of(kind: str) -> list[str]:
@@ -81,4 +81,4 @@ def usual_mass(kind: str, size: Vec3) -> float:
 
 def is_rug(kind: str, height: float) -> bool:
     """Whether it is walked on."""
-    return height < RUG_HEIGHT and bool(RUGS & set(words_of(kind)))
+    return height <= RUG_HEIGHT and bool(RUGS & set(words_of(kind)))
