@@ -31,6 +31,8 @@ FULL = 0.97
 """Share of its hull that a closed part fills to count as convex."""
 THIN = 1e-3
 """Thickness given to a flat part, as a share of the mesh's diagonal."""
+FLAT = 1e-4
+"""What is thinner than this share of its part's diagonal is flat: the decomposition cuts off such slivers."""
 _CACHE: OrderedDict[bytes, Pieces] = OrderedDict()
 _CACHED = 256
 
@@ -88,9 +90,15 @@ def _decomposed(part: MeshFile, *, remesh: bool) -> list[Array]:
         mcts_iterations=20,
         seed=0,
     )
+    least = FLAT * float(np.linalg.norm(np.ptp(part.vertices, axis=0)))
     pieces = [np.asarray(vertices, dtype=np.float64) for vertices, _ in found]
-    solid = [_reduced(piece) for piece in pieces if len(piece) >= 4 and _thinness(piece) > 0.0]
-    return solid or [_reduced(part.vertices)]
+    solid = [_sound(piece, least) for piece in pieces if len(piece) >= 3 and _extents(piece)[1] >= least]
+    return solid or [_sound(part.vertices, least)]
+
+
+def _sound(piece: Array, least: float) -> Array:
+    """Corners of a piece with a volume: one that is flat is thickened to what a flat part gets."""
+    return _reduced(piece) if _thinness(piece) >= least else _thickened(piece, least * THIN / FLAT)
 
 
 def is_convex(part: MeshFile) -> bool:
@@ -128,11 +136,16 @@ def _depth(points: Array, hull: Manifold) -> float:
     return max(float((offsets - block @ normals.T).min(axis=1).max()) for block in blocks)
 
 
-def _thinness(points: Array) -> float:
-    """Extent along the direction in which the points extend least."""
+def _extents(points: Array) -> list[float]:
+    """Extents along the principal axes of the points, the least first."""
     centred = points - points.mean(axis=0)
     _, axes = np.linalg.eigh(centred.T @ centred)
-    return float(np.ptp(centred @ axes, axis=0).min())
+    return sorted(np.ptp(centred @ axes, axis=0).tolist())
+
+
+def _thinness(points: Array) -> float:
+    """Extent along the direction in which the points extend least."""
+    return _extents(points)[0]
 
 
 def _thickened(points: Array, thickness: float) -> Array:

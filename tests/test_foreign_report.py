@@ -173,6 +173,16 @@ def test_fixed_furniture_in_fixed_furniture_collides_and_in_a_wall_does_not(tmp_
     assert any("Nothing in the model can move" in note for note in report.notes)
 
 
+def test_joints_that_move_are_not_said_to_be_nothing_that_can(tmp_path: Path) -> None:
+    hinge = '<joint name="hinge" axis="0 1 0" range="-90 90"/>'
+    lid = f'<body name="lid" pos=".5 0 1">{hinge}<geom size=".3 .2 .02" type="box" pos=".3 0 0"/></body>'
+    chest = f'<body name="chest">{lid}<geom type="box" size=".2 .2 .2" pos="0 0 .2"/></body>'
+    notes = reported(tmp_path, mjcf(chest)).notes
+    assert any("Joints moved" in note and "hinge of chest" in note for note in notes)
+    assert not any("Nothing in the model can move," in note for note in notes)
+    assert any("its joints alone" in note for note in notes)
+
+
 def test_a_movable_thing_in_a_wall_collides_with_it(tmp_path: Path) -> None:
     wall = crate("wall_1", "0 1 1.2", half="2 .1 1.2", free="")
     (collision,) = of(reported(tmp_path, mjcf(wall + crate("box", "0 .83 .1"))), "box").collisions

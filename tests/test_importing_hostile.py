@@ -342,6 +342,22 @@ def test_transforms_that_are_none(tmp_path):
     _refused(_with(tmp_path, "il3d", ("objects", 0, "rotation"), [0, 0, 0, 0]), "quaternion")
 
 
+def test_errors_of_a_mesh_name_file_object_and_mesh(tmp_path):
+    path = write(tmp_path, "idesign")
+    (tmp_path / "bed_1.glb").write_bytes(b"glTF is not this")
+    message = _refused(path, "the mesh of 'bed_1'.*bed_1.glb")
+    assert "`$[0]`" in message
+
+
+def test_a_piece_without_volume_names_file_object_and_mesh(tmp_path, monkeypatch):
+    path = write(tmp_path, "idesign")
+    flat = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+    monkeypatch.setattr("thinkblox.importing.body.convex_pieces", lambda mesh: (flat, flat + np.array([0.0, 0.0, 1.0])))
+    trimesh.creation.box((1, 1, 1)).export(tmp_path / "bed_1.glb")
+    message = _refused(path, "'bed_1' of .*bed_1.glb: ")
+    assert "`$[0]`" in message
+
+
 # --- fuzzing: any document gives a ForeignLayout or an InputError ----------------------------------------------------
 
 ODD: st.SearchStrategy[Any] = st.sampled_from(

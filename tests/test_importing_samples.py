@@ -1,5 +1,6 @@
 """Small files as the generators write them: rooms, openings, sizes, mounts and what is said about them."""
 
+import json
 import shutil
 import subprocess
 import sys
@@ -79,8 +80,26 @@ def test_layoutgpt_scale_is_guessed_and_said_when_it_is_not_given():
     layout = read_layout(DATA / "layoutgpt.json", room="Bedroom-803")
     assert 2.7 < min(layout.scene.room.extent) < 4.2
     assert any("guessed" in note for note in layout.notes)
+
+
+def test_layoutgpt_scale_is_one_for_all_rooms_of_a_file(tmp_path):
+    rooms = [read_layout(DATA / "layoutgpt.json", room=f"Bedroom-80{n}").scene.room.extent for n in (3, 4)]
+    assert rooms[0][0] == pytest.approx(rooms[1][1]), "both are 256 pixels, and nothing in the second is usual"
+    assert rooms[0][1] / rooms[1][0] == pytest.approx(320 / 300)
+    unusual = json.loads((DATA / "layoutgpt.json").read_text())[1]
+    (tmp_path / "one.json").write_text(json.dumps(unusual))
     with pytest.raises(InputError, match="pixels"):
-        read_layout(DATA / "layoutgpt.json", room="Bedroom-804")
+        read_layout(tmp_path / "one.json")
+
+
+@pytest.mark.parametrize(
+    ("depth", "base"), [(35.0, 0.0), (35.5, 0.0), (36.5, 0.0), (37.0, 0.0), (38.0, 2.0), (34.0, -2.0)]
+)
+def test_layoutgpt_bases_within_a_pixel_of_the_floor_stand_on_it(tmp_path, depth, base):
+    text = (DATA / "layoutgpt.json").read_text().replace('"depth": 36.0', f'"depth": {depth}')
+    (tmp_path / "layout.json").write_text(text)
+    bed = read_layout(tmp_path / "layout.json", room="Bedroom-803", short_side=2.56).scene.placements[0]
+    assert bed.position[2] == pytest.approx(base / 100)
 
 
 def test_layoutgpt_file_of_several_rooms_asks_which():
@@ -255,3 +274,106 @@ def test_naming_the_formats_loads_no_engine_and_no_mesh_library():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def _json(path, value):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(value))
+    return path
+
+
+@pytest.mark.parametrize(("height", "flat"), [(0.02, True), (0.1, True), (0.12, True), (0.15, False)])
+def test_a_carpet_of_ten_centimetres_is_walked_on(tmp_path, height, flat):
+    graph = json.loads((DATA / "idesign.json").read_text())
+    sofa = {
+        "new_object_id": "sofa_1", "size_in_meters": {"length": 1.6, "width": 0.8, "height": 0.8},
+        "rotation": {"z_angle": 0.0}, "is_on_the_floor": True, "position": {"x": 2.0, "y": 2.5, "z": 0.4},
+    }  # fmt: skip
+    carpet = sofa | {
+        "new_object_id": "carpet_1", "size_in_meters": {"length": 2.0, "width": 1.5, "height": height},
+        "position": {"x": 2.0, "y": 2.5, "z": height / 2},
+    }  # fmt: skip
+    walls = [part for part in graph if part["new_object_id"].endswith("_wall")]
+    scene = read_layout(_json(tmp_path / "graph.json", [sofa, carpet, *walls])).scene
+    assert scene.asset_of(scene["carpet_1"]).collides != flat
+
+
+def test_idesign_without_walls_needs_the_size_of_its_room(tmp_path):
+    graph = [part for part in json.loads((DATA / "idesign.json").read_text()) if "itemType" not in part]
+    path = _json(tmp_path / "graph.json", graph)
+    with pytest.raises(InputError, match="give the room's size"):
+        read_layout(path)
+    room = read_layout(path, room_size=(4.0, 5.0)).scene.room
+    assert (room.extent, room.height) == ((4.0, 5.0), 2.6)
+    assert read_layout(path, room_size=(4.0, 5.0, 3.0)).scene.room.height == 3.0
+    for wrong in ((4.0,), (4.0, -1.0), (4.0, 5.0, 2.0, 1.0), (float("nan"), 2.0)):
+        with pytest.raises(InputError, match="two or three lengths"):
+            read_layout(path, room_size=wrong)
+
+
+def test_metaspatial_answers_find_their_scene_graph_beside_them(tmp_path):
+    graph = json.loads((DATA / "idesign.json").read_text())
+    answer = _json(tmp_path / "answer.json", [{"new_object_id": "queen_bed_1", "x": 1.5, "y": 1.25, "z": 0.3}])
+    with pytest.raises(InputError, match=r"positions alone.*there is none"):
+        read_layout(answer)
+    _json(tmp_path / "scene_graph-backtracked.json", graph)
+    layout = read_layout(answer)
+    whole = read_layout(DATA / "idesign.json").scene
+    (bed,) = layout.scene.placements
+    assert bed.position[:2] == (1.5, 1.25)
+    assert (bed.size, bed.yaw) == (whole["queen_bed_1"].size, whole["queen_bed_1"].yaw)
+    assert set(layout.unplaced) >= {"nightstand_1", "lamp_1"}
+    _json(answer, [{"new_object_id": "tub_1", "x": 1.5, "y": 1.25, "z": 0.3}])
+    with pytest.raises(InputError, match=r"holds no 'tub_1' - at `\$\[0\]`"):
+        read_layout(answer)
+
+
+def test_layoutvlm_tasks_without_records_take_a_table_of_sizes(tmp_path):
+    _json(
+        tmp_path / "scene.json",
+        {
+            "boundary": {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 5, 0], [0, 5, 0]]},
+            "assets": {"u1-0": {}, "u2-0": {}},
+        },
+    )
+    poses = {"arm_chair-0": {"position": [1, 1, 0.45], "rotation": [0, 0, 0]}}
+    path = _json(tmp_path / "layout.json", poses | {"bed-0": {"position": [3, 3, 0.5], "rotation": [0, 0, 90]}})
+    with pytest.raises(InputError, match="table of sizes"):
+        read_layout(path)
+    sizes = _json(tmp_path / "tables" / "sizes.json", {"arm_chair": [0.8, 0.6, 0.9], "bed-0": [2.0, 1.6, 1.0]})
+    layout = read_layout(path, sizes=sizes)
+    assert [p.size for p in layout.scene.placements] == [(0.8, 0.6, 0.9), (2.0, 1.6, 1.0)]
+    assert [p.position[2] for p in layout.scene.placements] == pytest.approx([0.0, 0.0])
+    _json(sizes, {"arm_chair": [0.8, 0.6, 0.9]})
+    with pytest.raises(InputError, match="'bed-0' has no size"):
+        read_layout(path, sizes=sizes)
+
+
+@pytest.mark.parametrize(
+    "table", [[1, 2, 3], {"bed": 2.0}, {"bed": [1.0, 2.0]}, {"bed": [1.0, 0.0, 1.0]}, {"bed": [1, 1, 1e9]}]
+)
+def test_a_table_that_holds_no_sizes_is_refused(tmp_path, table):
+    sizes = _json(tmp_path / "sizes.json", table)
+    with pytest.raises(InputError, match=r"sizes\.json"):
+        read_layout(DATA / "idesign.json", sizes=sizes)
+
+
+def test_sceneeval_without_meshes_is_boxes_of_its_annotations(tmp_path):
+    state = json.loads((DATA / "sceneeval.json").read_text())
+    (thing,) = state["scene"]["object"]
+    for model, box in (
+        ("objaverse.u", {"x": 0.5, "y": 0.9, "z": 0.6}),
+        ("layoutvlm-objaverse.u", {"x": 0.5, "y": 0.6, "z": 0.9}),
+    ):
+        thing["modelId"] = model
+        path = _json(tmp_path / model / "scene.json", state)
+        _json(tmp_path / model / "u" / "data.json", {"assetMetadata": {"boundingBox": box}, "category": "chair"})
+        layout = read_layout(path)
+        (chair,) = layout.scene.placements
+        assert layout.substituted == (chair.id,)
+        assert chair.size == pytest.approx((0.6, 0.5, 0.9)), "along the front, across, up"
+        assert (chair.yaw, chair.position[2]) == (180.0, pytest.approx(0.0))
+    thing["modelId"] = "objaverse.v"
+    path = _json(tmp_path / "v.json", state)
+    (chair,) = read_layout(path, sizes=_json(tmp_path / "sizes.json", {"v": [0.6, 0.5, 0.9]})).scene.placements
+    assert chair.size == pytest.approx((0.6, 0.5, 0.9))

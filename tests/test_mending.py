@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 import thinkblox
 from tests.sim_rooms import asset, box, put, scene, table, vase
+from thinkblox.errors import InputError
 from thinkblox.mending import mend
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene
@@ -34,9 +35,9 @@ def shifted(where: Scene, id: str, *by: float) -> Scene:
     return where.moved(id, position=(x, y, z))
 
 
-def only_move(where: Scene) -> MendingMove:
+def only_move(where: Scene, *, furthest: float = 0.3) -> MendingMove:
     """The one move that mends a scene whole."""
-    mended, moves = mend(where)
+    mended, moves = mend(where, furthest=furthest)
     assert not failing(mended), [str(v) for v in verdicts(mended).values()]
     assert len(moves) == 1, moves
     move = moves[0]
@@ -112,9 +113,9 @@ def test_a_lamp_sunk_by_three_millimetres_goes_up_by_three() -> None:
 def test_what_floats_is_put_on_what_is_below_it(height: float) -> None:
     room = scene(None, (put(table(), 2.0, 2.0), table()))
     on_table = room.with_placement(put(vase(), 2.1, 2.0, 0.75 + height, on="table_1"), vase())
-    assert mm(only_move(on_table)) == pytest.approx([0.0, 0.0, -1000 * height], abs=0.5)
+    assert mm(only_move(on_table, furthest=2.0)) == pytest.approx([0.0, 0.0, -1000 * height], abs=0.5)
     on_floor = room.with_placement(put(CRATE, 2.0, 3.5, height), CRATE)
-    assert mm(only_move(on_floor)) == pytest.approx([0.0, 0.0, -1000 * height], abs=0.5)
+    assert mm(only_move(on_floor, furthest=2.0)) == pytest.approx([0.0, 0.0, -1000 * height], abs=0.5)
 
 
 def test_what_falls_over_the_edge_is_moved_inwards_until_it_stands() -> None:
@@ -127,7 +128,7 @@ def test_what_falls_over_the_edge_is_moved_inwards_until_it_stands() -> None:
 
 def test_what_lies_beside_its_table_takes_the_support_that_it_gets() -> None:
     room = scene(None, (put(table(), 2.0, 2.0), table()), (put(CRATE, 2.0, 3.5, 0.75, on="table_1"), CRATE))
-    mended, _ = mend(room)
+    mended, _ = mend(room, furthest=1.0)
     assert not failing(mended)
     assert mended["crate_1"].support == "floor"
 
@@ -186,6 +187,74 @@ def test_what_cannot_be_mended_stays_and_is_named() -> None:
     assert by_id["crate_1"].mended
     assert mended["pole_1"] == room["pole_1"]
     assert failing(mended) == {"pole_1"}
+
+
+NIGHTSTAND = asset("nightstand", (0.4, 0.45, 0.5), mass=12.0)
+
+
+def test_what_rests_over_its_edge_moves_with_it() -> None:
+    """The lamp's middle is past the edge of the nightstand, which is 4.6 mm in the wall; its foot is on it."""
+    foot, arm = box((0.16, 0.2, 0.3), (-0.12, 0.0, 0.15)), box((0.4, 0.04, 0.02), (0.0, 0.0, 0.31))
+    lamp, bed = asset("lamp", (0.4, 0.2, 0.32), foot, arm, mass=2.0), asset("bed", (2.0, 1.6, 0.5), mass=60.0)
+    room = scene(
+        None, (put(NIGHTSTAND, 0.1954, 2.0), NIGHTSTAND), (put(lamp, 0.42, 2.0, 0.5, on="nightstand_1"), lamp),
+        (put(bed, 1.0, 3.05), bed),
+    )  # fmt: skip
+    assert room["lamp_1"].support == "floor", "its middle is over nothing"
+    mended, moves = mend(room)
+    by_id = {move.id: move for move in moves}
+    assert mm(by_id["nightstand_1"]) == pytest.approx([4.6, 0.0, 0.0], abs=1.0)
+    assert by_id["lamp_1"].by == by_id["nightstand_1"].by
+    assert mended["bed_1"] == room["bed_1"]
+
+
+def test_a_small_fault_is_mended_by_little_where_there_is_hardly_room() -> None:
+    """A nightstand 4.6 mm in the wall, with a wardrobe 4 mm before it: 0.6 mm of contact are tolerated."""
+    closet = asset("closet", (0.6, 1.2, 2.0), mass=80.0)
+    room = scene(None, (put(NIGHTSTAND, 0.1954, 2.0), NIGHTSTAND), (put(closet, 0.6994, 2.0), closet))
+    move = only_move(room)
+    assert move.id == "nightstand_1"
+    assert mm(move) == pytest.approx([4.1, 0.0, 0.0], abs=0.6)
+
+
+@pytest.mark.parametrize("furthest", [0.05, 0.3, 0.9])
+def test_nothing_is_moved_further_than_it_may_be(furthest: float) -> None:
+    deep = scene(None, (put(HEAVY, 2.0, 2.0), HEAVY), (put(CRATE, 2.1, 2.05), CRATE))
+    mended, moves = mend(deep, furthest=furthest)
+    (move,) = [move for move in moves if move.id == "crate_1"]
+    if furthest > 0.5:
+        assert move.mended
+        assert move.needs is None
+        assert 0.44 < move.distance < 0.5
+    else:
+        assert mended == deep
+        assert not move.mended
+        assert move.distance == 0.0
+        assert move.needs == pytest.approx(0.45, abs=0.03)
+
+
+def test_what_floats_far_above_something_is_not_taken_down_to_it() -> None:
+    room = scene(None, (put(table(), 2.0, 2.0), table()), (put(vase(), 2.1, 2.0, 1.95, on="table_1"), vase()))
+    mended, (move,) = mend(room)
+    assert mended == room
+    assert not move.mended
+    assert move.needs == pytest.approx(1.2, abs=0.01)
+
+
+def test_what_stands_on_one_table_is_not_put_on_another() -> None:
+    other = put(table(), 2.0, 2.81, id="table_2")
+    room = scene(None, (put(table(), 2.0, 2.0), table()), (other, table()))
+    crates = [(put(CRATE, x, 2.0, 0.75, on="table_1", id=f"crate_{i}"), CRATE) for i, x in ((1, 1.65), (2, 2.05))]
+    for placement, made in crates:
+        room = room.with_placement(placement, made)
+    mended, _ = mend(room)
+    assert {p.id: p.support for p in mended.placements} == {p.id: p.support for p in room.placements}
+
+
+def test_a_distance_that_is_none_is_refused() -> None:
+    for furthest in (0.0, -1.0, math.inf, math.nan):
+        with pytest.raises(InputError, match="furthest"):
+            mend(scene(), furthest=furthest)
 
 
 def test_a_room_too_small_for_both_is_left_alone() -> None:

@@ -11,6 +11,7 @@ from manifold3d import Manifold, OpType
 from tests.layout_rooms import chair_mesh
 from thinkblox.assets.components import components, welded
 from thinkblox.assets.decompose import FlatMeshError, convex_pieces, is_convex
+from thinkblox.assets.imported import hull_shape
 from thinkblox.assets.mesh_file import MAX_TRIANGLES, MeshFile, read_triangles
 from thinkblox.errors import InputError
 
@@ -191,3 +192,29 @@ def test_a_concave_part_is_decomposed_within_its_own_bounds():
 def test_the_same_mesh_is_decomposed_once():
     mesh = _triangles(trimesh.creation.torus(1.0, 0.3, 24, 12))
     assert convex_pieces(mesh) is convex_pieces(_triangles(trimesh.creation.torus(1.0, 0.3, 24, 12)))
+
+
+SLIVERS = {
+    "flat": np.array([[0.0, 0.0, 0.9], [0.769, 0.0, 0.9], [0.769, 0.0015, 0.9], [0.0, 0.0015, 0.9]]),
+    "nearly flat": np.array([[0, 0, 0.9], [0.7, 0, 0.9], [0.7, 0.5, 0.9], [0, 0.5, 0.9 + 1e-9], [0.3, 0.2, 0.9]]),
+    "tilted": np.array([[0.0, 0.0, 0.0], [0.5, 0.0, 0.5], [0.5, 0.5, 0.5], [0.0, 0.5, 0.0]]),
+    "a line": np.array([[0.0, 0.0, 0.0], [0.5, 0.0, 0.0], [0.2, 0.0, 0.0], [0.1, 0.0, 0.0]]),
+    "a point": np.zeros((5, 3)),
+}
+
+
+@pytest.mark.parametrize("sliver", SLIVERS)
+@pytest.mark.parametrize("alone", [True, False])
+def test_flat_pieces_of_a_decomposition_are_thickened_or_left_out(monkeypatch, sliver, alone):
+    corner = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
+    found = [(SLIVERS[sliver], None), *([] if alone else [(corner, None)])]
+    monkeypatch.setattr("thinkblox.assets.decompose.coacd.run_coacd", lambda *_, **__: found)
+    bowl = trimesh.creation.annulus(0.5, 1.0, 0.6)
+    bowl.apply_scale(1.0 + 0.01 * list(SLIVERS).index(sliver) + 0.001 * alone)
+    pieces = convex_pieces(_triangles(bowl))
+    assert len(pieces) == (1 if alone else 2 - (sliver in ("a line", "a point")))
+    for piece in pieces:
+        hull_shape(piece, category="bowl")
+        assert np.ptp(piece, axis=0).min() > 1e-4
+    every = np.vstack(pieces)
+    assert np.array([every.min(axis=0), every.max(axis=0)]) == pytest.approx(bowl.bounds, abs=1e-9)

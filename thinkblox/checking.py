@@ -20,6 +20,8 @@ OURS = "thinkblox"
 """The format of our own scene.json."""
 MODELS = ("mjcf", "urdf")
 MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
+MOST_MOVE = 100.0
+"""How far --fix can be told to move things [m]."""
 TIMEOUT = 600.0
 """How long the measuring of a foreign file may take unless told otherwise [s]."""
 
@@ -30,12 +32,15 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     Attributes:
         format: "thinkblox", "mjcf", "urdf" or one of `thinkblox.importing.FORMATS`; None to tell by the file.
         assets: folder with the meshes that a layout names.
-        height: of the room, for a layout that has none [m]; None for the usual.
+        height: of the room, for a layout that has none [m]; None for the usual, or more where something is higher.
         room: which one, of a file that holds several.
         short_side: of the room, for a layout in pixels [m].
+        sizes: JSON file with sizes of objects by name, for a layout that has none.
+        room_size: (east, north) or (east, north, up), for a scene graph without walls [m].
         suites: names of the published criteria to measure by.
         seed: of what the suites sample.
         fix: move what fails by the least that mends it, and measure what comes out.
+        max_move: how far anything is moved at most [m]; None for the usual.
         out: file to which the scene is written, as our scene.json; None to write none.
         page: HTML file to write; None for none.
     """
@@ -45,9 +50,12 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     height: float | None = None
     room: str | None = None
     short_side: float | None = None
+    sizes: str | None = None
+    room_size: tuple[float, ...] | None = None
     suites: tuple[str, ...] = ()
     seed: int = 0
     fix: bool = False
+    max_move: float | None = None
     out: str | None = None
     page: str | None = None
 
@@ -83,6 +91,8 @@ def _check_names(reading: VerifyOptions) -> None:
     for name in reading.suites:
         if name not in SUITES:
             raise InputError(f"there is no suite {name!r}; there are {', '.join(SUITES)}")
+    if reading.max_move is not None and not 0.0 < reading.max_move <= MOST_MOVE:
+        raise InputError(f"a largest move of {reading.max_move:g} m; it must be above 0 and at most {MOST_MOVE:g} m")
     known = (OURS, *MODELS, *FORMATS)
     if reading.format is not None and reading.format not in known:
         raise InputError(f"no format {reading.format!r}; there are {', '.join(known)}")
@@ -133,7 +143,7 @@ def _measured(path: str, format: str, reading: VerifyOptions) -> Report:
     subject, notes, unplaced = _opened(Path(path), format, reading)
     report = _report(subject)
     if reading.fix:
-        subject, report = _mended(path, subject, report)
+        subject, report = _mended(path, subject, report, reading.max_move)
     absent = tuple(Absence(id=name, category="", asked=True, reason="the layout gives it no pose") for name in unplaced)
     report = structs.replace(
         report,
@@ -161,15 +171,16 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
 
         return open_model(path), (), ()
     from thinkblox.importing import read_layout
-    from thinkblox.importing.layout import HEIGHT
 
     layout = read_layout(
         path,
         format=None if format == "layout" else format,
         assets=reading.assets,
-        height=HEIGHT if reading.height is None else reading.height,
+        height=reading.height,
         room=reading.room,
         short_side=reading.short_side,
+        sizes=reading.sizes,
+        room_size=reading.room_size,
     )
     subject = subject_of(layout.scene, source=layout.format, substituted=layout.substituted)
     return subject, layout.notes, layout.unplaced
@@ -185,14 +196,14 @@ def _report(subject: "Subject") -> Report:
     return model_report(subject)
 
 
-def _mended(path: str, subject: "Subject", report: Report) -> tuple["Subject", Report]:
+def _mended(path: str, subject: "Subject", report: Report, max_move: float | None) -> tuple["Subject", Report]:
     """The same with what fails moved, and the report on that."""
-    from thinkblox.mending import mend
+    from thinkblox.mending import FURTHEST, mend
     from thinkblox.sim.subject import subject_of
 
     if subject.scene is None:
         raise InputError(f"{path}: a model is measured, not mended; scenes and layouts are what --fix moves things in")
-    scene, moves = mend(subject.scene)
+    scene, moves = mend(subject.scene, furthest=FURTHEST if max_move is None else max_move)
     again = report
     if any(move.mended for move in moves):
         subject = subject_of(scene, source=subject.source, substituted=subject.substituted)

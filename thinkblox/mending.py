@@ -1,5 +1,6 @@
 """Moving what fails by the least that mends it: shifted, never turned, and measured like any other placement."""
 
+import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import islice
@@ -8,9 +9,10 @@ from typing import get_args
 import numpy as np
 from msgspec import structs
 
-from thinkblox.scene.actions import Move
+from thinkblox.errors import InputError
 from thinkblox.scene.placement import Placement, apart, to_micrometres
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import ON_FLOOR
 from thinkblox.sim.geometry.shifts import Shift, shifts
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.world import World
@@ -29,8 +31,14 @@ SEATING: frozenset[Reason] = frozenset({"outside", "unsupported", "drop"})
 """Faults against the room and the floor: mended first, and then the collisions, which burst apart in a settle."""
 ROUNDS = 2
 """How often all that fails yet is tried."""
-ACCEPTED = 4
+ACCEPTED = 8
 """How many valid poses are tried for one that spoils nothing else."""
+FURTHEST = 0.3
+"""How far something is moved at most [m]."""
+BEYOND = 12
+"""How many poses that are further away are measured, to say how far it would have to be."""
+ON_TOP = 0.01
+"""What is this near to a top that it overlaps stands on it [m]."""
 
 
 def mend(
@@ -40,12 +48,14 @@ def mend(
     physics: Physics | None = None,
     walking: Walking | None = None,
     tries: int = 160,
+    furthest: float = FURTHEST,
 ) -> tuple[Scene, tuple[MendingMove, ...]]:
-    """MendingMove what fails by the least that makes it valid; returns the mended scene and every move.
+    """Move what fails by the least that makes it valid; returns the mended scene and every move.
 
-    Nothing is turned. What rests on something that moves, moves with it. Of two that collide the lighter one is moved,
-    the heavier one only when that cannot be. Whatever is valid stays where it is and stays valid; what cannot be
-    mended stays where it is, and its move says so.
+    Nothing is turned, and nothing is put on anything else than what it is on or over. What rests on something that
+    moves, moves with it, also where it hangs over its edge. Of two that collide the lighter one is moved, the heavier
+    one only when that cannot be. Whatever is valid stays where it is and stays valid; what cannot be mended stays
+    where it is, and its move says so, and how far it would have to go where that is too far.
 
     Args:
         scene: at the poses that are to be mended; itself not changed.
@@ -53,8 +63,14 @@ def mend(
         physics: the engine's options.
         walking: what a walkable way is.
         tries: poses that are measured at most for one object.
+        furthest: how far anything is moved at most [m].
+
+    Raises:
+        InputError: `furthest` is no distance above 0.
     """
-    rules = Rules(tolerances or Tolerances(), physics or Physics(), walking or Walking(), tries)
+    if not 0.0 < furthest < math.inf:
+        raise InputError(f"furthest is {furthest:g} m; it must be a distance above 0")
+    rules = Rules(tolerances or Tolerances(), physics or Physics(), walking or Walking(), tries, furthest)
     return _Mending(scene, rules).run()
 
 
@@ -65,6 +81,7 @@ class _Mending:
     scene: Scene
     rules: Rules
     steps: list[Scene] = field(default_factory=list)
+    needs: dict[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.start = self.scene
@@ -124,43 +141,81 @@ class _Mending:
         return other in self.scene and _group_mass(self.scene, id) <= _group_mass(self.scene, other)
 
     def _mend(self, id: str, past: set[str]) -> None:
-        """MendingMove one object to the nearest pose that is valid and spoils nothing, if one is found."""
-        for moved in self._poses(id, past):
-            shifted = self.scene.apply(Move(id=id, position=moved.position))
-            after = self._after(shifted, id, past)
-            if after is not None:
-                self.steps.append(self.scene)
-                self.scene, self.now = shifted, self.now | after
+        """Move one object to the nearest pose that is valid and spoils nothing, if one is found near enough."""
+        group = self._group(id)
+        for moved in self._poses(id, group, past):
+            shifted = _shifted(self.scene, group, moved)
+            after = self._after(shifted, id, group, past)
+            if after is None:
+                continue
+            if (distance := self._furthest(shifted, group)) > self.rules.furthest + FINE:
+                self.needs[id] = min(distance, self.needs.get(id, math.inf))
                 return
+            self.steps.append(self.scene)
+            self.scene, self.now = shifted, self.now | after
+            return
 
-    def _poses(self, id: str, past: set[str]) -> Iterator[Placement]:
+    def _group(self, id: str) -> tuple[str, ...]:
+        """The ids of an object and of all that moves with it: what rests on it, or stands on it over its edge."""
+        found, todo = {id}, [id]
+        while todo:
+            below = todo.pop()
+            new = [p.id for p in self.scene.placements if p.id not in found and self._is_on(p, self.scene[below])]
+            found.update(new)
+            todo += new
+        return (id, *(p.id for p in self.scene.placements if p.id in found and p.id != id))
+
+    def _is_on(self, placement: Placement, below: Placement) -> bool:
+        if placement.support == below.id:
+            return True
+        if not self.scene.asset_of(placement).free or not self.scene.asset_of(below).collides:
+            return False
+        tops = [below.position[2] + s.position[2] for s in self.scene.asset_of(below).surfaces] or [below.top]
+        near = any(abs(placement.position[2] - top) < ON_TOP for top in tops)
+        return near and placement.footprint.intersects(below.footprint) and placement.support not in self.scene
+
+    def _furthest(self, shifted: Scene, group: Collection[str]) -> float:
+        """How far any of a group would be from where it was at the start [m]."""
+        return max(math.dist(shifted[id].position, self.start[id].position) for id in group)
+
+    def _poses(self, id: str, group: Sequence[str], past: set[str]) -> Iterator[Placement]:
         """Valid poses among what stays where it is, nearest first, each brought as near as it gets."""
-        placement, group = self.scene[id], self.scene.riders(id)
-        rest = _without(self.scene, {p.id for p in group} | past)
-        near = shifts(self.scene, placement, group, self.rules.walking, past=past)[: self.rules.tries]
-        usual = self.rules.world(rest)
+        placement, riders = self.scene[id], [self.scene[rider] for rider in group[1:]]
+        rest = _without(self.scene, {*group, *past})
+        found = shifts(self.scene, placement, riders, self.rules.walking, past=past, gently=True)
+        near = [s for s in found if s.distance <= self.rules.furthest + FINE]
+        near = near[: self.rules.tries] + found[len(near) :][:BEYOND]
         yield from islice(self._seated_first(rest, placement, near), ACCEPTED)
-        yield from islice((pose for shift in near if (pose := self._nearest(usual, placement, shift))), ACCEPTED)
 
     def _seated_first(self, rest: Scene, placement: Placement, near: Sequence[Shift]) -> Iterator[Placement]:
-        """Poses that are still, nearest first; one that is tight goes before one that is a little nearer and is not."""
-        tight, still = self.rules.world(rest, self.rules.tight), self.rules.world(rest, self.rules.still)
-        waiting: tuple[float, Placement] | None = None
+        """Valid poses, nearest first; a tight one, or a still one, goes before one that is a little nearer."""
+        usual, *stricter = (self.rules.world(rest, each) for each in (None, self.rules.tight, self.rules.still))
+        waiting: list[tuple[int, float, Placement]] = []
         for shift in near:
-            if waiting is not None and shift.distance > waiting[0] + TIGHTER:
-                yield waiting[1]
-                waiting = None
-            pose = self._nearest(tight, placement, shift)
-            if pose is not None:
+            if waiting and shift.distance > min(limit for _, limit, _ in waiting):
+                yield min(waiting, key=lambda each: each[:2])[2]
+                waiting = []
+            if not usual.check([shift.placement], self.scene.asset_of(placement))[0].valid:
+                continue
+            grade, pose = self._best(placement, shift, (*stricter, usual))
+            if grade == 0:
                 yield pose
-            elif waiting is None and (loose := self._nearest(still, placement, shift)) is not None:
-                waiting = (shift.distance, loose)
-        if waiting is not None:
-            yield waiting[1]
+            elif all(grade < other for other, _, _ in waiting):
+                waiting.append((grade, shift.distance + min(TIGHTER, shift.distance / 2), pose))
+        if waiting:
+            yield min(waiting, key=lambda each: each[:2])[2]
+
+    def _best(self, placement: Placement, shift: Shift, worlds: Sequence[World]) -> tuple[int, Placement]:
+        """By which of the worlds, the strictest first, a shifted pose is valid, and the nearest one on the way."""
+        for grade, world in enumerate(worlds):
+            pose = self._nearest(world, placement, shift)
+            if pose is not None:
+                return grade, pose
+        return len(worlds), shift.placement
 
     def _nearest(self, world: World, placement: Placement, shift: Shift) -> Placement | None:
         """The valid pose next to the failing one on the way to a shifted one; None when that one fails too."""
-        asset = world.scene.asset_of(placement)
+        asset = self.scene.asset_of(placement)
 
         def check(position: Vec3) -> Placement | None:
             candidate = structs.replace(placement, position=position)
@@ -177,17 +232,29 @@ class _Mending:
             fails, best = (middle, best) if nearer is None else (fails, nearer)
         return best
 
-    def _after(self, shifted: Scene, id: str, past: set[str]) -> dict[str, Verdict] | None:
+    def _after(self, shifted: Scene, id: str, group: Collection[str], past: set[str]) -> dict[str, Verdict] | None:
         """The new verdicts of all that a move may concern, or None when it spoils something or does not mend."""
+        if not all(self._carried_as_before(shifted, p) for p in shifted.placements):
+            return None
         world = self.rules.world(_without(shifted, past))
         found: dict[str, Verdict] = {}
-        for placement in _concerned(self.scene, shifted, id):
+        for placement in _concerned(self.scene, shifted, id, group):
             if placement.id not in past:
                 verdict = world.check([placement], shifted.asset_of(placement))[0]
                 if not verdict.valid and (placement.id == id or self.now[placement.id].valid):
                     return None
                 found[placement.id] = verdict
         return found
+
+    def _carried_as_before(self, shifted: Scene, placement: Placement) -> bool:
+        """Whether an object is on what it was on; what sank into a thing, or tips over it, may come to stand there."""
+        old, before = self.start[placement.id], self.before[placement.id]
+        if old.support == placement.support:
+            return True
+        if placement.position == old.position and not before.valid:
+            return True
+        touched = {c.other for c in before.collisions} | {s.by for s in before.supports}
+        return old.support == "floor" and old.position[2] > ON_FLOOR and placement.support in touched
 
     def _take_back_what_broke(self) -> None:
         """Undo the last moves while something fails that was valid at the start."""
@@ -213,8 +280,10 @@ class _Mending:
             if new.position != old.position or not self.now[old.id].valid:
                 distance = round(float(np.linalg.norm((dx, dy, dz))), 6)
                 why = self.before[old.id].reasons or self._reasons_below(old.id)
+                mended = self.now[old.id].valid
+                needs = None if mended or old.id not in self.needs else round(self.needs[old.id], 6)
                 yield MendingMove(
-                    id=old.id, by=(dx, dy, dz), turn=0.0, distance=distance, why=why, mended=self.now[old.id].valid
+                    id=old.id, by=(dx, dy, dz), turn=0.0, distance=distance, why=why, mended=mended, needs=needs
                 )
 
     def _reasons_below(self, id: str) -> tuple[Reason, ...]:
@@ -233,9 +302,17 @@ def _without(scene: Scene, ids: Collection[str]) -> Scene:
     return scene
 
 
-def _concerned(scene: Scene, shifted: Scene, id: str) -> list[Placement]:
-    """The moved object and its riders, and whatever is near to where one of them was or is."""
-    group = {id, *(p.id for p in scene.riders(id))}
+def _shifted(scene: Scene, group: Sequence[str], moved: Placement) -> Scene:
+    """The scene with the first of a group where it is moved to, and the others as far from it as they were."""
+    by = np.subtract(moved.position, scene[group[0]].position)
+    others = [scene[id] for id in group[1:]]
+    return scene.with_placements(
+        [moved, *(structs.replace(p, position=to_micrometres(np.add(p.position, by))) for p in others)]
+    )
+
+
+def _concerned(scene: Scene, shifted: Scene, id: str, group: Collection[str]) -> list[Placement]:
+    """The moved object and what moved with it, and whatever is near to where one of them was or is."""
     places = [where[member] for where in (scene, shifted) for member in sorted(group)]
     near = [p for p in shifted.placements if p.id in group or any(apart(p, place) < CLOSE for place in places)]
     return [shifted[id], *(p for p in near if p.id != id)]

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from thinkblox.headline import headline
 from thinkblox.listing import CategoryEntry
 from thinkblox.suite import Criterion, SuiteResult
 from thinkblox.value import Vec3
@@ -25,9 +26,8 @@ def summary(report: Report, *, placed: int) -> str:
 
 
 def _whole(report: Report, placed: int) -> str:
-    still = f"in {report.simulated:g} s with everything free: {report.drift * 1000:.2f} mm, {report.tilt:.2f} degrees"
     counts = f"{placed} object{'' if placed == 1 else 's'} placed, {len(report.absent)} not"
-    return f"{counts}; deepest contact {report.depth * 1000:.2f} mm; {still}"
+    return "; ".join((counts, *headline(report)))
 
 
 def _faults(report: Report) -> Iterator[str]:
@@ -64,7 +64,8 @@ def moves(report: Report) -> str:
 def _move(move: MendingMove) -> str:
     why = ", ".join(move.why) or "for what it rests on"
     if not move.mended:
-        return f"{move.id}: not mended ({why})"
+        needs = f"; it would have to be moved {move.needs * 1000:.0f} mm" if move.needs is not None else ""
+        return f"{move.id}: not mended ({why}){needs}"
     x, y, z = (1000 * part for part in move.by)
     return f"{move.id}: moved {move.distance * 1000:.1f} mm ({x:+.1f}, {y:+.1f}, {z:+.1f}) ({why})"
 

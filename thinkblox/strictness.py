@@ -16,12 +16,13 @@ STILL = 0.1
 
 @dataclass(frozen=True)
 class Rules:
-    """The settings of a mending; `tries` poses are measured at most for one object."""
+    """The settings of a mending; `tries` poses are measured at most for one object, which goes `furthest` [m]."""
 
     tolerances: Tolerances
     physics: Physics
     walking: Walking
     tries: int
+    furthest: float
 
     @property
     def still(self) -> Tolerances:

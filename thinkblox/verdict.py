@@ -221,6 +221,7 @@ class MendingMove(Measurement, frozen=True, kw_only=True):
         distance: length of `by` [m].
         why: the reasons it was moved for.
         mended: whether they are gone.
+        needs: how far it would have to be moved, where that is further than it may be [m].
     """
 
     id: str
@@ -229,6 +230,7 @@ class MendingMove(Measurement, frozen=True, kw_only=True):
     distance: float
     why: tuple[Reason, ...]
     mended: bool
+    needs: float | None = None
 
 
 class Report(Measurement, frozen=True, kw_only=True):

@@ -109,4 +109,6 @@ def _fixed(facts: ModelFacts) -> list[str]:
     moves = facts.motions.moves
     if not len(moves) or moves.any():
         return []
+    if np.isin(facts.subject.model.jnt_type, _ONE).any():
+        return ["Nothing in the model can move as a whole: letting go tells of its joints alone."]
     return ["Nothing in the model can move, so letting go tells nothing: only collisions are measured."]

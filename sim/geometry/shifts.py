@@ -53,7 +53,13 @@ class Shift:
 
 
 def shifts(
-    scene: Scene, placement: Placement, riders: Sequence[Placement], walking: Walking, *, past: Collection[str] = ()
+    scene: Scene,
+    placement: Placement,
+    riders: Sequence[Placement],
+    walking: Walking,
+    *,
+    past: Collection[str] = (),
+    gently: bool = False,
 ) -> list[Shift]:
     """Poses, nearest first, at which an object seems to be inside, clear of the others and carried.
 
@@ -63,6 +69,9 @@ def shifts(
         riders: what moves with it.
         walking: says which zones of doors and windows stay free.
         past: ids that are looked past.
+        gently: only where what carries it does so still; and besides the least shift into the room alone, and out of
+            each other object alone: what is wrong by a little is mended by little, though it then stands as near to a
+            third as is tolerated.
     """
     asset = scene.asset_of(placement)
     plane = _plane(scene, placement, asset)
@@ -71,13 +80,25 @@ def shifts(
     gone = {p.id for p in group} | set(past)
     others = [p for p in scene.placements if p.id not in gone and asset.collides and scene.asset_of(p).collides]
     near = [p for p in others if apart(p, placement) < REACH]
-    obstacles = [piece for p in near for piece in pieces_of(plane, p, scene.asset_of(p))]
+    each = [pieces_of(plane, p, scene.asset_of(p)) for p in near]
+    obstacles = [piece for pieces in each for piece in pieces]
     zones = zone_pieces(scene.room, walking, windows=asset.mount == "floor") if plane.upright and asset.collides else ()
     own = pieces_of(plane, placement, asset)
+    mover = _Mover(plane, placement, asset, own, mine or own, obstacles)
     found: list[Shift] = []
-    for step in _steps(scene, plane, placement, own, obstacles):
-        found += _at_level(plane, placement, asset, own, mine or own, obstacles, zones, step)
+    for step in _steps(scene, plane, placement, own, _carriers(placement, near, each) if gently else obstacles):
+        found += mover.shifts(obstacles, zones, step)
+    if gently:
+        for alone in ((), *each):
+            found += mover.shifts(alone, (), 0.0, rings=False)
     return sorted(found, key=lambda shift: (round(shift.distance, 5), shift.placement.position))
+
+
+def _carriers(placement: Placement, near: Sequence[Placement], each: Sequence[Sequence[FlatPiece]]) -> list[FlatPiece]:
+    """The pieces of what an object is on or over: of anything near where it floats over none."""
+    floats = placement.support == "floor" and placement.position[2] > ON_FLOOR
+    chosen = (pieces for p, pieces in zip(near, each, strict=True) if floats or p.id == placement.support)
+    return [piece for pieces in chosen for piece in pieces]
 
 
 def _plane(scene: Scene, placement: Placement, asset: Asset) -> Plane:
@@ -105,42 +126,51 @@ def _steps(
     return (0.0, *sorted({-low, *tops}, key=lambda step: (abs(step), step)))
 
 
-def _at_level(
-    plane: Plane,
-    placement: Placement,
-    asset: Asset,
-    own: Sequence[FlatPiece],
-    mine: Sequence[FlatPiece],
-    obstacles: Sequence[FlatPiece],
-    zones: Sequence[FlatPiece],
-    step: float,
-) -> list[Shift]:
-    """Poses after one step across the plane."""
-    u, v, w = plane.coordinates(np.array([placement.position]))[0]
-    raised = [FlatPiece(piece.corners, piece.low + step, piece.high + step) for piece in mine]
-    space = free_space(plane, np.array([u, v]), raised, obstacles if asset.collides else (), zones)
-    base = min(piece.low for piece in own) + step
-    if plane.upright and asset.free and base > ON_FLOOR:
-        space = carried_within(space, obstacles, base)
-    across = (plane.axes[2] * step).tolist()
-    places = [plane.point(np.array([*at, w + step])) for at in _places(space, np.array([u, v]))]
-    found = [(place, float(np.linalg.norm(place - placement.position))) for place in places]
-    return [
-        Shift(structs.replace(placement, position=to_micrometres(place)), distance, (across[0], across[1], across[2]))
-        for place, distance in found
-        if distance > LEAST
-    ]
+@dataclass(frozen=True)
+class _Mover:
+    """An object to be shifted: its pieces, those of all that moves with it, and those of what may carry it."""
+
+    plane: Plane
+    placement: Placement
+    asset: Asset
+    own: Sequence[FlatPiece]
+    mine: Sequence[FlatPiece]
+    beneath: Sequence[FlatPiece]
+
+    def shifts(
+        self, obstacles: Sequence[FlatPiece], zones: Sequence[FlatPiece], step: float, *, rings: bool = True
+    ) -> list[Shift]:
+        """Poses clear of some obstacles after one step across the plane: the nearest, and with `rings` others."""
+        plane, placement = self.plane, self.placement
+        u, v, w = plane.coordinates(np.array([placement.position]))[0]
+        raised = [FlatPiece(piece.corners, piece.low + step, piece.high + step) for piece in self.mine]
+        space = free_space(plane, np.array([u, v]), raised, obstacles if self.asset.collides else (), zones)
+        base = min(piece.low for piece in self.own) + step
+        if plane.upright and self.asset.free and base > ON_FLOOR:
+            space = carried_within(space, self.beneath, base)
+        across = (plane.axes[2] * step).tolist()
+        places = [plane.point(np.array([*at, w + step])) for at in _places(space, np.array([u, v]), rings)]
+        found = [(place, float(np.linalg.norm(place - placement.position))) for place in places]
+        return [
+            Shift(
+                structs.replace(placement, position=to_micrometres(place)), distance, (across[0], across[1], across[2])
+            )
+            for place, distance in found
+            if distance > LEAST
+        ]
 
 
-def _places(space: BaseGeometry, at: Array) -> Array:
+def _places(space: BaseGeometry, at: Array, rings: bool) -> Array:
     """The point of a space nearest to `at`, and points on rings round `at` (n, 2)."""
     if space.is_empty:
         return np.zeros((0, 2))
     nearest = np.array([shapely.get_coordinates(shapely.shortest_line(space, shapely.Point(at)))[0]])
+    if not rings:
+        return nearest
     turns = 2 * np.pi * np.arange(SPOKES) / SPOKES
     spokes = np.stack([np.cos(turns), np.sin(turns)], 1)
-    rings = (at + RADII[:, None, None] * spokes[None]).reshape(-1, 2)
-    return np.concatenate([nearest, rings[shapely.contains_xy(space, rings)]])
+    ringed = (at + RADII[:, None, None] * spokes[None]).reshape(-1, 2)
+    return np.concatenate([nearest, ringed[shapely.contains_xy(space, ringed)]])
 
 
 __all__ = ["REACH", "Shift", "shifts"]

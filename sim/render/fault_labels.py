@@ -12,7 +12,9 @@ BADGE = 11.0
 """Radius of a number's disc [pixels]."""
 KEPT_FREE = 9.0
 """How far numbers stay from the tips of arrows and from small circles [pixels]."""
-LETTER, LINE = 6.8, 13.0
+SIGN = 8.0
+"""How far texts stay from the middles of small circles [pixels]."""
+LETTER, LINE = 7.8, 14.0
 """Width of a letter and height of a line of a mark's text [pixels]."""
 
 
@@ -36,6 +38,7 @@ def _box(ring: Ring) -> Box:
 def with_texts(marks: Sequence[Mark], badges: Sequence[Badge], within: Box) -> list[Mark]:
     """The marks with their texts at places that are free; a text that finds none is left out: it is in the table."""
     taken = [(b.at[0] - BADGE, b.at[1] - BADGE, b.at[0] + BADGE, b.at[1] + BADGE) for b in badges]
+    taken += [(x - SIGN, y - SIGN, x + SIGN, y + SIGN) for mark in marks for x, y in mark.circles]
     found = []
     for mark in marks:
         at = _free_place(mark, taken, within) if mark.at is not None and mark.text else None
@@ -48,8 +51,8 @@ def with_texts(marks: Sequence[Mark], badges: Sequence[Badge], within: Box) -> l
 def _free_place(mark: Mark, taken: Sequence[Box], within: Box) -> Point | None:
     if mark.at is None:
         return None
-    aside = len(mark.text) * LETTER / 2 + 9
-    for dx, dy in ((0, -14), (0, 16), (aside, 0), (-aside, 0), (aside, 15), (-aside, 15), (0, -30), (0, 32)):
+    aside = len(mark.text) * LETTER / 2 + 12
+    for dx, dy in ((0, -16), (0, 17), (aside, 0), (-aside, 0), (aside, 15), (-aside, 15), (0, -31), (0, 32)):
         at = (round(mark.at[0] + dx, 1), round(mark.at[1] + dy, 1))
         box = _text_box(mark.text, at)
         inside = box[0] > within[0] and box[1] > within[1] and box[2] < within[2] and box[3] < within[3]

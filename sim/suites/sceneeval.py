@@ -31,7 +31,8 @@ NOTES = paragraphs(
     Navigability and accessibility are scores without a threshold in the source; the limits of 0.9 and 0.25 are ours.
 
     Areas of strips and openings are exact instead of counted in pixels, navigability is counted in 256 pixels as there.
-    A floor is 5 cm thick, and its edge belongs to it.
+    A floor is 5 cm thick, and its edge belongs to it. It lies where the scene has it; in the source it is laid under
+    the lowest vertex of all objects, so that nothing there is sunk into it and one sunken thing makes all others float.
     """
 )
 

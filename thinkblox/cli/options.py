@@ -32,3 +32,11 @@ def seconds(text: str) -> float:
     if not 0.0 < number <= 86400.0:
         raise argparse.ArgumentTypeError(f"{text} is not between 0 and 86400 seconds")
     return number
+
+
+def lengths(text: str) -> tuple[float, ...]:
+    """Lengths between commas [m]; raises ArgumentTypeError."""
+    try:
+        return tuple(float(part) for part in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not lengths in metres between commas, such as 4,5,2.6") from None

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from thinkblox.cli.options import natural, seconds
+from thinkblox.cli.options import lengths, natural, seconds
 from thinkblox.importing import FORMATS
 from thinkblox.sim.suites import SUITES
 
@@ -28,13 +28,21 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--suite", metavar="A,B", type=_suites, default=(), help=suites)
     parser.add_argument("--html", metavar="FILE", type=Path, help="write a page with pictures and the faults in them")
     parser.add_argument("--fix", action="store_true", help="move what fails by the least that mends it")
+    cap = "how far --fix moves anything at most (0.3); what needs more is listed with the distance"
+    parser.add_argument("--max-move", metavar="M", type=float, help=cap)
     parser.add_argument("--out", metavar="FILE", type=Path, help="write the (mended) scene as a scene.json")
     formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, {', '.join(FORMATS)}"
     parser.add_argument("--format", metavar="NAME", help=formats)
     parser.add_argument("--assets", metavar="DIR", type=Path, help="folder with the meshes that a layout names")
-    parser.add_argument("--height", metavar="M", type=float, help="of the room, where a layout has none (2.6)")
+    parser.add_argument(
+        "--height", metavar="M", type=float, help="of the room, where a layout has none (2.6, or what is highest)"
+    )
     parser.add_argument("--room", metavar="ID", help="which room of a file that holds several")
     parser.add_argument("--short-side", metavar="M", type=float, help="of the room, for a layout in pixels")
+    sizes = "JSON file, name -> [along the front, across, up] in m, for a layout without sizes"
+    parser.add_argument("--sizes", metavar="FILE", type=Path, help=sizes)
+    room_size = "of the room in m, for a scene graph without walls"
+    parser.add_argument("--room-size", metavar="X,Y[,Z]", type=lengths, help=room_size)
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
     parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for a foreign file (600)")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
@@ -57,9 +65,12 @@ def _verify(arguments: argparse.Namespace) -> int:
         height=arguments.height,
         room=arguments.room,
         short_side=arguments.short_side,
+        sizes=_text(arguments.sizes),
+        room_size=arguments.room_size,
         suites=arguments.suite,
         seed=arguments.seed,
         fix=arguments.fix,
+        max_move=arguments.max_move,
         out=_text(arguments.out),
         page=_text(arguments.html),
     )

@@ -8,6 +8,7 @@ import numpy as np
 from thinkblox.assets.decompose import FlatMeshError, convex_pieces
 from thinkblox.assets.imported import BOX_CORNERS, box_shape, hull_shape, imported_asset
 from thinkblox.assets.mesh_file import read_triangles
+from thinkblox.errors import InputError
 from thinkblox.importing.document import Document, plain
 from thinkblox.importing.draft import Item
 from thinkblox.importing.frames import Array, about, own_from_file, split_yaw
@@ -53,8 +54,19 @@ class ItemBody:
         turn = about("z", self.yaw)
         return tuple(piece @ turn.T + self.position for piece in self.pieces)
 
-    def asset(self, mount: Mount) -> Asset:
-        """The asset that it is, placed on what `mount` says."""
+    def asset(self, document: Document, mount: Mount) -> Asset:
+        """The asset that it is, placed on what `mount` says.
+
+        Raises:
+            InputError: it is nothing that can be simulated, such as a hull without a volume; names file and object.
+        """
+        try:
+            return self._asset(mount)
+        except InputError as error:
+            source = f" of {self.item.mesh}" if self.item.mesh and not self.boxed else ""
+            document.fail(self.item.at, f"{plain(self.item.name)!r}{source}: {error}")
+
+    def _asset(self, mount: Mount) -> Asset:
         kind, category = self.item.kind, usual(self.item.kind)
         name = category_name(kind)
         mass = self.item.mass if self.item.mass is not None else usual_mass(kind, self.size)
@@ -113,13 +125,14 @@ def _own_pieces(document: Document, item: Item) -> tuple[list[Array], bool, tupl
                 item.at, f"{plain(item.name)!r} has no size, and {hint}; name the folder of assets that has its mesh"
             )
         return [BOX_CORNERS * item.size], True, ()
-    mesh = read_triangles(item.mesh)
     try:
-        found = convex_pieces(mesh)
+        found = convex_pieces(read_triangles(item.mesh))
     except FlatMeshError as error:
         if item.size is None:
             document.fail(item.at, f"{plain(item.name)!r}: {item.mesh}: {error}")
         return [BOX_CORNERS * item.size], True, (f"{plain(item.name)} is a box: {item.mesh.name}: {error}.",)
+    except InputError as error:
+        document.fail(item.at, f"the mesh of {plain(item.name)!r}: {error}")
     own = own_from_file(item.mesh)
     pieces = [piece @ own.T * item.scale for piece in found]
     if item.size is None:

@@ -2,6 +2,7 @@
 
 import json
 from codecs import BOM_UTF8
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, NoReturn, TypeVar
@@ -72,6 +73,20 @@ def read_document(path: Path) -> Document:
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
     return Document(path, _parsed(path, data.removeprefix(BOM_UTF8)))
+
+
+def beside(document: Document, belongs: Callable[[Any], bool]) -> list[Document]:
+    """The JSON files in a document's folder whose values belong to it; what cannot be read is passed over."""
+    found = []
+    for file in sorted(document.path.parent.glob("*.json"))[:1000]:
+        if file.resolve() != document.path.resolve():
+            try:
+                other = read_document(file)
+            except InputError:
+                continue
+            if belongs(other.raw):
+                found.append(other)
+    return found
 
 
 def _parsed(path: Path, data: bytes) -> Any:

@@ -2,11 +2,12 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
+from thinkblox.importing.ceiling import assumed_height, corded
 from thinkblox.importing.document import Document, plain, read_document
 from thinkblox.importing.draft import Item, LayoutDraft
 from thinkblox.importing.formats import FORMATS
@@ -17,17 +18,15 @@ from thinkblox.importing.layoutgpt import read_layoutgpt
 from thinkblox.importing.layoutvlm import read_layoutvlm
 from thinkblox.importing.library import Library
 from thinkblox.importing.mounting import mounts_of
-from thinkblox.importing.outline import room_of
+from thinkblox.importing.outline import origin_of, room_of
 from thinkblox.importing.sceneeval import read_sceneeval
 from thinkblox.importing.signatures import detect
+from thinkblox.importing.sizes import Sizes, read_sizes, size_in
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import MAX_PLACEMENTS, Scene
 from thinkblox.value import Value, Vec3
-
-HEIGHT = 2.6
-"""Of a room where the layout has none [m]."""
 
 
 class ForeignLayout(Value, frozen=True, kw_only=True):
@@ -53,9 +52,11 @@ def read_layout(
     *,
     format: str | None = None,
     assets: str | Path | None = None,
-    height: float = HEIGHT,
+    height: float | None = None,
     room: str | None = None,
     short_side: float | None = None,
+    sizes: str | Path | None = None,
+    room_size: Sequence[float] | None = None,
 ) -> ForeignLayout:
     """Read a layout of another generator.
 
@@ -63,9 +64,11 @@ def read_layout(
         path: its JSON file.
         format: one of FORMATS; None to tell by its keys.
         assets: the folder with the meshes and annotations that it names; those beside the file are found without.
-        height: of the room where the layout has none [m].
+        height: of the room where the layout has none [m]; None for the usual one, or more where something is higher.
         room: which one, of a file that holds several: a room's id, or LayoutGPT's query_id.
         short_side: of the room, for a layout in pixels [m].
+        sizes: a JSON file that maps names of objects to (along the front, across, up) [m]; it goes before the layout's.
+        room_size: (east, north) or (east, north, up) of the room [m], for a scene graph without walls.
 
     Raises:
         InputError: the file is not such a layout, or what it says cannot be; names file and JSON path.
@@ -74,8 +77,9 @@ def read_layout(
     document = read_document(path)
     name = _format_of(document, format)
     _check_options(path, assets, height, short_side)
-    library = Library(roots=((Path(assets),) if assets is not None else ()) + (path.absolute().parent,))
-    draft = _draft(document, name, library, room, short_side)
+    roots = ((Path(assets),) if assets is not None else ()) + (path.absolute().parent,)
+    library = Library(roots=roots, sizes=read_sizes(Path(sizes)) if sizes is not None else {})
+    draft = _sized(_draft(document, name, library, room, short_side, _room_size(room_size)), library)
     return _layout(document, draft, name, height)
 
 
@@ -90,17 +94,41 @@ def _format_of(document: Document, format: str | None) -> str:
     return format
 
 
-def _check_options(path: Path, assets: str | Path | None, height: float, short_side: float | None) -> None:
+def _check_options(path: Path, assets: str | Path | None, height: float | None, short_side: float | None) -> None:
     if assets is not None and not Path(assets).is_dir():
         raise InputError(f"{assets}: is no folder; name the one that holds the meshes of {path.name}")
-    if not 1.5 <= height <= 50.0:
+    if height is not None and not 1.5 <= height <= 50.0:
         raise InputError(f"a room {height:g} m high; it must be 1.5 to 50 m")
     if short_side is not None and not 0.5 <= short_side <= 100.0:
         raise InputError(f"a room whose short side is {short_side:g} m; it must be 0.5 to 100 m")
 
 
+def _room_size(size: Sequence[float] | None) -> Sequence[float] | None:
+    if size is not None and (len(size) not in (2, 3) or not all(0.5 <= length <= 100.0 for length in size)):
+        raise InputError(f"a room of {' x '.join(map(str, size))} m; give two or three lengths of 0.5 to 100 m")
+    return size
+
+
+def _sized(draft: LayoutDraft, library: Library) -> LayoutDraft:
+    """The draft with the sizes of the user's own table."""
+    return replace(draft, items=tuple(_given(item, library.sizes) for item in draft.items))
+
+
+def _given(item: Item, sizes: Sizes) -> Item:
+    size = size_in(sizes, item.name, item.kind, item.sought)
+    if size is None:
+        return item
+    x, y, z = (length * factor for length, factor in zip(size, item.scale, strict=True))
+    return replace(item, size=(x, y, z))
+
+
 def _draft(
-    document: Document, format: str, library: Library, room: str | None, short_side: float | None
+    document: Document,
+    format: str,
+    library: Library,
+    room: str | None,
+    short_side: float | None,
+    room_size: Sequence[float] | None,
 ) -> LayoutDraft:
     if format == "layoutgpt":
         return read_layoutgpt(document, room=room, short_side=short_side)
@@ -110,23 +138,29 @@ def _draft(
         return read_sceneeval(document, library, room=room)
     if format == "il3d":
         return read_il3d(document, library)
-    return read_layoutvlm(document, library) if format == "layoutvlm" else read_idesign(document, library)
+    if format == "layoutvlm":
+        return read_layoutvlm(document, library)
+    return read_idesign(document, library, room_size=room_size)
 
 
-def _layout(document: Document, draft: LayoutDraft, format: str, height: float) -> ForeignLayout:
+def _layout(document: Document, draft: LayoutDraft, format: str, height: float | None) -> ForeignLayout:
     _check_items(document, draft.items)
-    room, (dx, dy), notes = room_of(document, draft.outline, height=height)
-    shift = (dx, dy, -draft.outline.level)
+    shift = origin_of(draft.outline)
     bodies = [body_of(document, _shifted(item, shift)) for item in draft.items]
+    known = draft.outline.height if draft.outline.height is not None else height
+    up = assumed_height(bodies) if known is None else known
+    room, notes = room_of(document, draft.outline, height=up)
+    mounts = mounts_of(room, bodies, ceiling=known is not None)
+    if known is None:
+        notes = (f"The room's height is not in the file; it was taken to be {up:.4g} m.", *notes)
+        bodies = [corded(b, up) if m == "ceiling" else b for b, m in zip(bodies, mounts, strict=True)]
     ids = _ids(room, draft.items)
-    scene = _scene(room, bodies, ids, mounts_of(room, bodies), plain(draft.prompt))
-    said = [*draft.notes, *notes, *(note for body in bodies for note in body.notes)]
     return ForeignLayout(
-        scene=scene,
+        scene=_scene(document, room, bodies, ids, mounts, plain(draft.prompt)),
         format=format,
         substituted=tuple(id for id, body in zip(ids, bodies, strict=True) if body.boxed),
         unplaced=tuple(plain(name) for name in draft.unplaced),
-        notes=tuple(said),
+        notes=(*draft.notes, *notes, *(note for body in bodies for note in body.notes)),
     )
 
 
@@ -142,8 +176,7 @@ def _check_items(document: Document, items: Sequence[Item]) -> None:
 
 def _shifted(item: Item, shift: Vec3) -> Item:
     x, y, z = (p + s for p, s in zip(item.position, shift, strict=True))
-    values: dict[str, Any] = {**item.__dict__, "position": (x, y, z)}
-    return Item(**values)
+    return replace(item, position=(x, y, z))
 
 
 def _ids(room: Room, items: Iterable[Item]) -> list[str]:
@@ -161,8 +194,10 @@ def _ids(room: Room, items: Iterable[Item]) -> list[str]:
     return ids
 
 
-def _scene(room: Room, bodies: Sequence[ItemBody], ids: Sequence[str], mounts: Sequence[Mount], prompt: str) -> Scene:
-    assets = [body.asset(mount) for body, mount in zip(bodies, mounts, strict=True)]
+def _scene(
+    document: Document, room: Room, bodies: Sequence[ItemBody], ids: Sequence[str], mounts: Sequence[Mount], prompt: str
+) -> Scene:
+    assets = [body.asset(document, mount) for body, mount in zip(bodies, mounts, strict=True)]
     placements = tuple(
         Placement(
             id=id,

@@ -11,26 +11,29 @@ all three are of the box's middle. `length` is along x, `width` along z and `hei
 `orientation`, degrees counter-clockwise as seen from above. At 0 the front faces +z, which is down the page. The origin
 is the corner of the room's bounding box at the top left.
 
-Numbers are pixels, the room's short side being 256, unless the prompt says metres ("3.50m"); with --normalize metres
-are short sides as well. So the file has no scale: `short_side` gives it, else it is guessed from usual sizes of what
-is in the room, with a note. The floor is the rectangle of the prompt. The true outline, doors and windows are not in
-the file, nor meshes: these are looked up by size when the room is drawn.
+Numbers are whole pixels, unless the prompt says metres ("3.50m"); with --normalize metres are short sides as well. So
+the file has no scale: `short_side` gives it, else it is worked out from usual sizes of what is in all the rooms of the
+file, with a note. In the published samples the rooms' own objects say hardly anything of a scale of their own (of 423
+bedrooms, whose short sides differ, one half of a room's objects tells nothing of the other half's: r = 0.1). A base is
+its rounded middle less half of its rounded height: what is within a pixel of the floor stands on it. The floor is the
+rectangle of the prompt. The true outline, doors and windows are not in the file, nor meshes: these are looked up by
+size when the room is drawn.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from statistics import median
 from typing import Annotated, Any
 
-from msgspec import Meta
+from msgspec import Meta, structs
 
 from thinkblox.importing.document import Degrees, Document, Foreign, plain
 from thinkblox.importing.draft import Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import OWN_FROM_Y_UP, Y_UP, about
 from thinkblox.importing.usual import usual_size
 
-PIXELS = 256.0
-"""Length of the room's short side [px]."""
+PIXEL, HUNDREDTH = 1.0, 0.01
+"""What a number is rounded to [px], [m]: things nearer than this to the floor stand on it."""
 _SIZE = re.compile(r"max length ([0-9.]{1,12}) ?(px|m|), ?max width ([0-9.]{1,12}) ?(?:px|m|)(?![\w.])")
 Number = Annotated[float, Meta(ge=-1e6, le=1e6)]
 Positive = Annotated[float, Meta(gt=0.0, le=1e6)]
@@ -67,14 +70,14 @@ def read_layoutgpt(document: Document, *, room: str | None = None, short_side: f
         room: its query_id; may be None where there is only one.
         short_side: of the room [m].
     """
-    at, prediction = _chosen(document, room)
-    length, width, metres = _room_size(document, at, prediction.prompt)
+    at, prediction, every = _chosen(document, room)
+    length, width, metres, rounded = _room_size(document, at, prediction.prompt)
     notes: tuple[str, ...] = ()
     scale = 1.0
     if not metres:
-        scale, notes = _scale(document, at, prediction, min(length, width), short_side)
+        scale, notes = _scale(document, at, every, min(length, width), short_side)
     items = tuple(
-        _item(kind, box, index, f"{at}.object_list[{index}]", scale, width)
+        _item(kind, _seated(box, rounded), index, f"{at}.object_list[{index}]", scale, width)
         for index, (kind, box) in enumerate(prediction.object_list)
     )
     corners = ((0.0, 0.0), (length * scale, 0.0), (length * scale, width * scale), (0.0, width * scale))
@@ -86,23 +89,25 @@ def read_layoutgpt(document: Document, *, room: str | None = None, short_side: f
     )
 
 
-def _chosen(document: Document, room: str | None) -> tuple[str, _Prediction]:
+def _chosen(document: Document, room: str | None) -> tuple[str, _Prediction, Sequence[_Prediction]]:
+    """Where the prediction stands, it, and all of the file."""
     if isinstance(document.raw, dict):
-        return "$", document.typed(_Prediction)
+        only = document.typed(_Prediction)
+        return "$", only, (only,)
     predictions = document.typed(list[_Prediction])
     ids = [str(each.query_id) for each in predictions]
     if not ids:
         document.fail("$", "the list holds no layout")
     if room is None and len(ids) == 1:
-        return "$[0]", predictions[0]
+        return "$[0]", predictions[0], predictions
     if room is None or room not in ids:
         document.fail("$", f"{len(ids)} layouts: say which to read; they are {', '.join(map(plain, ids[:20]))}")
     index = ids.index(room)
-    return f"$[{index}]", predictions[index]
+    return f"$[{index}]", predictions[index], predictions
 
 
-def _room_size(document: Document, at: str, prompt: str) -> tuple[float, float, bool]:
-    """Length, width, and whether they are metres."""
+def _room_size(document: Document, at: str, prompt: str) -> tuple[float, float, bool, float]:
+    """Length, width, whether they are metres, and what numbers are rounded to."""
     found = _SIZE.search(prompt)
     if not found:
         document.fail(f"{at}.prompt", "the room's size is missing; it says 'max length 256px, max width 318px'")
@@ -112,27 +117,36 @@ def _room_size(document: Document, at: str, prompt: str) -> tuple[float, float, 
         document.fail(f"{at}.prompt", f"{found[0]!r} holds no numbers")
     if min(length, width) <= 0.0:
         document.fail(f"{at}.prompt", f"a room of {length:g} by {width:g}; both must be positive")
-    return length, width, found[2] == "m" and abs(min(length, width) - 1.0) > 0.005
+    metres = found[2] == "m"
+    return length, width, metres and abs(min(length, width) - 1.0) > 0.005, HUNDREDTH if metres else PIXEL
 
 
 def _scale(
-    document: Document, at: str, prediction: _Prediction, short: float, short_side: float | None
+    document: Document, at: str, predictions: Sequence[_Prediction], short: float, short_side: float | None
 ) -> tuple[float, tuple[str, ...]]:
     """Metres for one unit of the file, and what to say about it."""
     if short_side is not None:
         return short_side / short, ()
-    ratios = _ratios(prediction.object_list)
+    ratios = _ratios(thing for prediction in predictions for thing in prediction.object_list)
     if not ratios:
         document.fail(
             f"{at}.prompt",
-            "lengths are in pixels, and nothing in the room is of a usual size; give its short side [m]",
+            "lengths are in pixels, and nothing in the file is of a usual size; give the room's short side [m]",
         )
     scale = median(ratios)
+    rooms = "1 room" if len(predictions) == 1 else f"{len(predictions)} rooms"
     note = (
         f"Lengths are in pixels. That the short side is {short * scale:.2f} m was guessed from the usual sizes of"
-        f" {len(ratios)} objects; give its true length to be exact."
+        f" {len(ratios)} objects in {rooms} of the file; give its true length to be exact."
     )
     return scale, (note,)
+
+
+def _seated(box: _Box, step: float) -> _Box:
+    """The box on the floor, where its numbers are rounded to `step` and it is no further than that from it."""
+    rounded = all(abs(2 * value / step - round(2 * value / step)) < 1e-6 for value in (box.depth, box.height))
+    base = box.depth - box.height / 2
+    return structs.replace(box, depth=box.height / 2) if rounded and abs(base) <= step * (1 + 1e-6) else box
 
 
 def _ratios(objects: Iterable[tuple[str, _Box]]) -> list[float]:

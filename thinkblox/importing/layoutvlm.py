@@ -13,7 +13,7 @@ What they are poses of stands in the scene file it was given::
 Three ways to give both: one document whose `assets` carry `position` and `rotation`; one document with the poses under
 the key `layout`; or layout.json with the scene file beside it in the same folder. In the benchmark's own scene files
 the assets are `{"<uid>-0": {}}`; their records are then taken from `<assets>/<uid>/data.json` and named as main.py
-does.
+does. Without these records a table of sizes says what the poses are poses of.
 
 z up, right-handed, origin where the boundary has it. A pose is of the middle of the asset's bounding box; one of two
 numbers stands on the floor. At rotation 0 the front faces +x, counter-clockwise from there (blender_render.py turns
@@ -27,8 +27,7 @@ from typing import Annotated, Any
 
 from msgspec import UNSET, Meta, UnsetType
 
-from thinkblox.errors import InputError
-from thinkblox.importing.document import Degrees, Document, Extent, F, Foreign, Metres, plain, read_document
+from thinkblox.importing.document import Degrees, Document, Extent, F, Foreign, Metres, beside, plain
 from thinkblox.importing.draft import Item, LayoutDraft, RoomOutline
 from thinkblox.importing.frames import about
 from thinkblox.importing.library import AssetRecord, Library
@@ -138,10 +137,10 @@ def _together(document: Document) -> _Both:
         document.fail("$", "a layout of LayoutVLM is an object")
     if _is_poses(document.raw):
         poses = _each(document, _Pose, document.raw, "$")
-        beside = _scene_beside(document)
-        note = f"The room and the assets were read from {beside.path.name}, beside the layout."
-        scene = beside.typed(_Scene)
-        return _Both(scene, _each(beside, _Asset, scene.assets, "$.assets"), poses, beside, document, "$", (note,))
+        other = _scene_beside(document)
+        note = f"The room and the assets were read from {other.path.name}, beside the layout."
+        scene = other.typed(_Scene)
+        return _Both(scene, _each(other, _Asset, scene.assets, "$.assets"), poses, other, document, "$", (note,))
     scene = document.typed(_Scene)
     assets = _each(document, _Asset, scene.assets, "$.assets")
     if scene.layout:
@@ -157,15 +156,7 @@ def _each(document: Document, kind: type[F], raw: Mapping[str, Any], at: str) ->
 
 
 def _scene_beside(document: Document) -> Document:
-    found = []
-    for file in sorted(document.path.parent.glob("*.json"))[:1000]:
-        if file.resolve() != document.path.resolve():
-            try:
-                other = read_document(file)
-            except InputError:
-                continue
-            if isinstance(other.raw, dict) and _is_scene(other.raw):
-                found.append(other)
+    found = beside(document, lambda raw: isinstance(raw, dict) and _is_scene(raw))
     if len(found) != 1:
         names = ", ".join(other.path.name for other in found) or "none"
         document.fail(
@@ -183,10 +174,13 @@ def _with_records(both: _Both, library: Library) -> _Both:
     copies = Counter(key.rpartition("-")[0] for key in both.assets)
     records = {uid: library.record(uid) for uid in copies}
     missing = [uid for uid, record in records.items() if record is None]
+    if missing and library.sizes:
+        return replace(both, assets={name: _Asset() for name in both.poses})
     if missing:
         both.scene_file.fail(
             "$.assets",
-            f"only uids, and {len(missing)} of them, as {missing[0]!r}, have no data.json; name the folder of assets",
+            f"only uids, and {len(missing)} of them, as {missing[0]!r}, have no data.json; name the folder of assets,"
+            " or a table of sizes",
         )
     return replace(both, assets=_named({uid: record for uid, record in records.items() if record is not None}, copies))
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from thinkblox.errors import InputError
 from thinkblox.importing.document import Document, Extent, Foreign, Metres, read_document
+from thinkblox.importing.sizes import Sizes
 from thinkblox.value import Vec3
 
 MESHES = (".glb", ".gltf", ".obj", ".stl", ".ply")
@@ -85,9 +86,13 @@ class AssetRecord(Foreign, frozen=True, kw_only=True):
 
 @dataclass
 class Library:
-    """Finds files under `roots`, the asset folder first, and never opens one that lies outside them."""
+    """Finds files under `roots`, the asset folder first, and never opens one that lies outside them.
+
+    `sizes` is a table of the user's own; it goes before what a layout or a collection says.
+    """
 
     roots: tuple[Path, ...]
+    sizes: Sizes = field(default_factory=dict)
     _records: dict[Path, dict[str, Any]] = field(default_factory=dict)
 
     def named(self, path: str, *, document: Document, at: str) -> Path | None:

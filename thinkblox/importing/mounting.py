@@ -1,4 +1,4 @@
-"""What a thing is placed on, read off the geometry where its layout does not say."""
+"""What a thing is placed on, where its layout does not say: by what it is called, and by the geometry."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from thinkblox.importing.body import ItemBody
 from thinkblox.importing.frames import Array
-from thinkblox.importing.usual import is_rug
+from thinkblox.importing.usual import hangs, is_lamp, is_rug
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.room import Room
 
@@ -17,11 +17,21 @@ TOUCHING = 0.02
 NEAR_WALL = 0.03
 """What comes this near to a wall, and touches nothing else, hangs on it [m]; Holodeck leaves 0.01."""
 
+OVERHEAD = 1.2
+"""A lamp that touches nothing hangs where it is higher than this [m]."""
 
-def mounts_of(room: Room, bodies: Sequence[ItemBody]) -> list[Mount]:
-    """The mount of each body; what touches nothing is said to stand on the floor, so that it is found to float."""
+
+def mounts_of(room: Room, bodies: Sequence[ItemBody], *, ceiling: bool = True) -> list[Mount]:
+    """The mount of each body; what touches nothing is said to stand on the floor, so that it is found to float.
+
+    Args:
+        room: with its walls.
+        bodies: all that is in it.
+        ceiling: whether the room's height is known, so that what touches its ceiling hangs from it. Where it is not,
+            lamps that touch nothing do.
+    """
     boxes = _boxes(bodies)
-    return [body.item.mount or _mount(room, body, index, boxes) for index, body in enumerate(bodies)]
+    return [body.item.mount or _mount(room, body, index, boxes, ceiling) for index, body in enumerate(bodies)]
 
 
 @dataclass(frozen=True)
@@ -44,15 +54,19 @@ def _boxes(bodies: Sequence[ItemBody]) -> _Boxes:
     return _Boxes(low, high, np.array([entry[2] for entry in found], dtype=np.int64))
 
 
-def _mount(room: Room, body: ItemBody, index: int, boxes: _Boxes) -> Mount:
+def _mount(room: Room, body: ItemBody, index: int, boxes: _Boxes, ceiling: bool) -> Mount:
     base, points = body.position[2], np.vstack(body.in_room)
     if base <= TOUCHING:
         return "floor"
+    if hangs(body.item.kind):
+        return "ceiling"
     if _rests_on_another(points, index, boxes):
         return "surface"
-    if abs(room.height - base - body.size[2]) <= TOUCHING:
+    if ceiling and abs(room.height - base - body.size[2]) <= TOUCHING:
         return "ceiling"
-    return "wall" if _touches_wall(room, points) else "floor"
+    if _touches_wall(room, points):
+        return "wall"
+    return "ceiling" if not ceiling and is_lamp(body.item.kind) and base >= OVERHEAD else "floor"
 
 
 def _rests_on_another(points: Array, index: int, boxes: _Boxes) -> bool:

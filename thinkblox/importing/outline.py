@@ -10,7 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.importing.document import Document, plain
 from thinkblox.importing.draft import Hole, RoomOutline
 from thinkblox.scene.room import Opening, Room, Wall
-from thinkblox.value import Vec2
+from thinkblox.value import Vec2, Vec3
 
 IN_WALL = 0.15
 """How far a hole's ends may be from the line of the wall that it is in [m]."""
@@ -18,13 +18,19 @@ LEAST = 0.05
 """Smallest width and height of an opening [m]."""
 
 
-def room_of(document: Document, outline: RoomOutline, *, height: float) -> tuple[Room, Vec2, tuple[str, ...]]:
-    """The room, by how much it was shifted to the origin, and what to say about it.
+def origin_of(outline: RoomOutline) -> Vec3:
+    """By how much a layout is shifted so that its floor's bounding box has its lowest corner at the origin [m]."""
+    x, y = (min((corner[axis] for corner in outline.corners), default=0.0) for axis in (0, 1))
+    return (-x, -y, -outline.level)
+
+
+def room_of(document: Document, outline: RoomOutline, *, height: float) -> tuple[Room, tuple[str, ...]]:
+    """The room, its floor at the origin, and what to say about it.
 
     Args:
         document: the file it stands in.
         outline: what the file says.
-        height: of the room where the file says none [m].
+        height: of the room [m].
 
     Raises:
         InputError: the floor is not one that a room can have; names file and JSON path.
@@ -32,27 +38,19 @@ def room_of(document: Document, outline: RoomOutline, *, height: float) -> tuple
     corners, notes = _counter_clockwise(_open(outline.corners))
     if len(corners) < 3:
         document.fail(outline.at, f"a floor of {len(corners)} corners; a room has at least 3")
-    shift = (-min(x for x, _ in corners), -min(y for _, y in corners))
-    floor = tuple((x + shift[0], y + shift[1]) for x, y in corners)
-    if outline.height is None:
-        notes.append(f"The room's height is not in the file; it was taken to be {height:g} m.")
+    if not 1.5 <= height <= 50.0:
+        document.fail(outline.at, f"a room {height:g} m high; it must be 1.5 to 50 m")
+    dx, dy, _ = origin_of(outline)
     try:
-        bare = Room(floor=floor, height=outline.height if outline.height is not None else height)
+        bare = Room(floor=tuple((x + dx, y + dy) for x, y in corners), height=height)
     except InputError as error:
         document.fail(outline.at, str(error))
-    _check_height(document, outline, bare)
     openings: list[Opening] = []
     for hole in outline.holes:
-        problem = _added(bare, openings, hole, shift)
+        problem = _added(bare, openings, hole, (dx, dy))
         if problem:
             notes.append(f"The {hole.kind} {plain(hole.name)!r} was left out: {problem}.")
-    return structs.replace(bare, openings=tuple(openings)), shift, tuple(notes)
-
-
-def _check_height(document: Document, outline: RoomOutline, room: Room) -> None:
-    """Constructing a value checks no bounds of its numbers; only decoding does."""
-    if not 1.5 <= room.height <= 50.0:
-        document.fail(outline.at, f"a room {room.height:g} m high; it must be 1.5 to 50 m")
+    return structs.replace(bare, openings=tuple(openings)), tuple(notes)
 
 
 def _open(corners: tuple[Vec2, ...]) -> tuple[Vec2, ...]:

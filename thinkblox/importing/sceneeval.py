@@ -15,8 +15,9 @@ Metres, z up. A transform maps the mesh file's own axes (glTF: y up, front +z) s
 applies it to the file as it is. A hole's x runs along the wall from the first of its points.
 
 A mesh is found by modelId less its prefix, where SceneEval keeps the collections: `<id>/<id>.glb`, `<id>/raw_model.obj`
-(3D-FUTURE), `glb/<i>/<id>.glb` (HSSD). The file holds no sizes, so without its mesh an object cannot be measured. The
-`up` and `front` columns of HSSD's fpmodels.csv are not read.
+(3D-FUTURE), `glb/<i>/<id>.glb` (HSSD). The file holds no sizes: without its mesh an object is the box of its record in
+the collection's annotations, or of a table of sizes, standing on the mesh's origin as those assets do. The `up` and
+`front` columns of HSSD's fpmodels.csv are not read.
 """
 
 from typing import Annotated, Any, Literal
@@ -26,9 +27,10 @@ from msgspec import Meta
 
 from thinkblox.importing.document import Document, Foreign, Metres
 from thinkblox.importing.draft import Hole, Item, LayoutDraft, RoomOutline
-from thinkblox.importing.frames import own_from_file
-from thinkblox.importing.library import Library
-from thinkblox.value import Vec2
+from thinkblox.importing.frames import OWN_FROM_Y_UP, own_from_file
+from thinkblox.importing.library import AssetRecord, Library
+from thinkblox.importing.sizes import size_in
+from thinkblox.value import Vec2, Vec3
 
 Number = Annotated[float, Meta(ge=-1e6, le=1e6)]
 Factor = Annotated[float, Meta(gt=0.0, le=1e4)]
@@ -167,19 +169,29 @@ def _item(document: Document, index: int, thing: _Object, unit: float, library: 
         kind=(record.kind if record else "") or "object",
         at=at,
         position=(x, y, z),
-        linear=file_to_room @ own_from_file(mesh).T if mesh else np.eye(3),
-        anchor="origin",
+        linear=file_to_room @ (own_from_file(mesh) if mesh else OWN_FROM_Y_UP).T,
+        anchor="origin" if mesh else "base",
+        size=None if mesh else size_in(library.sizes, model) or _recorded(thing.modelId, record),
         mesh=mesh,
         sought=thing.modelId,
     )
 
 
+def _recorded(model: str, record: AssetRecord | None) -> Vec3 | None:
+    """The size that a record gives: LayoutVLM's is z-up, with y along the front; objathor's y-up, with z along it."""
+    if record is None or record.box is None:
+        return None
+    x, y, z = record.box
+    return (y, x, z) if model.startswith("layoutvlm") else (z, x, y)
+
+
 def _check_meshes(document: Document, items: tuple[Item, ...]) -> None:
-    missing = [item for item in items if item.mesh is None]
+    missing = [item for item in items if item.mesh is None and item.size is None]
     if missing:
         names = ", ".join(item.sought for item in missing[:5]) + (" and more" if len(missing) > 5 else "")
         document.fail(
             missing[0].at,
             f"{len(missing)} of {len(items)} meshes were not found ({names}); a scene state holds no sizes, so they"
-            " cannot be replaced by boxes: name the folder of assets that has <id>/<id>.glb",
+            " cannot be replaced by boxes: name the folder of assets that has <id>/<id>.glb or annotations, or a table"
+            " of sizes",
         )

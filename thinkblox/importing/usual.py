@@ -1,9 +1,10 @@
 """What things usually measure and weigh, by the words that name them: the catalogue's ordinary sizes and masses."""
 
 import re
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 
-from thinkblox.assets.catalogue import CATALOGUE, revision
+from thinkblox.assets.catalogue import CATALOGUE, GENERAL_WORDS, phrases, revision
 from thinkblox.assets.category import Category
 from thinkblox.value import Vec3
 
@@ -11,8 +12,8 @@ DENSITY = 40.0
 """Of the bounding box of furniture that is not known [kg/m3]: published weights of used furniture give 24 to 61."""
 FRICTION = 0.5
 RUGS = frozenset({"rug", "carpet", "mat", "doormat", "runner", "rugs", "carpets"})
-RUG_HEIGHT = 0.05
-"""What is called a rug and is flatter than this is walked on [m]."""
+RUG_HEIGHT = 0.12
+"""What is called a rug and is no thicker than this is walked on [m]: generators give a carpet 0.10."""
 
 
 def words_of(kind: str) -> list[str]:
@@ -32,13 +33,35 @@ def usual(kind: str) -> Category | None:
 
 @lru_cache(maxsize=1024)
 def _usual(kind: str, revision: int) -> Category | None:
+    known = _by_words(revision)
+    return next((known[form] for form in _endings(kind) if form in known), None)
+
+
+@lru_cache(maxsize=4)
+def _by_words(revision: int) -> Mapping[str, Category]:
+    """The categories by their names and by all the words that mean them."""
+    called = {"_".join(words_of(phrase)): kind for kind in CATALOGUE.values() for phrase in phrases(kind)}
+    return called | dict(CATALOGUE)
+
+
+def _endings(kind: str) -> Iterator[str]:
+    """The last words of a name, the longest ending first, each as it is and without the ending of a plural."""
     words = words_of(kind)
     for start in range(len(words)):
         name = "_".join(words[start:])
-        for form in (name, name.removesuffix("s"), name.removesuffix("es")):
-            if form in CATALOGUE:
-                return CATALOGUE[form]
-    return None
+        yield from (name, name.removesuffix("s"), name.removesuffix("es"))
+
+
+def hangs(kind: str) -> bool:
+    """Whether such a thing hangs from the ceiling as a rule: a pendant lamp, a chandelier."""
+    category = usual(kind)
+    return category is not None and category.mount == "ceiling"
+
+
+def is_lamp(kind: str) -> bool:
+    """Whether it is called a lamp, of whatever kind."""
+    lamps = set(phrases(GENERAL_WORDS["any_lamp"]))
+    return any(form in lamps for form in _endings(kind))
 
 
 def usual_size(kind: str) -> Vec3 | None:
@@ -58,4 +81,4 @@ def usual_mass(kind: str, size: Vec3) -> float:
 
 def is_rug(kind: str, height: float) -> bool:
     """Whether it is walked on."""
-    return height < RUG_HEIGHT and bool(RUGS & set(words_of(kind)))
+    return height <= RUG_HEIGHT and bool(RUGS & set(words_of(kind)))

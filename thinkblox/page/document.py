@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
 
+from thinkblox.headline import headline
 from thinkblox.page.figures import figure, legend, patterns
 from thinkblox.page.markup import Markup, element, joined
 from thinkblox.page.tables import absent_table, moves_table, objects_table, relations_table, suite_section
@@ -107,11 +108,7 @@ def _outcome(report: Report) -> Markup:
     else:
         says = "All of it passes" if not suites else "Every object passes"
     details = [f"{things} measured."] if count else ["There is nothing in it."]
-    if report.simulated:
-        details.append(
-            f"With everything free for {report.simulated:g} s: moved {report.drift * 1000:.1f} mm at most, turned"
-            f" {report.tilt:.1f}°; deepest contact {report.depth * 1000:.2f} mm."
-        )
+    details += [f"{phrase[:1].upper()}{phrase[1:]}." for phrase in headline(report)]
     if report.suites:
         details.append(f"Suites failed: {', '.join(suites)}." if suites else "All suites passed.")
     passes = report.valid and not suites

@@ -44,6 +44,7 @@ def figure(picture: FaultPicture, rows: Mapping[str, int], cut_off: Collection[s
         "svg",
         *_bodies(picture.outlines, {badge.id for badge in picture.badges}, rows, cut_off),
         *(_mark(mark, rows) for mark in picture.marks),
+        *(_text(mark, rows) for mark in picture.marks if mark.text and mark.at is not None),
         *(_badge(badge, rows, cut_off) for badge in picture.badges),
         viewBox=f"{left:g} {top:g} {width:g} {height:g}", xmlns="http://www.w3.org/2000/svg", aria_hidden="true",
     )  # fmt: skip
@@ -103,9 +104,13 @@ def _mark(mark: Mark, rows: Mapping[str, int]) -> Markup:
         parts += _circle(mark.kind, x, y)
     if mark.arrow is not None:
         parts += _arrow(mark.kind, *mark.arrow)
-    if mark.text and mark.at is not None:
-        parts.append(element("text", mark.text, class_="figure-text", x=mark.at[0], y=mark.at[1]))
     return element("g", *parts, data_n=rows.get(mark.id))
+
+
+def _text(mark: Mark, rows: Mapping[str, int]) -> Markup:
+    """What a mark says, drawn over all the marks."""
+    x, y = mark.at or (0.0, 0.0)
+    return element("text", mark.text, class_="figure-text", x=x, y=y, data_n=rows.get(mark.id))
 
 
 def _circle(kind: Kind, x: float, y: float) -> list[Markup]:

@@ -1,9 +1,10 @@
 """HTML put together from elements, so that no text of a file that was read can be taken for markup."""
 
+import re
 from html import escape
 from unicodedata import category
 
-VOID = frozenset({"img", "meta", "br", "image", "circle", "path", "line", "polygon", "rect"})
+VOID = frozenset({"img", "wbr", "meta", "br", "image", "circle", "path", "line", "polygon", "rect"})
 """Elements that hold nothing; those of SVG are closed by a slash, which HTML ignores."""
 
 
@@ -35,6 +36,12 @@ def element(name: str, /, *children: str, **attributes: str | float | bool | Non
 def joined(*parts: str) -> Markup:
     """Parts one after the other."""
     return Markup("".join(part if isinstance(part, Markup) else escape(_printable(part)) for part in parts))
+
+
+def id_of(name: str) -> Markup:
+    """A name that may be broken after its underscores, dots, dashes, slashes and colons, and nowhere else."""
+    parts = re.split(r"(?<=[_.:/-])(?=[^_.:/-])", name)
+    return Markup("<wbr/>".join(joined(part) for part in parts))
 
 
 def _attribute(key: str, value: str | float | bool | None) -> str:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from thinkblox.page.markup import Markup, element
+from thinkblox.page.markup import Markup, element, id_of, joined
 from thinkblox.suite import Criterion, Finding, SuiteResult
 from thinkblox.verdict import Absence, MendingMove, RelationResult, Verdict
 
@@ -32,7 +32,7 @@ def row(head: str, cells: Iterable[Cell], *, before: Sequence[Cell] = (), **attr
     """A row whose heading names what it is about."""
     first = [element("td", content, class_=kind or None) for content, kind in before]
     rest = [element("td", content, class_=kind or None) for content, kind in cells]
-    return element("tr", *first, element("th", head, scope="row"), *rest, **attributes)
+    return element("tr", *first, element("th", id_of(head), scope="row"), *rest, **attributes)
 
 
 def objects_table(verdicts: Sequence[Verdict], numbers: Mapping[str, int], rows: Mapping[str, int]) -> Markup:
@@ -54,7 +54,8 @@ def objects_table(verdicts: Sequence[Verdict], numbers: Mapping[str, int], rows:
 def _object(verdict: Verdict, number: int | None, at: int) -> Markup:
     disc = element("span", str(number), class_="disc") if number is not None else Markup()
     why = str(verdict).removeprefix(f"{verdict.id}: ") if not verdict.valid else Markup()
-    carried = ", ".join(f"{s.by} {s.share:.0%}" for s in verdict.supports)
+    shares = [joined(id_of(s.by), f" {s.share:.0%}") for s in verdict.supports]
+    carried = Markup(", ".join(shares))
     cells = [(word(verdict.valid), ""), (why, "why"), *_measures(verdict), (carried, "")]
     return row(verdict.id, cells, before=[(disc, "")], id=f"object-{at}", data_n=at)
 
@@ -147,9 +148,9 @@ def moves_table(moves: Sequence[MendingMove]) -> Markup:
     columns = [("Object", ""), ("Result", ""), *((name, "number") for name in lengths), ("Because of", "")]
 
     def line(move: MendingMove) -> Markup:
-        says = element(
-            "span", "mended" if move.mended else "not mended", class_=f"word {'passes' if move.mended else 'fails'}"
-        )
+        far = f", needs {move.needs * 1000:.0f} mm" if move.needs is not None else ""
+        said = "mended" if move.mended else f"not mended{far}"
+        says = element("span", said, class_=f"word {'passes' if move.mended else 'fails'}")
         numbers = (move.distance * 1000, *(c * 1000 for c in move.by), move.turn)
         cells = [(f"{number:.1f}", "number") for number in numbers]
         return row(move.id, [(says, ""), *cells, (", ".join(r.replace("_", " ") for r in move.why), "")])
