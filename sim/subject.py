@@ -44,6 +44,7 @@ class Subject:
         substituted: ids of things that are boxes for want of a mesh.
         notes: what a reader should know of how it was read, in sentences.
         keyframe: whose controls and mocap poses hold at the start, None for the model's own.
+        robots: things that are there and are not judged.
     """
 
     model: mujoco.MjModel
@@ -56,6 +57,7 @@ class Subject:
     substituted: tuple[str, ...] = ()
     notes: tuple[str, ...] = field(default=())
     keyframe: int | None = None
+    robots: tuple[Thing, ...] = ()
 
     def data(self) -> mujoco.MjData:
         """A fresh state at the start, nothing moving, with everything computed that depends on it."""

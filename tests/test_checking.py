@@ -105,3 +105,74 @@ def test_a_model_is_not_mended_and_has_no_scene(tmp_path: Path) -> None:
         with pytest.raises(InputError):
             verify_file(file, reading)
     assert not (tmp_path / "scene.json").exists()
+
+
+SCENE = """<mujoco><worldbody><geom type="plane" size="9 9 1"/>
+<body name="arm" pos="0 0 1"><joint name="elbow"/>
+<geom type="capsule" size=".05" fromto="0 0 0 .5 0 0" mass="3"/></body>
+<body name="target_1" pos="3 0 .5"><freejoint/><geom size=".1"/></body>
+<body name="target_2" pos="4 0 .5"><freejoint/><geom size=".1"/></body>
+<body name="crate" pos="{x} 0 .95"><freejoint/><geom type="box" size=".05 .05 .95" mass="5"/></body>
+</worldbody></mujoco>"""
+
+
+def test_a_robot_stands_still_and_what_is_excluded_is_not_there(tmp_path: Path) -> None:
+    file = tmp_path / "room.xml"
+    file.write_text(SCENE.format(x=2))
+    assert {v.id for v in verify_file(file).objects if not v.valid} == {"target_1", "target_2"}
+    report = verify_file(file, VerifyOptions(exclude=("target*",), robot=("arm",)))
+    assert [v.id for v in report.objects] == ["crate"]
+    assert report.valid
+    assert report.notes[:2] == (
+        "Left out as asked: target_1, target_2.",
+        "Held where it starts, as a robot: arm.",
+    )
+    assert not any("Joints moved" in note or "Armature" in note for note in (*report.notes, *report.unusual))
+
+
+def test_what_stands_in_a_robot_collides_with_it_by_its_name(tmp_path: Path) -> None:
+    file = tmp_path / "room.xml"
+    file.write_text(SCENE.format(x=0.5))
+    (crate,) = verify_file(file, VerifyOptions(exclude=("target*",), robot=("arm",))).objects
+    assert [c.other for c in crate.collisions] == ["arm"]
+    (alone,) = verify_file(file, VerifyOptions(exclude=("target*", "arm"))).objects
+    assert alone.collisions == ()
+    assert alone.valid
+
+
+def test_a_robot_is_not_opened_by_a_suite(tmp_path: Path) -> None:
+    file = tmp_path / "room.xml"
+    file.write_text(SCENE.format(x=2))
+    report = verify_file(file, VerifyOptions(robot=("arm",), suites=("molmospaces",)))
+    found = {f.object for criterion in report.suites[0].criteria for f in criterion.findings}
+    assert not found & {"arm", "elbow"}
+
+
+def test_a_name_that_is_not_there_lists_what_is(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "room.xml"
+    file.write_text(SCENE.format(x=2))
+    assert main(["verify", str(file), "--robot", "panda", "--exclude", "arm"]) == 2
+    said = capsys.readouterr().err
+    assert 'nothing in the model is called "panda"; there are arm, target_1, target_2, crate' in said
+
+
+def test_a_root_widens_what_a_model_may_name(tmp_path: Path) -> None:
+    (tmp_path / "models").mkdir()
+    (tmp_path / "part.xml").write_text("<mujocoinclude><option timestep='0.001'/></mujocoinclude>")
+    file = tmp_path / "models" / "room.xml"
+    file.write_text(FALLING.format(z=0.2).replace("<worldbody>", '<include file="../part.xml"/><worldbody>'))
+    assert main(["verify", str(file)]) == 2
+    assert main(["verify", str(file), "--root", str(tmp_path)]) == 0
+    assert main(["verify", str(file), "--root", str(tmp_path / "nowhere")]) == 2
+
+
+def test_options_of_models_are_refused_for_scenes(room: Path) -> None:
+    with pytest.raises(InputError, match="--robot are for models"):
+        verify_file(room, VerifyOptions(robot=("crate_1",)))
+
+
+def test_the_models_in_a_folder_are_listed(tmp_path: Path) -> None:
+    for name in ("a.xml", "b.urdf", "notes.txt"):
+        (tmp_path / name).write_text("x")
+    with pytest.raises(InputError, match=r"to be measured: there are a\.xml, b\.urdf$"):
+        verify_file(tmp_path)

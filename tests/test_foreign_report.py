@@ -101,7 +101,8 @@ def test_what_falls_drops(tmp_path: Path) -> None:
 
 
 def test_what_falls_for_ever_is_unsupported_too(tmp_path: Path) -> None:
-    verdict = of(reported(tmp_path, mjcf(crate("a", "0 0 .15"), floor="")), "a")
+    beside = '<geom type="plane" size="1 1 .1" pos="0 0 -99"/>'
+    verdict = of(reported(tmp_path, mjcf(crate("a", "0 0 .15"), floor=beside)), "a")
     assert verdict.reasons == ("unsupported", "drop")
     assert verdict.drop == pytest.approx(9.81 / 2, rel=0.01)
     assert verdict.rest is None

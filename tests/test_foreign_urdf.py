@@ -27,9 +27,13 @@ def joint(parent: str, child: str, kind: str = "fixed", more: str = "") -> str:
 
 
 def opened(folder: Path, *parts: str) -> Subject:
+    return open_model(written(folder, *parts))
+
+
+def written(folder: Path, *parts: str) -> Path:
     file = folder / "model.urdf"
     file.write_text(f'<robot name="model">{"".join(parts)}</robot>')
-    return open_model(file)
+    return file
 
 
 def names(subject: Subject) -> list[str]:
@@ -139,7 +143,7 @@ MESH = '<link name="a"><collision><geometry><mesh filename="{}"/></geometry></co
         (f"<robot>{link('a')}{link('b')}{joint('a', 'b')}{joint('b', 'a')}</robot>", "hang in a circle"),
         (f"<robot>{link('a')}{joint('a', 'c')}</robot>", "URDF joint parent or child missing"),
         (f"<robot>{link('a')}{link('a')}</robot>", "repeated URDF name"),
-        (f"<robot>{link('a')}{link('b', '')}{joint('a', 'b', 'revolute')}</robot>", "a link that moves needs a mass"),
+        (f"<robot>{link('a', INERTIAL.replace('2', '1e-99', 1) + SHAPE)}</robot>", "a link that moves needs a mass"),
         (f"<robot>{link('a', SHAPE.replace('1 1 1', '1 nan 1'))}</robot>", '<box>: size="1 nan 1" is not a number'),
         (f"<robot>{link('a', SHAPE.replace('1 1 1', '1 0 1'))}</robot>", "must be positive"),
         (f"<robot>{MESH.format('package://p/m.stl')}</robot>", '<mesh> names "m.stl", which is not in'),
@@ -158,3 +162,68 @@ def test_a_bad_urdf_is_refused_with_a_reason(tmp_path: Path, text: str, says: st
         open_model(file)
     assert says in str(caught.value)
     assert "robot.urdf" in str(caught.value)
+
+
+def inertial(mass: float, *moments: float, products: float = 0.0) -> str:
+    ixx, iyy, izz = moments
+    return (
+        f'<inertial><mass value="{mass}"/><inertia ixx="{ixx}" iyy="{iyy}" izz="{izz}" ixy="{products}" ixz="0"'
+        ' iyz="0"/></inertial>'
+    )
+
+
+def test_an_inertia_that_no_body_has_is_balanced_by_the_least(tmp_path: Path) -> None:
+    subject = opened(tmp_path, link("a", inertial(2, 0.1, 0.2, 0.5) + SHAPE))
+    assert subject.model.body_inertia[1] == pytest.approx([0.5, 0.3, 0.2], rel=1e-5)
+    assert any(note.startswith("No body has the inertia of a: the two smaller moments") for note in subject.notes)
+
+
+def test_a_tensor_that_is_turned_is_balanced_along_its_axes(tmp_path: Path) -> None:
+    subject = opened(tmp_path, link("a", inertial(2, 0.3, 0.3, 0.9, products=0.1) + SHAPE))
+    assert sorted(subject.model.body_inertia[1]) == pytest.approx([0.35, 0.55, 0.9], rel=1e-5)
+
+
+@pytest.mark.parametrize("moments", [(0, 0, 0), (1, 1, 0), (1, 1, -1)])
+def test_an_inertia_that_is_zero_or_less_is_that_of_a_ball_of_water(tmp_path: Path, moments: tuple[float, ...]) -> None:
+    subject = opened(tmp_path, link("a", inertial(1, *moments) + SHAPE))
+    radius = (3 / (4000 * 3.14159265)) ** (1 / 3)
+    assert subject.model.body_inertia[1] == pytest.approx([0.4 * radius**2] * 3, rel=1e-5)
+    assert any("The inertia of a is that of a ball of water" in note for note in subject.notes)
+
+
+def test_a_link_between_two_joints_that_weighs_nothing_is_given_a_gram(tmp_path: Path) -> None:
+    axis = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
+    parts = joint("a", "cross", "revolute", axis), joint("cross", "b", "revolute", axis)
+    subject = opened(tmp_path, link("a"), link("cross", ""), link("b"), *parts)
+    assert subject.model.body("cross").mass[0] == 0.001
+    assert any("cross was given 0.001 kg" in note for note in subject.notes)
+    assert names(subject) == ["a", "cross", "b"]
+
+
+def test_a_root_of_no_mass_is_fixed_as_bullet_reads_it(tmp_path: Path) -> None:
+    subject = opened(tmp_path, link("table", inertial(0, 0, 0, 0) + SHAPE))
+    assert [(t.id, t.free) for t in subject.things] == [("table", False)]
+    assert any("The root link table has the mass 0, so it is fixed" in note for note in subject.notes)
+
+
+def test_a_fixed_base_is_held_and_needs_no_floor(tmp_path: Path) -> None:
+    file = written(tmp_path, link("base"), link("arm"), joint("base", "arm"))
+    assert open_model(file).things[0].free
+    subject = open_model(file, fixed_base=True)
+    assert not subject.things[0].free
+    assert subject.model.ngeom == 2
+    assert not any("stands free" in note for note in subject.notes)
+
+
+def test_numbers_that_are_one_too_many_and_what_is_said_twice_are_passed_over(tmp_path: Path) -> None:
+    axes = '<axis xyz="0 0 1"/><axis xyz="0 1 0"/><origin xyz="0 0 1" rpy="0 0 0 0"/>'
+    limit = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
+    subject = opened(tmp_path, link("a"), link("b"), joint("a", "b", "revolute", axes + limit))
+    assert subject.model.jnt_axis[1].tolist() == [0, 0, 1]
+    assert any("more than 3 numbers" in note for note in subject.notes)
+    assert any("The joint a_b says something twice" in note for note in subject.notes)
+
+
+def test_an_error_of_the_engine_names_the_line_of_the_urdf(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"Element 'axis' at model\.urdf:3"):
+        opened(tmp_path, link("a"), link("b"), joint("a", "b", "revolute", "\n\n<axis xyz='0 x 1'/>"))

@@ -96,7 +96,11 @@ def test_what_another_thing_blocks_already_is_not_the_fault_of_the_next() -> Non
 def test_light_things_are_pushed_aside_and_named() -> None:
     kind, stool = chest(), asset("stool", (0.3, 0.3, 0.45), mass=4.0)
     here, before = put(kind, 2.0, 2.0), put(stool, 2.46, 2.0)
-    assert swings(scene(None, (before, stool)), here, kind) == ()
+    (aside,) = swings(scene(None, (before, stool)), here, kind)
+    assert (aside.opens, aside.hits) == (1.0, ("stool_1",))
+    assert [p.other for p in aside.pushes] == ["stool_1"]
+    assert aside.pushes[0].force == pytest.approx(stool.friction * 4.0 * 9.81, abs=0.01)
+    assert str(aside) == "front of chest_1 (100%, pushes stool_1 aside with 24 N)"
     assert swings(scene(None, (here, kind)), before, stool) == ()
     further = scene(None, (before, stool), (put(BLOCK, 2.65, 2.0), BLOCK))
     assert swings(further, here, kind)[0].hits == ("stool_1", "block_1")
@@ -231,3 +235,10 @@ def depth_at(room: Scene, link: Link, share: float) -> float:
     hits = np.sort(bodies, axis=1) == sorted((moved, other))
     depths = -data.contact.dist[hits.all(axis=1)]
     return float(depths.max(initial=0.0))
+
+
+def test_what_is_pushed_aside_weighs_what_stands_on_it_too() -> None:
+    kind, stool, cup = chest(), asset("stool", (0.3, 0.3, 0.45), mass=4.0), asset("cup", (0.1, 0.1, 0.1), mass=2.0)
+    here, before, on = put(kind, 2.0, 2.0), put(stool, 2.46, 2.0), put(cup, 2.46, 2.0, 0.45, on="stool_1")
+    (aside,) = swings(scene(None, (before, stool), (on, cup)), here, kind)
+    assert aside.pushes[0].force == pytest.approx(stool.friction * 6.0 * 9.81, abs=0.01)

@@ -139,6 +139,23 @@ def test_joints_without_limits_are_exempt() -> None:
     assert of(result, "solver_warnings").passed
 
 
+def test_a_joint_without_limits_that_moves_fails_as_in_the_source() -> None:
+    world = '<body name="arm"><joint name="elbow" type="hinge" axis="0 1 0"/><geom pos="0.3 0 0" size="0.1"/></body>'
+    drift = of(molmo(world), "joint_drift")
+    assert failures(drift) == {"elbow"}
+    assert "its range has no end, and it moved by" in drift.findings[0].note
+
+
+def test_a_body_on_six_slides_and_hinges_is_watched_as_a_free_one() -> None:
+    joints = "".join(
+        f'<joint type="{kind}" axis="{axis}"/>' for kind in ("slide", "hinge") for axis in ("1 0 0", "0 1 0", "0 0 1")
+    )
+    world = f'<body name="a" pos="0 0 0.1">{joints}<geom type="box" size="0.1 0.1 0.1" mass="50" condim="1"/></body>'
+    result = molmo(FLOOR + world, SLIPPERY.format(0.008))
+    assert failures(of(result, "body_drift")) == {"a"}
+    assert of(result, "lift").passed is None
+
+
 def test_what_blows_up_fails_and_is_named() -> None:
     result = molmo(FLOOR + free_box("bystander", "2 0 0.1") + EXPLODING)
     drift = of(result, "body_drift")

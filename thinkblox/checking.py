@@ -22,6 +22,8 @@ MODELS = ("mjcf", "urdf")
 MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
 MOST_MOVE = 100.0
 """How far --fix can be told to move things [m]."""
+LISTED = 5
+"""So many of the files in a folder are named in a message."""
 TIMEOUT = 600.0
 """How long the measuring of a foreign file may take unless told otherwise [s]."""
 
@@ -43,6 +45,10 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
         max_move: how far anything is moved at most [m]; None for the usual.
         out: file to which the scene is written, as our scene.json; None to write none.
         page: HTML file to write; None for none.
+        root: folder in which all files lie that a model names; None for the model's own, or its package's.
+        fixed_base: hold the root links of a URDF to the world.
+        exclude: names of things of a model, or patterns such as "target*", that are left out of it.
+        robot: names or patterns of things of a model that are robots: they stay where they are, and are not judged.
     """
 
     format: str | None = None
@@ -58,6 +64,10 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     max_move: float | None = None
     out: str | None = None
     page: str | None = None
+    root: str | None = None
+    fixed_base: bool = False
+    exclude: tuple[str, ...] = ()
+    robot: tuple[str, ...] = ()
 
 
 def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeout: float = TIMEOUT) -> Report:
@@ -69,7 +79,7 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
     Args:
         path: a scene.json or the folder that holds one, an MJCF or URDF file, or a layout.
         reading: how it is read, and what is made of it.
-        timeout: how long a foreign file may take [s].
+        timeout: how long a foreign file may take, not counting the start of its process [s].
 
     Raises:
         InputError: it cannot be read, or takes too long; says what was wrong, where, and what to do.
@@ -77,6 +87,8 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
     path, reading = Path(path), reading or VerifyOptions()
     _check_names(reading)
     kind = _format_of(path, reading.format)
+    if kind not in MODELS and (reading.root or reading.fixed_base or reading.exclude or reading.robot):
+        raise InputError(f"{path}: --root, --fixed-base, --exclude and --robot are for models, which are MJCF or URDF")
     if kind == OURS:
         return _measured(str(path), kind, reading)
     from thinkblox.sim.workers.guard import guarded
@@ -104,7 +116,7 @@ def _format_of(path: Path, wanted: str | None) -> str:
         return wanted
     if path.is_dir():
         if not (path / "scene.json").is_file():
-            raise InputError(f"{path}: holds no scene.json; name the file in it that is to be measured")
+            raise InputError(f"{path}: holds no scene.json; name the file in it that is to be measured{_models(path)}")
         return OURS
     if not path.exists():
         raise InputError(f"{path}: there is no such file")
@@ -116,6 +128,13 @@ def _format_of(path: Path, wanted: str | None) -> str:
         f"{path}: {path.suffix or 'a file without suffix'} is not read; scenes and layouts are .json,"
         f" models are {', '.join(MODEL_SUFFIXES)}"
     )
+
+
+def _models(folder: Path) -> str:
+    """What there is in a folder that could be meant."""
+    found = sorted(p.name for p in folder.iterdir() if p.suffix.lower() in (*MODEL_SUFFIXES, ".json") and p.is_file())
+    more = f" and {len(found) - LISTED} more" if len(found) > LISTED else ""
+    return f": there are {', '.join(found[:LISTED])}{more}" if found else ""
 
 
 class _Floor(msgspec.Struct):
@@ -167,9 +186,7 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
     if format == OURS:
         return subject_of(load_scene(path)), (), ()
     if format in MODELS:
-        from thinkblox.sim.foreign.opening import open_model
-
-        return open_model(path), (), ()
+        return _model(path, reading), (), ()
     from thinkblox.importing import read_layout
 
     layout = read_layout(
@@ -184,6 +201,15 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
     )
     subject = subject_of(layout.scene, source=layout.format, substituted=layout.substituted)
     return subject, layout.notes, layout.unplaced
+
+
+def _model(path: Path, reading: VerifyOptions) -> "Subject":
+    from thinkblox.sim.foreign.opening import open_model
+
+    root = None if reading.root is None else Path(reading.root)
+    if root is not None and not root.is_dir():
+        raise InputError(f"{root}: there is no such folder to read a model's files from")
+    return open_model(path, folder=root, fixed_base=reading.fixed_base, exclude=reading.exclude, robots=reading.robot)
 
 
 def _report(subject: "Subject") -> Report:

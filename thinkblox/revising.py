@@ -84,7 +84,7 @@ def _blocked(scene: Scene, failed: Sequence[tuple[Proposal, Verdict]]) -> Iterat
     seen: set[str] = set()
     for proposal, verdict in failed:
         others = {c.other for c in verdict.collisions} or {
-            id for swing in verdict.swings for id in (swing.of, *swing.hits) if id != verdict.id
+            id for swing in verdict.swings if swing.opens < 1.0 for id in (swing.of, *swing.hits) if id != verdict.id
         }
         there = [id for id in others if id in scene]
         if len(there) != 1 or not set(verdict.reasons) <= MENDED or there[0] in seen:

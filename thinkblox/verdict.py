@@ -50,6 +50,13 @@ class Push(Measurement, frozen=True, kw_only=True):
     distance: float
 
 
+class PushedAside(Measurement, frozen=True, kw_only=True):
+    """What a door or drawer pushes aside on its way, and the force that slides it with all that it carries [N]."""
+
+    other: str
+    force: float
+
+
 class Swing(Measurement, frozen=True, kw_only=True):
     """How far a door or drawer opens.
 
@@ -58,12 +65,22 @@ class Swing(Measurement, frozen=True, kw_only=True):
         link: its name in the asset.
         opens: share of its range that is free, 0 to 1.
         hits: what ends it, or is pushed aside on the way: ids and names of walls.
+        pushes: those of them that are pushed aside: what is free and light (`Walking.movable`).
     """
 
     of: str
     link: str
     opens: float
     hits: tuple[str, ...] = ()
+    pushes: tuple[PushedAside, ...] = ()
+
+    def __str__(self) -> str:
+        """Such as "door of wardrobe_1 (27%, hits wall, pushes chair_1 aside with 18 N)"."""
+        aside = {push.other: push.force for push in self.pushes}
+        ends = ", ".join(other for other in self.hits if other not in aside)
+        pushes = ", ".join(f"{other} aside with {force:.0f} N" for other, force in aside.items())
+        facts = [f"{self.opens:.0%}", ends and f"hits {ends}", pushes and f"pushes {pushes}"]
+        return f"{self.link} of {self.of} ({', '.join(fact for fact in facts if fact)})"
 
 
 class Unmet(Value, frozen=True, kw_only=True):
@@ -98,7 +115,8 @@ class Verdict(Measurement, frozen=True, kw_only=True):
         rest: when it came to rest in the settle [s]; None when it did not, or no settle was run.
         settled_pose: where the settle left it; None when none was run, or it did not come to rest.
         pushed: what it moved while settling, furthest first.
-        swings: doors and drawers that do not open through all of their range, its own and those it is in the way of.
+        swings: its own doors and drawers that do not open through all of their range, or only by pushing something
+            aside, and those of others that it keeps from opening so far.
         blocked: ids of the openings it stands in the way of, or of the objects it cuts off.
         reachable: whether the robot of `Report.robot` comes within reach of it from a door; None where that was not
             measured, or for what does not stand on the floor.
@@ -153,7 +171,7 @@ class Verdict(Measurement, frozen=True, kw_only=True):
 
     def _explain(self, reason: Reason) -> str:
         blocked = ", ".join(self.blocked)
-        shut = ", ".join(f"{s.link} of {s.of} ({s.opens:.0%}, hits {', '.join(s.hits)})" for s in self.swings)
+        shut = ", ".join(str(swing) for swing in self.swings if swing.opens < 1.0)
         texts: dict[Reason, str] = {
             "collision": "collides with "
             + ", ".join(

@@ -1,22 +1,27 @@
-"""How much geometry and how many pixels a model's files hold, read off their headers before anything is loaded."""
+"""The files that a model names, with how much geometry and how many pixels they hold by their headers."""
 
 import struct
+from collections.abc import Mapping
 from pathlib import Path
 
 from thinkblox.errors import InputError
+from thinkblox.sim.foreign.local_files import read_limited
 
 LARGEST_MESH, LARGEST_OTHER = 2**30, 2**28
 """Of one mesh file, and of one texture, height field or skin [bytes]."""
 MOST_TRIANGLES = 5_000_000
 """Of one mesh."""
+MOST_TRIANGLES_IN_ALL = 20_000_000
+LARGEST_IN_ALL = 2**31
+"""Of all files that a model names [bytes]."""
 MOST_PIXELS = 100_000_000
 """Of one picture, be it a file or made by the engine."""
 MESH_KINDS = (".stl", ".obj", ".msh")
-_CHUNK = 2**24
+PNG, KTX = b"\x89PNG\r\n\x1a\n", b"\xabKTX 11\xbb\r\n\x1a\n"
 
 
-def check_mesh(path: Path, where: object) -> int:
-    """The number of triangles of a mesh file, 0 where the file does not say.
+def read_mesh(path: Path, where: object) -> tuple[bytes, int]:
+    """The bytes of a mesh file and the number of its triangles, 0 where the file does not say.
 
     Args:
         path: of an existing file.
@@ -31,64 +36,72 @@ def check_mesh(path: Path, where: object) -> int:
             f'{where}: the mesh "{path.name}" is of a kind that MuJoCo does not read: convert it to OBJ, binary STL or'
             " MSH."
         )
-    _check_size(path, where, LARGEST_MESH)
-    triangles = {".stl": _stl, ".obj": _obj, ".msh": _msh}[kind](path)
+    data = _read(path, where, LARGEST_MESH)
+    triangles = {".stl": _stl, ".obj": _obj, ".msh": _msh}[kind](data)
     if triangles > MOST_TRIANGLES:
         raise InputError(
             f'{where}: the mesh "{path.name}" has {triangles} triangles; at most {MOST_TRIANGLES} are read: simplify'
             " it."
         )
-    return triangles
+    return data, triangles
 
 
-def check_other(path: Path, where: object) -> None:
-    """See that a texture, height field or skin is not too large; raises InputError when it is."""
-    _check_size(path, where, LARGEST_OTHER)
-    width, height = _png_size(path)
+def check_amount(path: Path, triangles: int, data: Mapping[str, bytes]) -> None:
+    """See that the files of one model are not too much together.
+
+    Args:
+        path: of the model, for messages.
+        triangles: of all its meshes.
+        data: of all its files.
+
+    Raises:
+        InputError: they are.
+    """
+    if sum(map(len, data.values())) > LARGEST_IN_ALL:
+        raise InputError(f"{path}: its files have more than {LARGEST_IN_ALL // 2**20} MiB together.")
+    if triangles > MOST_TRIANGLES_IN_ALL:
+        raise InputError(f"{path}: its meshes have {triangles} triangles together; at most {MOST_TRIANGLES_IN_ALL}.")
+
+
+def read_other(path: Path, where: object) -> bytes:
+    """The bytes of a texture, height field or skin; raises InputError when it is too large."""
+    data = _read(path, where, LARGEST_OTHER)
+    width, height = _png_size(data)
     if width * height > MOST_PIXELS:
         raise InputError(f'{where}: the picture "{path.name}" has {width} x {height} pixels; at most {MOST_PIXELS}.')
+    return data
 
 
-def _check_size(path: Path, where: object, largest: int) -> None:
-    size = path.stat().st_size
-    if size > largest:
-        raise InputError(f'{where}: "{path.name}" has {size / 2**20:.0f} MiB; at most {largest // 2**20} MiB are read.')
-    if size == 0:
+def is_picture(data: bytes) -> bool:
+    """Whether the engine reads a file as a texture: PNG and KTX."""
+    return data.startswith((PNG, KTX))
+
+
+def _read(path: Path, where: object, largest: int) -> bytes:
+    data = read_limited(path, where, largest)
+    if not data:
         raise InputError(f'{where}: the file "{path.name}" is empty.')
+    return data
 
 
-def _stl(path: Path) -> int:
+def _stl(data: bytes) -> int:
     """Binary STL: 80 bytes of text, then the number of triangles."""
-    header = _head(path, 84)
-    return int(struct.unpack_from("<I", header, 80)[0]) if len(header) == 84 and header[:6] != b"solid " else 0
+    return int(struct.unpack_from("<I", data, 80)[0]) if len(data) >= 84 and data[:6] != b"solid " else 0
 
 
-def _msh(path: Path) -> int:
+def _msh(data: bytes) -> int:
     """MuJoCo's own format: the numbers of vertices, normals, texture coordinates and faces; Gmsh's does not say."""
-    header = _head(path, 16)
-    known = len(header) == 16 and not header.startswith(b"$MeshFormat")
-    return max(0, struct.unpack("<4i", header)[3]) if known else 0
+    known = len(data) >= 16 and not data.startswith(b"$MeshFormat")
+    return max(0, struct.unpack_from("<4i", data)[3]) if known else 0
 
 
-def _obj(path: Path) -> int:
+def _obj(data: bytes) -> int:
     """Wavefront OBJ: lines that begin with "f"; a polygon counts as one."""
-    count, last = 0, b"\n"
-    with path.open("rb") as file:
-        while chunk := file.read(_CHUNK):
-            block = last + chunk
-            count += block.count(b"\nf ")
-            last = block[-2:]
-    return count
+    return data.count(b"\nf ") + data.startswith(b"f ")
 
 
-def _png_size(path: Path) -> tuple[int, int]:
-    header = _head(path, 24)
-    if len(header) < 24 or not header.startswith(b"\x89PNG\r\n\x1a\n"):
+def _png_size(data: bytes) -> tuple[int, int]:
+    if len(data) < 24 or not data.startswith(PNG):
         return 0, 0
-    width, height = struct.unpack(">II", header[16:24])
+    width, height = struct.unpack(">II", data[16:24])
     return width, height
-
-
-def _head(path: Path, count: int) -> bytes:
-    with path.open("rb") as file:
-        return file.read(count)

@@ -1,7 +1,8 @@
-"""Files that a model names: found where the engine would look for them, and never outside the model's own folder."""
+"""Files that a model names: found where the engine would look for them, never outside a folder, and read once."""
 
 import os
 import re
+import stat
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -9,6 +10,9 @@ from thinkblox.errors import InputError
 
 _LISTED = 5
 _ABSOLUTE = re.compile(r"^(/|[A-Za-z][A-Za-z0-9+.-]*:)")
+
+
+WIDEN = "only files inside it are read. Name a folder that holds them all with --root."
 
 
 def is_absolute(text: str) -> bool:
@@ -19,7 +23,7 @@ def is_absolute(text: str) -> bool:
 def locate(text: str, where: object, *, bases: Iterable[Path], folder: Path) -> Path:
     """The file that a relative path names.
 
-    Links are followed; only what the paths themselves say is judged.
+    Neither the path itself nor a symbolic link on it may lead out of the folder.
 
     Args:
         text: the path as written.
@@ -36,14 +40,38 @@ def locate(text: str, where: object, *, bases: Iterable[Path], folder: Path) -> 
     candidates = [Path(os.path.normpath(base / text.replace("\\", "/"))) for base in bases]
     inside = [candidate for candidate in candidates if candidate.is_relative_to(folder)]
     if not inside or any(path.is_file() for path in candidates if path not in inside):
-        raise InputError(
-            f'{where} names "{text}", which leaves the folder {folder}: only files inside it are read. Move the'
-            " file in, or the model up."
-        )
+        raise InputError(f'{where} names "{text}", which leaves the folder {folder}: {WIDEN}')
     for candidate in inside:
         if candidate.is_file():
+            if not candidate.resolve().is_relative_to(folder.resolve()):
+                raise InputError(f'{where} names "{text}", a link that leaves the folder {folder}: {WIDEN}')
             return candidate
     raise InputError(f'{where} names "{text}", which is not in {_folders(inside)}.{_instead(inside)}')
+
+
+def read_limited(path: Path, where: object, largest: int) -> bytes:
+    """The bytes of a file, read once.
+
+    Args:
+        path: of the file.
+        where: what names it, for messages.
+        largest: more is refused [bytes].
+
+    Raises:
+        InputError: it is missing, no ordinary file (a device, a pipe, a folder), unreadable or too large.
+    """
+    try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise InputError(f'{where}: cannot be read: "{path.name}" is no ordinary file.')
+        with path.open("rb") as file:
+            size = max(os.fstat(file.fileno()).st_size, 0)
+            data = file.read(largest + 1) if size <= largest else b""
+    except (OSError, ValueError) as error:
+        raise InputError(f"{where}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
+    size = max(size, len(data))
+    if size > largest:
+        raise InputError(f'{where}: "{path.name}" has {size / 2**20:.0f} MiB; at most {largest // 2**20} MiB are read.')
+    return data
 
 
 def _folders(candidates: list[Path]) -> str:

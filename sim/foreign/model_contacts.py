@@ -21,7 +21,7 @@ _FLAT = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
 
 
 class ModelContacts:
-    """The contacts of a subject, between owners: its things, by their index, and after them the world's own geoms.
+    """The contacts of a subject, between owners: its things, by their index, its robots, and the world's own geoms.
 
     Attributes:
         names: of the owners; geoms of the world by the part of their name before "/", as walls are cut to pieces so.
@@ -31,14 +31,15 @@ class ModelContacts:
 
     def __init__(self, subject: Subject) -> None:
         self._model, self._count = subject.model, len(subject.things)
-        thing_of = {body: number for number, thing in enumerate(subject.things) for body in thing.bodies}
+        known = (*subject.things, *subject.robots)
+        thing_of = {body: number for number, thing in enumerate(known) for body in thing.bodies}
         world: dict[str, int] = {}
         owners = []
         for geom, body in enumerate(subject.model.geom_bodyid.tolist()):
             name = _world_name(subject.model, geom)
-            owners.append(thing_of[body] if body in thing_of else self._count + world.setdefault(name, len(world)))
+            owners.append(thing_of[body] if body in thing_of else len(known) + world.setdefault(name, len(world)))
         self.of_geom: Ints = np.array(owners, dtype=np.int64)
-        self.names = (*(thing.id for thing in subject.things), *world)
+        self.names = (*(thing.id for thing in known), *world)
         self._of_flex = _flex_owners(subject.model, thing_of)
         self.touchable = colliding(subject.model)
         self.cut = False

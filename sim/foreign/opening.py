@@ -1,7 +1,9 @@
 """Any MJCF or URDF as a Subject: looked through, compiled with its own options, and divided into things."""
 
 import warnings
+from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 import mujoco
@@ -9,8 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
-from thinkblox.sim.engine_errors import ENGINE_ERRORS, said
-from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, MjcfFiles, check_mjcf, too_many
+from thinkblox.sim.engine_errors import ENGINE_ERRORS
+from thinkblox.sim.foreign.aside import set_aside
+from thinkblox.sim.foreign.floors import add_floor, floor_height
+from thinkblox.sim.foreign.mjcf import mjcf_spec, plain_note, refusal
+from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, too_many
 from thinkblox.sim.foreign.things import things_of
 from thinkblox.sim.foreign.unusual import unusual_options
 from thinkblox.sim.foreign.urdf import urdf_spec
@@ -30,7 +35,23 @@ class _FoundError(Exception):
     """Ends the reading of a file at its first element."""
 
 
-def open_model(path: Path, *, folder: Path | None = None) -> Subject:
+@dataclass(frozen=True)
+class _Read:
+    """A file as the engine's spec, notes on how it was read, and what to say when the engine refuses it."""
+
+    spec: mujoco.MjSpec
+    notes: tuple[str, ...]
+    refused: Callable[[BaseException], str]
+
+
+def open_model(
+    path: Path,
+    *,
+    folder: Path | None = None,
+    fixed_base: bool = False,
+    exclude: Sequence[str] = (),
+    robots: Sequence[str] = (),
+) -> Subject:
     """Read an MJCF or URDF file as something to be measured; which of the two it is, its root element says.
 
     The model keeps its own options. Its things are the children of the world with all that hangs on them; a child
@@ -38,24 +59,36 @@ def open_model(path: Path, *, folder: Path | None = None) -> Subject:
     from its keyframe "settled", or else its only keyframe, or else its reference pose, at rest in any case.
     What is done to a URDF is said at `urdf_spec`.
 
+    Where something free has nothing under it, a floor is put under the whole. Robots are not furniture: they are held
+    where they start, and nothing is said of them but what else touches them.
+
     The file comes from anywhere: see `guarded` for reading it in a process of its own.
 
     Args:
         path: of the file.
         folder: what no named file may lie outside of; the file's own folder (of a URDF, its package's) unless told
             otherwise.
+        fixed_base: hold the root links of a URDF to the world.
+        exclude: names of things, or patterns such as "target*", that are left out: nothing touches them.
+        robots: names or patterns of things that are robots.
 
     Raises:
         InputError: it cannot be read or is refused; names file, line and element where they are known.
     """
     path = Path(path)
     kind = kind_of(path)
+    if fixed_base and kind != "urdf":
+        raise InputError(f"{path}: --fixed-base is for URDF; an MJCF says by its joints what is fixed.")
+    if folder is not None and not path.absolute().is_relative_to(folder.absolute()):
+        raise InputError(f"{path}: is not in the folder {folder}, so nothing that it names would be read.")
     with quiet_engine(), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        model, notes = _mjcf(path, folder) if kind == "mjcf" else _urdf(path, folder)
-    _check_model(path, model)
-    things = things_of(model)
-    if not things:
+        read = _mjcf(path, folder) if kind == "mjcf" else _urdf(path, folder, fixed_base)
+        model = _compiled(read)
+        _check_model(path, model)
+        model, floor = _floored(path, read, model)
+    sorted_out = set_aside(path, model, things_of(model), exclude=exclude, robots=robots)
+    if not sorted_out.things:
         raise InputError(
             f"{path}: the model has no bodies with joints or geoms in them, so there is nothing to measure."
         )
@@ -63,11 +96,17 @@ def open_model(path: Path, *, folder: Path | None = None) -> Subject:
     return Subject(
         model=model,
         start=start,
-        things=things,
+        things=sorted_out.things,
         source=kind,
-        unusual=unusual_options(model, things),
-        notes=(*notes, *dict.fromkeys(f"MuJoCo warns: {' '.join(str(w.message).split())}" for w in warned)),
+        unusual=unusual_options(model, sorted_out.things),
+        notes=(
+            *read.notes,
+            *floor,
+            *sorted_out.notes,
+            *dict.fromkeys(f"MuJoCo warns: {' '.join(str(w.message).split())}" for w in warned),
+        ),
         keyframe=keyframe,
+        robots=sorted_out.robots,
     )
 
 
@@ -100,33 +139,33 @@ def start_of(model: mujoco.MjModel) -> tuple[NDArray[np.float64], int | None]:
     return np.array(model.key_qpos[key]), key
 
 
-def _urdf(path: Path, folder: Path | None) -> tuple[mujoco.MjModel, tuple[str, ...]]:
-    spec, notes = urdf_spec(path, folder=folder)
-    return _compiled(path, spec, None), notes
+def _urdf(path: Path, folder: Path | None, fixed_base: bool) -> _Read:
+    spec, files = urdf_spec(path, folder=folder, fixed_base=fixed_base)
+    return _Read(spec, files.notes, lambda error: files.refusal(path, error))
 
 
-def _mjcf(path: Path, folder: Path | None) -> tuple[mujoco.MjModel, tuple[str, ...]]:
-    files = check_mjcf(path, folder=folder)
+def _mjcf(path: Path, folder: Path | None) -> _Read:
+    spec, text, files = mjcf_spec(path, folder=folder)
+    return _Read(spec, plain_note(files), lambda error: refusal(path, error, text, files))
+
+
+def _compiled(read: _Read) -> mujoco.MjModel:
     try:
-        spec = mujoco.MjSpec.from_file(str(path))
+        return read.spec.compile()
     except ENGINE_ERRORS as error:
-        raise _refused(path, error, files) from error
-    return _compiled(path, spec, files), ()
+        raise InputError(read.refused(error)) from error
 
 
-def _compiled(path: Path, spec: mujoco.MjSpec, files: MjcfFiles | None) -> mujoco.MjModel:
-    try:
-        return spec.compile()
-    except ENGINE_ERRORS as error:
-        raise _refused(path, error, files) from error
-
-
-def _refused(path: Path, error: Exception, files: MjcfFiles | None) -> InputError:
-    """What the engine said, with the file of the mesh that it speaks of."""
-    text = said(error)
-    meshes = files.meshes if files else {}
-    found = [str(file) for name, file in meshes.items() if f"Element name '{name}'" in text]
-    return InputError(f"{path}: MuJoCo cannot read it: {text}" + (f" (mesh file {found[0]})" if found else ""))
+def _floored(path: Path, read: _Read, model: mujoco.MjModel) -> tuple[mujoco.MjModel, tuple[str, ...]]:
+    """The model with a floor under it, and a note on that, where it has none and needs one."""
+    data = Subject(model, start_of(model)[0], ()).data()
+    height = floor_height(model, data, things_of(model))
+    if height is None:
+        return model, ()
+    add_floor(read.spec, model, data, height)
+    model = _compiled(read)
+    _check_model(path, model)
+    return model, (f"The model has no floor: one was put under its lowest point, at z = {height:.3f} m.",)
 
 
 def _check_model(path: Path, model: mujoco.MjModel) -> None:

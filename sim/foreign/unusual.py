@@ -32,7 +32,8 @@ class _Model:
         self.model, self.things = model, things
         self._owner = {body: thing.id for thing in things for body in thing.bodies}
         self.colliding = colliding(model)
-        free = np.flatnonzero(model.jnt_type == _FREE)
+        mine = np.isin(model.jnt_bodyid, [body for thing in things for body in thing.bodies])
+        free = np.flatnonzero((model.jnt_type == _FREE) & mine)
         self.free_dofs = (model.jnt_dofadr[free][:, None] + np.arange(6)).astype(np.int64).reshape(-1, 6)
         self.free_bodies = model.jnt_bodyid[free]
         self.free_joints = free

@@ -1,27 +1,26 @@
-"""Any URDF as an engine's spec: meshes found, link names kept, and a floor under what would fall for ever."""
+"""Any URDF as an engine's spec: meshes found, link names kept, and what no body can weigh mended."""
 
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
 import mujoco
-import numpy as np
 
 from thinkblox.errors import InputError
-from thinkblox.sim.build import GROUND
 from thinkblox.sim.engine_errors import ENGINE_ERRORS, said
-from thinkblox.sim.foreign.asset_limits import check_mesh
-from thinkblox.sim.foreign.geom_volumes import lowest_point
-from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, MOST_ELEMENTS, MOST_TRIANGLES_IN_ALL, check_values, too_many
+from thinkblox.sim.foreign.asset_limits import check_amount, read_mesh
+from thinkblox.sim.foreign.inertias import mend_inertias
+from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, MOST_ELEMENTS, check_values, too_many
 from thinkblox.sim.foreign.names import listed
-from thinkblox.sim.foreign.triangles import colliding
 from thinkblox.sim.foreign.urdf_files import mesh_file, package_folder
-from thinkblox.sim.foreign.xml_elements import Element, clean, walk
+from thinkblox.sim.foreign.xml_elements import Element, walk
+from thinkblox.sim.foreign.xml_tree import CheckedText, Node, Tree
 
 WORLD = "world"
 """A root link of this name is the world itself; the engine, Gazebo and Drake know it too."""
-FLOOR_MARGIN, FLOOR_DEPTH = 5.0, 0.5
-"""How far the floor reaches beyond what stands on it, and how thick it is [m]."""
+GEOMETRY_NUMBERS = {"xyz": 3, "rpy": 3, "scale": 3}
+"""Of how many numbers an attribute consists; other readers pass over more."""
+ONCE = ("origin", "axis", "limit", "dynamics")
 
 
 @dataclass(frozen=True)
@@ -31,119 +30,159 @@ class UrdfFiles:
     Attributes:
         text: its XML, every mesh renamed to a key of `meshes`.
         meshes: where each mesh is.
+        data: the bytes of each mesh.
         free_roots: links that nothing holds: each gets a freejoint.
         notes: what a reader should know, in sentences.
     """
 
-    text: str
+    text: CheckedText
     meshes: dict[str, Path]
+    data: dict[str, bytes]
     free_roots: tuple[str, ...]
     notes: tuple[str, ...]
 
+    def refusal(self, path: Path, error: BaseException) -> str:
+        """What the engine said, with the files' own names and the line in the URDF."""
+        told = self.text.placed(said(error))
+        for name, file in self.meshes.items():
+            told = told.replace(f"'{name}'", f"'{file}'").replace(f"'{Path(name).stem}'", f"'{file}'")
+        hint = ": a link that moves needs a mass and an inertia above 0" if "mjMINVAL" in told else ""
+        return f"{path}: MuJoCo cannot read it: {told}{hint}"
 
-def urdf_spec(path: Path, *, folder: Path | None = None) -> tuple[mujoco.MjSpec, tuple[str, ...]]:
-    """The spec of a URDF, and notes on what was added.
+
+def urdf_spec(path: Path, *, folder: Path | None = None, fixed_base: bool = False) -> tuple[mujoco.MjSpec, UrdfFiles]:
+    """The spec of a URDF, and what it was made of.
 
     A root link that is not called "world" is free, as in other readers of URDF: it gets a freejoint. A root without
-    mass, inertia and shape that carries several links is a frame, and fixed. Where then nothing that stands still can
-    be touched, a floor is put under the lowest point of what moves. Visual geometry is left out: it weighs nothing.
+    mass, inertia and shape that carries several links is a frame, and fixed, and so is one whose <inertial> says that
+    it weighs nothing, as in Bullet. Visual geometry is left out: it weighs nothing. Masses and inertias that no body
+    can have are mended, with a note.
+
+    Args:
+        path: of the file.
+        folder: as for `read_urdf`.
+        fixed_base: hold every root link to the world.
 
     Raises:
         InputError: as `read_urdf`, or the engine cannot read it.
     """
-    files = read_urdf(path, folder=folder)
+    files = read_urdf(path, folder=folder, fixed_base=fixed_base)
     try:
-        assets = {name: file.read_bytes() for name, file in files.meshes.items()}
-        spec = mujoco.MjSpec.from_string(files.text, assets=assets)
+        spec = mujoco.MjSpec.from_string(files.text.xml, assets=files.data)
         for root in files.free_roots:
             spec.body(root).add_freejoint()
-        height = add_floor(spec)
     except ENGINE_ERRORS as error:
-        raise InputError(f"{path}: MuJoCo cannot read it: {_with_files(said(error), files.meshes)}") from error
-    if height is None:
-        return spec, files.notes
-    return spec, (*files.notes, f"The URDF has no floor: one was put under its lowest point, at z = {height:.3f} m.")
+        raise InputError(files.refusal(path, error)) from error
+    return spec, files
 
 
-def read_urdf(path: Path, *, folder: Path | None = None) -> UrdfFiles:
+def read_urdf(path: Path, *, folder: Path | None = None, fixed_base: bool = False) -> UrdfFiles:
     """Look through a URDF without the engine, and make it ready for it.
 
     Args:
         path: of the file.
         folder: what no mesh may lie outside of; the package's folder, or else the file's own, unless told otherwise.
+        fixed_base: hold every root link to the world.
 
     Raises:
         InputError: not XML or not URDF; xacro that is not expanded; meshes that are missing, too large or outside the
             folder; numbers that are not numbers; too many links; nothing that can be touched.
     """
-    elements = _look_through(path)
-    root = ElementTree.fromstring(clean(path))
+    tree = _look_through(path)
+    root = tree.open[0]
     folder = (folder or package_folder(path)).absolute()
-    meshes = _rename_meshes(path, folder, root, elements)
+    meshes, data = _rename_meshes(path, folder, tree, root)
     _drop_visuals(root)
     _name_shapes(root)
     _set_compiler(root)
+    cut = (*_cut_numbers(root), *_keep_first(root))
     if root.find("link/collision") is None:
         raise InputError(f"{path}: no link has collision geometry, so there is nothing to measure.")
-    free = tuple(name for name in _roots(path, root) if not _is_frame(root, name))
-    return UrdfFiles(ElementTree.tostring(root, encoding="unicode"), meshes, free, _notes(root, free))
+    roots = _roots(path, root)
+    free = () if fixed_base else tuple(name for name in roots if not _is_fixed(root, name))
+    mended = mend_inertias(root, free)
+    notes = (*_notes(root, free, roots), *cut, *mended.notes())
+    return UrdfFiles(tree.text(), meshes, data, free, notes)
 
 
-def _look_through(path: Path) -> list[Element]:
-    elements: list[Element] = []
-    links = 0
+def _look_through(path: Path) -> Tree:
+    """The URDF as a tree whose root is its only open element."""
+    tree, links = Tree(), 0
 
     def enter(element: Element) -> None:
         nonlocal links
-        if not elements and element.tag != "robot":
+        if tree.root is None and element.tag != "robot":
             raise InputError(f"{element}: the root of a URDF file is <robot>.")
         if element.tag.startswith("xacro:") or any("${" in value for value in element.attributes.values()):
             raise InputError(f"{element}: this is xacro; expand it first: xacro IN.xacro > OUT.urdf.")
         check_values(element)
-        elements.append(element)
+        tree.enter(element)
         links += element.tag == "link"
         if links > MOST_BODIES:
             raise InputError(too_many(str(element), links))
-        if len(elements) > MOST_ELEMENTS:
-            raise InputError(f"{element}: the file has at least {len(elements)} elements; at most {MOST_ELEMENTS}.")
+        if len(tree.where) > MOST_ELEMENTS:
+            raise InputError(f"{element}: the file has at least {len(tree.where)} elements; at most {MOST_ELEMENTS}.")
 
-    walk(path, enter)
-    return elements
+    walk(path, enter, lambda element: tree.leave() if element.depth else None)
+    return tree
 
 
-def _rename_meshes(path: Path, folder: Path, root: ElementTree.Element, elements: list[Element]) -> dict[str, Path]:
+def _rename_meshes(path: Path, folder: Path, tree: Tree, root: Node) -> tuple[dict[str, Path], dict[str, bytes]]:
     """Give every colliding mesh a name of its own, and say where its file is; two files may share a name."""
-    seen = {id(node): element for node, element in zip(root.iter(), elements, strict=True)}
     compiler = root.find("mujoco/compiler")
     meshdir = "" if compiler is None else compiler.get("meshdir", compiler.get("assetdir", ""))
     names: dict[Path, str] = {}
+    data: dict[str, bytes] = {}
     triangles = 0
     for mesh in root.iterfind("link/collision/geometry/mesh"):
-        where = seen[id(mesh)]
+        where = tree.where[mesh]
         file = mesh_file(mesh.get("filename", ""), where, path=path, folder=folder, meshdir=meshdir)
         if file not in names:
-            triangles += check_mesh(file, where)
             names[file] = f"{len(names)}_{file.stem}{file.suffix.lower()}"
+            data[names[file]], more = read_mesh(file, where)
+            triangles += more
         mesh.set("filename", names[file])
-    if triangles > MOST_TRIANGLES_IN_ALL:
-        raise InputError(f"{path}: its meshes have {triangles} triangles together; at most {MOST_TRIANGLES_IN_ALL}.")
-    return {name: file for file, name in names.items()}
+    check_amount(path, triangles, data)
+    return {name: file for file, name in names.items()}, data
 
 
-def _drop_visuals(root: ElementTree.Element) -> None:
+def _cut_numbers(root: Node) -> tuple[str, ...]:
+    """Leave out numbers that are one too many, as other readers do, and say so."""
+    found = 0
+    for node in root.iter():
+        for name, count in GEOMETRY_NUMBERS.items():
+            words = node.get(name, "").split()
+            if len(words) > count:
+                node.set(name, " ".join(words[:count]))
+                found += 1
+    return (f"{found} positions, angles or scales have more than 3 numbers; the first 3 count.",) if found else ()
+
+
+def _keep_first(root: Node) -> tuple[str, ...]:
+    """Of what a joint says twice keep the first, as other readers do, and say so."""
+    twice: list[str] = []
+    for joint in root.iterfind("joint"):
+        for tag in ONCE:
+            for node in joint.findall(tag)[1:]:
+                joint.remove(node)
+                twice.append(joint.get("name", ""))
+    return (f"The joint {listed(list(dict.fromkeys(twice)))} says something twice; the first counts.",) if twice else ()
+
+
+def _drop_visuals(root: Node) -> None:
     """Take the geometry out of what is only looked at; the colours stay."""
     for visual in root.iterfind("link/visual"):
         for geometry in visual.findall("geometry"):
             visual.remove(geometry)
 
 
-def _name_shapes(root: ElementTree.Element) -> None:
+def _name_shapes(root: Node) -> None:
     for link in root.iterfind("link"):
         for number, shape in enumerate(link.iterfind("collision")):
             shape.set("name", f"{link.get('name')}#{number}")
 
 
-def _set_compiler(root: ElementTree.Element) -> None:
+def _set_compiler(root: Node) -> None:
     """Keep the engine's own settings in the file, but for those that would lose links or look for files."""
     extension = root.find("mujoco")
     if extension is None:
@@ -156,7 +195,7 @@ def _set_compiler(root: ElementTree.Element) -> None:
     compiler.attrib |= {"strippath": "false", "fusestatic": "false", "discardvisual": "true"}
 
 
-def _roots(path: Path, root: ElementTree.Element) -> list[str]:
+def _roots(path: Path, root: Node) -> list[str]:
     children = {child.get("link") for child in root.iterfind("joint/child")}
     names = [link.get("name", "") for link in root.iterfind("link")]
     roots = [name for name in names if name not in children]
@@ -165,20 +204,33 @@ def _roots(path: Path, root: ElementTree.Element) -> list[str]:
     return roots
 
 
-def _is_frame(root: ElementTree.Element, name: str) -> bool:
-    """Whether a root link is the world or a mere frame, so that what hangs on it is fixed."""
+def _is_fixed(root: Node, name: str) -> bool:
+    """Whether a root link is the world, a mere frame, or said to weigh nothing, so that what hangs on it is fixed."""
     link = next(link for link in root.iterfind("link") if link.get("name", "") == name)
     carried = sum(parent.get("link") == name for parent in root.iterfind("joint/parent"))
     empty = link.find("inertial") is None and link.find("collision") is None
-    return name == WORLD or (empty and carried != 1)
+    return name == WORLD or (empty and carried != 1) or _is_weightless(link)
 
 
-def _notes(root: ElementTree.Element, free: tuple[str, ...]) -> tuple[str, ...]:
+def _is_weightless(link: Node) -> bool:
+    mass = link.find("inertial/mass")
+    try:
+        return mass is not None and float(mass.get("value", "")) == 0.0
+    except ValueError:
+        return False
+
+
+def _notes(root: Node, free: tuple[str, ...], roots: list[str]) -> tuple[str, ...]:
     found = []
     if free:
         found.append(
-            f"Nothing holds the root link {listed(free)}, so it stands free; a root link called {WORLD} would hold it."
+            f"Nothing holds the root link {listed(free)}, so it stands free; --fixed-base holds it, or a root link"
+            f" called {WORLD}."
         )
+    static = [link.get("name", "") for link in root.iterfind("link") if _is_weightless(link)]
+    static = [name for name in roots if name in static and name not in free]
+    if static:
+        found.append(f"The root link {listed(static)} has the mass 0, so it is fixed, as Bullet reads it.")
     light = [link.get("name", "") for link in root.iterfind("link") if _weighed_by_shape(link)]
     if light:
         found.append(f"Without inertial, {listed(light)} weighs what its collision shapes do at 1000 kg/m3.")
@@ -188,37 +240,5 @@ def _notes(root: ElementTree.Element, free: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _weighed_by_shape(link: ElementTree.Element) -> bool:
+def _weighed_by_shape(link: Node) -> bool:
     return link.find("inertial") is None and link.find("collision") is not None
-
-
-def add_floor(spec: mujoco.MjSpec) -> float | None:
-    """Put a floor under what is free where nothing fixed can be touched.
-
-    It is a box, as in our own rooms: the engine's plane throws upright cylinders up.
-
-    Returns:
-        Its height [m]; None where none is needed.
-    """
-    model = spec.compile()
-    free = model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)
-    touchable = colliding(model)
-    fixed = model.body_weldid[model.geom_bodyid] == 0
-    if not free.any() or (touchable & fixed).any() or not touchable.any():
-        return None
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    geoms = np.flatnonzero(touchable)
-    height = min(lowest_point(model, data, int(geom)) for geom in geoms)
-    reach = (np.abs(data.geom_xpos[geoms, :2]) + model.geom_rbound[geoms, None]).max() + FLOOR_MARGIN
-    floor = spec.worldbody.add_geom(name=GROUND, type=mujoco.mjtGeom.mjGEOM_BOX)
-    floor.size, floor.pos = (reach, reach, FLOOR_DEPTH / 2), (0.0, 0.0, height - FLOOR_DEPTH / 2)
-    return height
-
-
-def _with_files(text: str, meshes: dict[str, Path]) -> str:
-    """What the engine said, with the files' own names."""
-    for name, file in meshes.items():
-        text = text.replace(f"'{name}'", f"'{file}'").replace(f"'{Path(name).stem}'", f"'{file}'")
-    hint = ": a link that moves needs a mass and an inertia above 0" if "mjMINVAL" in text else ""
-    return text + hint

@@ -8,6 +8,8 @@ from pathlib import Path
 from xml.parsers import expat
 
 from thinkblox.errors import InputError
+from thinkblox.plain_text import escaped
+from thinkblox.sim.foreign.local_files import read_limited
 
 LARGEST_FILE = 100 * 2**20
 """Of one XML file [bytes]."""
@@ -22,16 +24,17 @@ Linear in time, and nothing that looks like a comment inside a tag is taken for 
 
 @dataclass(frozen=True)
 class Element:
-    """One opening tag: where it is, its name in lower case and its attributes."""
+    """One opening tag: where it is, its name in lower case and as written, and its attributes."""
 
     file: Path
     line: int
     tag: str
+    written: str
     attributes: Mapping[str, str]
     depth: int
 
     def __str__(self) -> str:
-        name = self.attributes.get("name")
+        name = escaped(self.attributes.get("name", ""))
         return f"{self.file}:{self.line}: <{self.tag}" + (f' name="{name}">' if name else ">")
 
 
@@ -39,14 +42,8 @@ Visit = Callable[[Element], None]
 
 
 def read_bytes(path: Path) -> bytes:
-    """A file's bytes; raises InputError when it is missing, no file, unreadable, empty or too large."""
-    try:
-        size = path.stat().st_size
-        if size > LARGEST_FILE:
-            raise InputError(f"{path}: {size / 2**20:.0f} MiB of XML; at most {LARGEST_FILE // 2**20} MiB are read.")
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+    """A file's bytes, without zeros at its end; raises InputError as `read_limited`, or when it is empty."""
+    data = read_limited(path, path, LARGEST_FILE).rstrip(b"\0")
     if not data.strip():
         raise InputError(f"{path}: the file is empty.")
     return data
@@ -56,7 +53,8 @@ def clean(path: Path) -> bytes:
     """A file's XML as a strict parser reads it.
 
     Like the engine's own parser this bears dashes inside comments and blanks before the XML declaration; unlike it,
-    it refuses everything else that is not well-formed, and entities of the document's own. Lines stay where they are.
+    it refuses everything else that is not well-formed, and every DOCTYPE, as parsers disagree on where one ends. Lines
+    stay where they are.
 
     Raises:
         InputError: as `read_bytes`, or not XML; names file, line and column.
@@ -78,7 +76,7 @@ def walk(path: Path, enter: Visit, leave: Visit | None = None) -> None:
     open_elements: list[Element] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
-        element = Element(path, parser.CurrentLineNumber, tag.lower(), attributes, len(open_elements))
+        element = Element(path, parser.CurrentLineNumber, tag.lower(), tag, attributes, len(open_elements))
         if element.depth >= DEEPEST:
             raise InputError(f"{element} is nested more than {DEEPEST} deep.")
         open_elements.append(element)
@@ -104,10 +102,10 @@ def _well_formed(path: Path, data: bytes) -> bool:
 def _parser(path: Path) -> expat.XMLParserType:
     parser = expat.ParserCreate("utf-8")
 
-    def entity(*_declaration: object) -> None:
-        raise InputError(f"{path}:{parser.CurrentLineNumber}: it declares XML entities; write their text out instead.")
+    def doctype(*_declaration: object) -> None:
+        raise InputError(f"{path}:{parser.CurrentLineNumber}: it has a DOCTYPE, which no model needs: take it out.")
 
-    parser.EntityDeclHandler = entity
+    parser.StartDoctypeDeclHandler = doctype
     return parser
 
 

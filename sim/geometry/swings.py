@@ -18,17 +18,23 @@ from thinkblox.sim.geometry.solid import Array, pose, solid_of
 from thinkblox.sim.geometry.sweep import FINEST, Piece, Sweep, Swept, body_of, moving_of, turned_bounds
 from thinkblox.sim.geometry.walls import Slab, wall_slabs
 from thinkblox.sim.settings import Walking
-from thinkblox.verdict import Swing
+from thinkblox.verdict import PushedAside, Swing
 
 THICK = 0.3
 """Of the walls, floor and ceiling that doors and drawers meet [m]; more than a step of any."""
 FULL = 1.0 - 1e-9
+GRAVITY = 9.81
 Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
 class _Object:
-    """Something that a door can meet: bodies in a frame, that frame in the room, and whether it yields."""
+    """Something that a door can meet: bodies in a frame, that frame in the room, whether it yields, and its weight.
+
+    Attributes:
+        weight: mass [kg].
+        grip: its coefficient of friction.
+    """
 
     id: str
     bodies: Sequence[Piece]
@@ -36,6 +42,17 @@ class _Object:
     shift: Array
     yields: bool
     moving: Swept | None = None
+    weight: float = 0.0
+    grip: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Opening:
+    """The value to which a door or drawer opens, and the ids of what it pushes aside and of what ends it."""
+
+    value: float
+    pushed: tuple[str, ...] = ()
+    ends: tuple[str, ...] = ()
 
 
 class Surroundings:
@@ -62,12 +79,13 @@ class Surroundings:
         return more
 
     def swings(self, placement: Placement, asset: Asset) -> tuple[Swing, ...]:
-        """The doors and drawers that do not open through all of their range because an object stands where it does.
+        """The doors and drawers that do not simply open through all of their range because of where an object stands.
 
         They are its own, and those of others that would open further without it: `Swing.of` tells. What is light and
-        free is pushed aside: it is among `Swing.hits`, and ends nothing. Walls, floor and ceiling end an opening, the
-        openings in them being shut. An object's own body and doors never do, nor does what it carries in or on itself,
-        which moves along. Everything else stands as it is, with its own doors and drawers shut.
+        free is pushed aside: it is among `Swing.hits`, with its force in `Swing.pushes`, and ends nothing. Walls,
+        floor and ceiling end an opening, the openings in them being shut. An object's own body and doors never do, nor
+        does what it carries in or on itself, which moves along. Everything else stands as it is, with its own doors and
+        drawers shut.
 
         Args:
             placement: an object of the same id among these is looked past.
@@ -80,22 +98,40 @@ class Surroundings:
     def _object(self, placement: Placement, asset: Asset) -> _Object:
         moving, matrix = moving_of(solid_of(asset)), pose(placement)
         light = asset.free and asset.mass < self._walking.movable
-        return _Object(placement.id, moving.bodies, matrix[:, :3], matrix[:, 3], light, moving)
+        return _Object(
+            placement.id, moving.bodies, matrix[:, :3], matrix[:, 3], light, moving, asset.mass, asset.friction
+        )
 
     def _own(self, one: _Object, placement: Placement) -> Iterator[Swing]:
         near = self._near(one, {placement.id} | self._carried_by(placement.id))
-        for sweep, (value, hits) in _openings(one, [*near, *self._shell]):
-            if sweep.share(value) < FULL:
-                yield Swing(of=one.id, link=sweep.link.name, opens=round(sweep.share(value), 4), hits=hits)
+        for sweep, opening in _openings(one, [*near, *self._shell]):
+            if sweep.share(opening.value) < FULL or opening.pushed:
+                yield self._swing(one, sweep, opening)
 
     def _others(self, one: _Object, placement: Placement) -> Iterator[Swing]:
         below = self._chain(placement.support)
         near = (self._objects[index] for index in _numbers(_meet(self._reaches, _box(one))))
         for other in (other for other in near if other.id != one.id and other.id not in below):
-            for number, (sweep, (value, hits)) in enumerate(_openings(other, [one])):
-                share = sweep.share(value)
+            for number, (sweep, opening) in enumerate(_openings(other, [one])):
+                share = sweep.share(opening.value)
                 if share < FULL and share < self._without(other, one.id)[number]:
-                    yield Swing(of=other.id, link=sweep.link.name, opens=round(share, 4), hits=hits)
+                    yield self._swing(other, sweep, opening)
+
+    def _swing(self, one: _Object, sweep: Sweep, opening: _Opening) -> Swing:
+        return Swing(
+            of=one.id,
+            link=sweep.link.name,
+            opens=round(sweep.share(opening.value), 4),
+            hits=(*opening.pushed, *opening.ends),
+            pushes=tuple(PushedAside(other=id, force=round(self._force(id), 2)) for id in opening.pushed),
+        )
+
+    def _force(self, id: str) -> float:
+        """What slides an object with all that it carries [N]; of those that are pushed aside."""
+        carried = {id} | self._carried_by(id)
+        weights = [other.weight for other in self._objects if other.id in carried]
+        grip = next(other.grip for other in self._objects if other.id == id)
+        return grip * sum(weights) * GRAVITY
 
     def _without(self, one: _Object, id: str) -> list[float]:
         """How far the doors and drawers of an object open while another one is not there."""
@@ -103,7 +139,7 @@ class Surroundings:
         if (one.id, past) not in self._free:
             near = self._near(one, {one.id, past} | self._carried_by(one.id))
             found = _openings(one, [*near, *self._shell])
-            self._free[one.id, past] = [sweep.share(value) for sweep, (value, _) in found]
+            self._free[one.id, past] = [sweep.share(opening.value) for sweep, opening in found]
         return self._free[one.id, past]
 
     def _near(self, one: _Object, but: set[str]) -> list[_Object]:
@@ -134,7 +170,7 @@ def swings(scene: Scene, placement: Placement, asset: Asset, *, walking: Walking
     return surroundings(scene, walking).swings(placement, asset)
 
 
-def _openings(one: _Object, others: Sequence[_Object]) -> Iterator[tuple[Sweep, tuple[float, tuple[str, ...]]]]:
+def _openings(one: _Object, others: Sequence[_Object]) -> Iterator[tuple[Sweep, _Opening]]:
     """For each door and drawer the value to which it opens among other objects, and what it meets on the way."""
     assert one.moving is not None
     obstacles = [obstacle for other in others for obstacle in _obstacles(one, other)]
@@ -169,10 +205,10 @@ def _obstacles(one: _Object, other: _Object) -> Iterator[_Obstacle]:
         yield _Obstacle(other, body, bounds[index], turn @ body.turn, turn @ body.shift + shift)
 
 
-def _opened(sweep: Sweep, obstacles: Sequence[_Obstacle]) -> tuple[float, tuple[str, ...]]:
-    """The value to which a door or drawer opens, and the ids of what it pushes aside and of what ends it."""
+def _opened(sweep: Sweep, obstacles: Sequence[_Obstacle]) -> _Opening:
+    """How far a door or drawer opens."""
     if not obstacles:
-        return float(sweep.values[-1]), ()
+        return _Opening(float(sweep.values[-1]))
     boxes = np.array([obstacle.bounds for obstacle in obstacles])
     near: Mask = np.logical_or.reduce(_meet(sweep.bounds[:, :, None], boxes), axis=1)
     pushed: dict[str, None] = {}
@@ -185,8 +221,8 @@ def _opened(sweep: Sweep, obstacles: Sequence[_Obstacle]) -> tuple[float, tuple[
                 else:
                     ends.append(obstacle)
         if ends:
-            return _end(sweep, step, ends), (*pushed, *dict.fromkeys(end.owner.id for end in ends))
-    return float(sweep.values[-1]), tuple(pushed)
+            return _Opening(_end(sweep, step, ends), tuple(pushed), tuple(dict.fromkeys(end.owner.id for end in ends)))
+    return _Opening(float(sweep.values[-1]), tuple(pushed))
 
 
 def _end(sweep: Sweep, step: int, ends: Sequence[_Obstacle]) -> float:

@@ -116,7 +116,8 @@ def _common(body: Sighted, other: Sighted) -> Iterator[Array]:
 def _swings(verdicts: Sequence[Verdict], scenery: Scenery) -> Iterator[Fault]:
     """Every door or drawer that is kept shut, once."""
     blocked = [v for v in verdicts if "blocks_opening" in v.reasons]
-    shut = {(swing.of, swing.link): (verdict.id, swing) for verdict in blocked[::-1] for swing in verdict.swings}
+    found = [(verdict.id, swing) for verdict in blocked[::-1] for swing in verdict.swings if swing.opens < 1.0]
+    shut = {(swing.of, swing.link): (id, swing) for id, swing in found}
     for (of, link), (id, swing) in shut.items():
         swept = sweep(scenery.subject, of, link)
         if swept:

@@ -1,4 +1,4 @@
-"""The hinges and slides of a subject: the doors, drawers and lids of its things, and those of the world."""
+"""The hinges and slides of a subject: the doors, drawers and lids of its things."""
 
 from dataclasses import dataclass
 
@@ -32,14 +32,14 @@ class Hinged:
 
 
 def hinged(subject: Subject) -> tuple[Hinged, ...]:
-    """Every hinge and slide of a subject, in the order of the model."""
+    """Every hinge and slide of a subject's things, in the order of the model."""
     model = subject.model
     owners = {body: thing.id for thing in subject.things for body in thing.bodies}
     found = []
     for joint in range(model.njnt):
-        if int(model.jnt_type[joint]) not in _KINDS:
+        owner = owners.get(int(model.jnt_bodyid[joint]))
+        if int(model.jnt_type[joint]) not in _KINDS or owner is None:
             continue
-        owner = owners.get(int(model.jnt_bodyid[joint]), "world")
         lower, upper = model.jnt_range[joint] if model.jnt_limited[joint] else (0.0, 0.0)
         found.append(
             Hinged(

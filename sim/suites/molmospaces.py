@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.sim.subject import Subject, Thing
+from thinkblox.sim.subject import Subject
 from thinkblox.sim.suites.criteria import above, criterion, exempt, paragraphs, result
 from thinkblox.sim.suites.forces import lifted, opened
 from thinkblox.sim.suites.joints import Hinged, hinged
@@ -20,6 +20,9 @@ SOURCE = (
 )
 TIMESTEP, SETTLE, MONITOR = 0.002, 1.0, 3.0
 DRIFT, JITTER, OPENING, DEPTH = 0.05, 0.1, 0.1, 0.01
+STIRRED = 1e-6
+"""By which a joint without limits has moved [rad or m]."""
+FREEDOM = 6
 NOTES = paragraphs(
     """
     Simulated in a copy with the source's step of 2 ms. The source lets what rests sleep in the engine; here nothing
@@ -33,6 +36,10 @@ NOTES = paragraphs(
 
     20 N is a generalised force: newton metres on a hinge.
 
+    As in the source every body with six degrees of freedom of its own is an object, be they those of a free joint or
+    of six slides and hinges; only what has a free joint is lifted. A joint without limits, whose range is 0 there,
+    fails as soon as it moves at all: here by more than a micrometre or microradian, since rounding alone moves it.
+
     The source lists engine warnings without failing a scene for them; here one fails it.
     """
 )
@@ -40,11 +47,16 @@ NOTES = paragraphs(
 
 @dataclass
 class Stability:
-    """What one simulation of settling and monitoring measured; distances in metres, by thing or joint."""
+    """What one simulation of settling and monitoring measured; distances in metres, by object or joint.
+
+    Attributes:
+        stirred: by how much joints without limits moved [rad or m].
+    """
 
     drift: dict[str, float] = field(default_factory=dict)
     jitter: dict[str, float] = field(default_factory=dict)
     openings: dict[str, float] = field(default_factory=dict)
+    stirred: dict[str, float] = field(default_factory=dict)
     depths: dict[tuple[str, str], float] = field(default_factory=dict)
 
 
@@ -52,14 +64,14 @@ def run(subject: Subject, *, seed: int = 0) -> SuiteResult:
     """All criteria of MolmoSpaces; nothing in it is random."""
     del seed
     free = tuple(thing for thing in subject.things if thing.free)
-    joints = hinged(subject)
+    bodies, joints = _free_bodies(subject), hinged(subject)
     stability = Run(subject, SETTLE + MONITOR, creep=DRIFT / 100, timestep=TIMESTEP)
-    measured = _stand(stability, free, joints)
+    measured = _stand(stability, bodies, joints)
     lifting = lifted(subject, free, timestep=TIMESTEP)
     opening = opened(subject, joints, timestep=TIMESTEP)
     warnings = _together(stability.warnings, lifting.warnings, opening.warnings)
     criteria = [
-        *_stability(subject, stability, measured, free, joints),
+        *_stability(subject, stability, measured, tuple(bodies), joints),
         criterion(
             "lift", "an upward force of its weight and a little, at most 30 N, moves it by 5 cm within 1 s",
             lifting.findings, unit="m", limit=0.05, least=True, unfinished=lifting.unfinished,
@@ -73,10 +85,21 @@ def run(subject: Subject, *, seed: int = 0) -> SuiteResult:
     return result("molmospaces", SOURCE, criteria, (*NOTES, EARLY_END))
 
 
-def _stand(run: Run, free: tuple[Thing, ...], joints: tuple[Hinged, ...]) -> Stability:
+def _free_bodies(subject: Subject) -> dict[str, int]:
+    """Every body of a thing that has six degrees of freedom of its own, by its thing's name, or its own within one."""
+    model = subject.model
+    return {
+        thing.id if body == thing.root else str(model.body(body).name) or f"{thing.id} body {body}": body
+        for thing in subject.things
+        for body in thing.bodies
+        if int(model.body_dofnum[body]) == FREEDOM
+    }
+
+
+def _stand(run: Run, free: dict[str, int], joints: tuple[Hinged, ...]) -> Stability:
     """Settle for a second, then watch for three."""
     found = Stability()
-    bodies, places = [thing.root for thing in free], [joint.qpos for joint in joints]
+    bodies, places = list(free.values()), [joint.qpos for joint in joints]
     before = run.data.qpos[places].copy()
     run.pass_time(SETTLE)
     if run.diverged:
@@ -90,9 +113,11 @@ def _stand(run: Run, free: tuple[Thing, ...], joints: tuple[Hinged, ...]) -> Sta
         path += np.linalg.norm(now - last, axis=1)
         last = now
     drift = np.linalg.norm(last - start, axis=1)
-    found.drift = dict(zip((t.id for t in free), drift.tolist(), strict=True))
-    found.jitter = dict(zip((t.id for t in free), path.tolist(), strict=True))
-    found.openings = _openings(run.data.qpos[places] - before, joints)
+    found.drift = dict(zip(free, drift.tolist(), strict=True))
+    found.jitter = dict(zip(free, path.tolist(), strict=True))
+    moved = run.data.qpos[places] - before
+    found.openings = _openings(moved, joints)
+    found.stirred = {j.id: abs(float(m)) for j, m in zip(joints, moved, strict=True) if j.range <= 0.0}
     return found
 
 
@@ -101,11 +126,10 @@ def _openings(moved: NDArray[np.float64], joints: tuple[Hinged, ...]) -> dict[st
 
 
 def _stability(
-    subject: Subject, run: Run, found: Stability, free: tuple[Thing, ...], joints: tuple[Hinged, ...]
+    subject: Subject, run: Run, found: Stability, still: tuple[str, ...], joints: tuple[Hinged, ...]
 ) -> list[Criterion]:
     broken = run.unfinished
-    fixed = [exempt(t.id, "fixed to the world") for t in subject.things if not t.free]
-    still = tuple(t.id for t in free)
+    fixed = [exempt(t.id, "fixed to the world") for t in subject.things if t.id not in still]
 
     def watched(values: dict[str, float], limit: float) -> list[Finding]:
         return run.blown(still) if run.diverged else [above(id, v, limit) for id, v in values.items()] + fixed
@@ -113,7 +137,7 @@ def _stability(
     def swung() -> list[Finding]:
         if run.diverged:
             return run.blown(tuple(j.id for j in joints))
-        endless = [exempt(j.id, "its range has no end") for j in joints if j.id not in found.openings]
+        endless = [_endless(id, moved) for id, moved in found.stirred.items()]
         return [above(id, v, OPENING) for id, v in found.openings.items()] + endless
 
     return [
@@ -131,6 +155,13 @@ def _stability(
         ),
         _penetration(run, found.depths, still),
     ]  # fmt: skip
+
+
+def _endless(id: str, moved: float) -> Finding:
+    """Of a joint without limits; a range of 0 is what the source divides by."""
+    if moved <= STIRRED:
+        return exempt(id, "its range has no end, and it did not move")
+    return Finding(object=id, value=None, passed=False, note=f"its range has no end, and it moved by {moved:.3g}")
 
 
 def _penetration(run: Run, depths: dict[tuple[str, str], float], still: tuple[str, ...]) -> Criterion:

@@ -12,6 +12,7 @@ from typing import Any
 
 from thinkblox.cli import assets, generate, render, schema, verify
 from thinkblox.cli.stopping import stoppable
+from thinkblox.cli.terminal import complain
 
 EXAMPLE = 'thinkblox generate "A calm bedroom, 4 m by 5 m, with a double bed and two nightstands" --out out/bedroom'
 STATUS = "exit status of every command: 0 done; 1 done, but not all is as it should be; 2 unusable input; 130 stopped"
@@ -39,7 +40,7 @@ def _run(arguments: argparse.Namespace) -> int:
         status: int = arguments.run(arguments)
         sys.stdout.flush()
     except InputError as error:
-        print(f"thinkblox: {error}", file=sys.stderr)
+        complain(str(error))
         return 2
     except BrokenPipeError:
         # Whoever read the output, such as `head`, has had enough; the last flush at exit must not fail too.

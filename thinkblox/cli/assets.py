@@ -1,8 +1,9 @@
 """`thinkblox assets`: what there is to furnish with."""
 
 import argparse
-import sys
 from typing import TYPE_CHECKING
+
+from thinkblox.cli.terminal import say, write_json
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
@@ -29,7 +30,7 @@ def _list(arguments: argparse.Namespace) -> int:
     one = arguments.category is not None
     entries = [listed(kind) for kind in ([category_of(arguments.category)] if one else CATALOGUE.values())]
     if arguments.json:
-        sys.stdout.write(all_to_json(entries).decode())
+        write_json(all_to_json(entries))
     else:
-        print(printing.category(entries[0]) if one else printing.categories(entries))
+        say(printing.category(entries[0]) if one else printing.categories(entries))
     return 0

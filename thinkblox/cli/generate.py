@@ -1,12 +1,12 @@
 """`thinkblox generate`: furnish a room from a prompt."""
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from thinkblox.cli.options import natural, whole
 from thinkblox.cli.progress import ObjectBar
+from thinkblox.cli.terminal import say, write_json
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
@@ -58,9 +58,9 @@ def _generate(arguments: argparse.Namespace) -> int:
         )
     save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
     if arguments.json:
-        sys.stdout.write(to_json(result.report).decode())
+        write_json(to_json(result.report))
     else:
-        print(printing.summary(result.report, placed=len(result.scene.placements)))
-        print(printing.outcome(result.report))
-        print(f"written to {arguments.out}")
+        say(printing.summary(result.report, placed=len(result.scene.placements)))
+        say(printing.outcome(result.report))
+        say(f"written to {arguments.out}")
     return 0 if result.report.complete else 1

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from thinkblox.cli.options import whole
+from thinkblox.cli.terminal import say
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
@@ -38,5 +39,5 @@ def _render(arguments: argparse.Namespace) -> int:
     if arguments.json:
         print(json.dumps([str(path) for path in paths]))
     else:
-        print("\n".join(f"written to {path}" for path in paths))
+        say("\n".join(f"written to {path}" for path in paths))
     return 0

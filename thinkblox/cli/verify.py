@@ -1,11 +1,11 @@
 """`thinkblox verify`: measure a scene, ours or anybody's."""
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from thinkblox.cli.options import lengths, natural, seconds
+from thinkblox.cli.terminal import say, write_json
 from thinkblox.importing import FORMATS
 from thinkblox.sim.suites import SUITES
 
@@ -16,13 +16,18 @@ STATUS = (
     "exit status: 0 everything passed; 1 measured, but not all passed, the output says what; 2 the input cannot be"
     " used; 130 stopped"
 )
+TIMED = "for a foreign file, not counting the start of its process, of some seconds (600)"
 
 
 def add_command(commands: "Commands") -> None:
     """Add the command and its options."""
     parser = commands.add_parser("verify", help="measure a scene, ours or anybody's, object by object", epilog=STATUS)
     parser.add_argument(
-        "scene", metavar="PATH", type=Path, help="an output folder, a scene.json, MJCF, URDF, or somebody's layout"
+        "scene",
+        metavar="PATH",
+        type=Path,
+        help="an output folder, or a file: scene.json, MJCF, URDF, or somebody's layout; of a folder with several"
+        " models name the one that is meant",
     )
     suites = f"published criteria, any of {', '.join(SUITES)}; 'all' for all"
     parser.add_argument("--suite", metavar="A,B", type=_suites, default=(), help=suites)
@@ -43,8 +48,27 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--sizes", metavar="FILE", type=Path, help=sizes)
     room_size = "of the room in m, for a scene graph without walls"
     parser.add_argument("--room-size", metavar="X,Y[,Z]", type=lengths, help=room_size)
+    model = parser.add_argument_group("models (MJCF and URDF)")
+    model.add_argument(
+        "--root",
+        metavar="DIR",
+        type=Path,
+        help="folder in which all files lie that a model names (the model's own, or a URDF's package); what leads out"
+        " of it, by .. or a link, is not read",
+    )
+    model.add_argument("--fixed-base", action="store_true", help="hold the root links of a URDF to the world")
+    model.add_argument(
+        "--exclude", metavar="NAME", action="append", default=[], help="leave this out, or all like 'target*' (repeat)"
+    )
+    model.add_argument(
+        "--robot",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="this, or all like 'robot0*', is no furniture: it stays where it is, and is not judged (repeat)",
+    )
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
-    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for a foreign file (600)")
+    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help=TIMED)
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.set_defaults(run=_verify)
 
@@ -73,18 +97,22 @@ def _verify(arguments: argparse.Namespace) -> int:
         max_move=arguments.max_move,
         out=_text(arguments.out),
         page=_text(arguments.html),
+        root=_text(arguments.root),
+        fixed_base=arguments.fixed_base,
+        exclude=tuple(arguments.exclude),
+        robot=tuple(arguments.robot),
     )
     report = verify_file(arguments.scene, reading, timeout=arguments.timeout)
     passed = report.valid and all(suite.passed for suite in report.suites)
     if arguments.json:
-        sys.stdout.write(to_json(report).decode())
+        write_json(to_json(report))
         return 0 if passed else 1
-    print(printing.summary(report, placed=len(report.objects)))
+    say(printing.summary(report, placed=len(report.objects)))
     if arguments.fix:
-        print(f"\n{printing.moves(report)}")
+        say(f"\n{printing.moves(report)}")
     for result in report.suites:
-        print(f"\n{printing.suite(result)}")
-    print("all passed" if passed else "not all passed")
+        say(f"\n{printing.suite(result)}")
+    say("all passed" if passed else "not all passed")
     return 0 if passed else 1
 
 

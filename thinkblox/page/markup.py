@@ -2,14 +2,11 @@
 
 import re
 from html import escape
-from unicodedata import category
+
+from thinkblox.plain_text import is_harmful
 
 VOID = frozenset({"img", "wbr", "meta", "br", "image", "circle", "path", "line", "polygon", "rect"})
 """Elements that hold nothing; those of SVG are closed by a slash, which HTML ignores."""
-
-
-TURNING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-"""Characters that make text run the other way, and so let one name look like another."""
 
 
 class Markup(str):
@@ -56,8 +53,4 @@ def _attribute(key: str, value: str | float | bool | None) -> str:
 
 def _printable(text: str) -> str:
     """Without what no page may hold, and without what turns the direction of the text after it."""
-    return "".join("\N{REPLACEMENT CHARACTER}" if _forbidden(c) else c for c in text)
-
-
-def _forbidden(character: str) -> bool:
-    return (category(character) in ("Cc", "Cs") and character not in "\n\t") or character in TURNING
+    return "".join("\N{REPLACEMENT CHARACTER}" if is_harmful(c) and c not in "\n\t" else c for c in text)
