@@ -8,6 +8,7 @@ from msgspec import structs
 
 from thinkblox.errors import InputError
 from thinkblox.exporters.saving import write_scene
+from thinkblox.regular_file import read_regular
 from thinkblox.scene.scene import load_scene
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value
@@ -120,9 +121,7 @@ class _Ours(msgspec.Struct):
 
 def _is_ours(path: Path) -> bool:
     try:
-        msgspec.json.decode(path.read_bytes(), type=_Ours)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+        msgspec.json.decode(read_regular(path), type=_Ours)
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
         return False
     return True
