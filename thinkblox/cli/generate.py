@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 
 from thinkblox.cli.options import natural, whole
 from thinkblox.cli.progress import ObjectBar
+from thinkblox.cli.stopping import heed_stops
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
 
 STATUS = (
     "exit status: 0 all as asked; 1 written, but something asked for was not placed, does not stand as asked or did not"
-    " pass; 2 the input cannot be used, nothing was written; 130 stopped, nothing was written"
+    " pass; 2 the input cannot be used, nothing was written; 70 a fault of ours; 130 stopped, it says what was written"
 )
 
 
@@ -56,6 +57,7 @@ def _generate(arguments: argparse.Namespace) -> int:
             effort=Effort(candidates=arguments.candidates),
             on_object=progress.tell,
         )
+    heed_stops()
     save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
     if arguments.json:
         sys.stdout.write(to_json(result.report).decode())

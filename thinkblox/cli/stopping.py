@@ -1,29 +1,56 @@
 """How a command is stopped."""
 
 import signal
+import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from types import FrameType
+
+STOPPED = 130
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+_CAME: list[int] = []
 
 
 @contextmanager
-def stoppable(stops: list[int]) -> Iterator[None]:
+def stoppable(*, to_the_end: bool) -> Iterator[list[int]]:
     """Let Ctrl-C and SIGTERM end a command as KeyboardInterrupt, so that nothing half-written stays behind.
 
-    The signals that came are appended to `stops`.
-    """
+    Args:
+        to_the_end: this is all that the process does: signals that come after it are too late and pass unheard.
 
-    def stop(number: int, frame: object) -> None:
-        stops.append(number)
+    Yields:
+        The signals that came.
+    """
+    _CAME.clear()
+    if threading.current_thread() is not threading.main_thread():
+        yield _CAME
+        return
+    before = [signal.signal(number, _stop) for number in SIGNALS]
+    try:
+        yield _CAME
+    finally:
+        signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
+        for number, handler in zip(SIGNALS, before, strict=True):
+            signal.signal(number, signal.SIG_IGN if to_the_end else handler)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)
+
+
+def heed_stops() -> None:
+    """Raise KeyboardInterrupt when a signal came: compiled code may have made another error of it that was handled."""
+    if _CAME:
         raise KeyboardInterrupt
 
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    signals = (signal.SIGINT, signal.SIGTERM)
-    before = [signal.signal(number, stop) for number in signals]
-    try:
-        yield
-    finally:
-        for number, handler in zip(signals, before, strict=True):
-            signal.signal(number, handler)
+
+def say_stopped() -> None:
+    """Say on stderr that the command was stopped, and what it had written by then."""
+    from thinkblox.holding import placed
+
+    written = ", ".join(str(path) for path in placed())
+    with suppress(OSError):
+        print(f"thinkblox: stopped; {written or 'nothing'} was written", file=sys.stderr)
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    _CAME.append(number)
+    raise KeyboardInterrupt

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 STATUS = (
     "exit status: 0 everything passed; 1 measured, but not all passed, the output says what; 2 the input cannot be"
-    " used; 130 stopped"
+    " used; 70 a fault of ours; 130 stopped"
 )
 
 
@@ -36,7 +36,8 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--room", metavar="ID", help="which room of a file that holds several")
     parser.add_argument("--short-side", metavar="M", type=float, help="of the room, for a layout in pixels")
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
-    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for a foreign file (600)")
+    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for reading and measuring (600)")
+    parser.add_argument("--overwrite", action="store_true", help="replace any file with --out and --html")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.set_defaults(run=_verify)
 
@@ -62,6 +63,7 @@ def _verify(arguments: argparse.Namespace) -> int:
         fix=arguments.fix,
         out=_text(arguments.out),
         page=_text(arguments.html),
+        overwrite=arguments.overwrite,
     )
     report = verify_file(arguments.scene, reading, timeout=arguments.timeout)
     passed = report.valid and all(suite.passed for suite in report.suites)
