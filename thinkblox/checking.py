@@ -8,9 +8,7 @@ import msgspec
 from msgspec import structs
 
 from thinkblox.errors import InputError
-from thinkblox.exporters.saving import scene_files, write_files
 from thinkblox.regular_file import opened_regular, read_regular
-from thinkblox.scene.scene import Scene, load_scene
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, read_json
 from thinkblox.verdict import Absence, Report
@@ -81,8 +79,11 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
     kind = _format_of(path, reading.format)
     from thinkblox.sim.workers.guard import guarded
 
+    # This process loads no more than it takes to read the answer: the child is what a caller waits for.
     done = guarded(_measured, str(path), kind, reading, seconds=timeout, doing=f"measuring {path}")
     if reading.out is not None:
+        from thinkblox.exporters.saving import write_files
+
         write_files(done.scene, Path(reading.out).parent)
     if reading.page is not None:
         write_whole(Path(reading.page), done.page)
@@ -107,6 +108,8 @@ def _check_targets(reading: VerifyOptions) -> None:
 
 
 def _is_scene(path: Path) -> bool:
+    from thinkblox.scene.scene import Scene
+
     try:
         read_json(path, Scene)
     except InputError:
@@ -192,6 +195,7 @@ def _measured(path: str, format: str, reading: VerifyOptions) -> _Done:
 
 def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject", tuple[str, ...], tuple[str, ...]]:
     """What is to be measured, notes on how it was read, and the names of what it does not place."""
+    from thinkblox.scene.scene import load_scene
     from thinkblox.sim.subject import subject_of
 
     if format == OURS:
@@ -251,6 +255,8 @@ def _scene_files(path: str, subject: "Subject", reading: VerifyOptions) -> dict[
         return {}
     if subject.scene is None:
         raise InputError(f"{path}: a model has no scene.json; --out is for scenes and layouts")
+    from thinkblox.exporters.saving import scene_files
+
     return scene_files(subject.scene, Path(reading.out).name)
 
 
