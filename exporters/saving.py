@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -75,8 +76,9 @@ def save_scene(
         for name, data in extra.items():
             writing.add(name, data, "extra")
         if pictures:
-            _write_pictures(scene, inventory.state, room)
-            writing.found("picture", {"preview.png": "a three-quarter view", "top.png": "a plan with names"})
+            says = ("a three-quarter view", "a plan with names")
+            for (name, data), what in zip(_drawn(scene, inventory.state).items(), says, strict=True):
+                writing.add(name, data, "picture", what)
         writing.finish(inventory, chosen)
     return Path(out)
 
@@ -87,23 +89,37 @@ def save_pictures(scene: Scene, out: str | Path, *, size: int = 1024) -> tuple[P
     Raises:
         InputError: the folder cannot be written.
     """
+    return write_pictures(draw_pictures(scene, size=size), Path(out))
+
+
+def draw_pictures(scene: Scene, *, size: int = 1024) -> dict[str, bytes]:
+    """preview.png and top.png of a scene as it rests, `size` pixels square, by name."""
     from thinkblox.sim.verdict.settle import settle
 
-    out = Path(out)
+    return _drawn(scene, settle(scene), size)
+
+
+def write_pictures(pictures: Mapping[str, bytes], out: Path) -> tuple[Path, ...]:
+    """Write what `draw_pictures` drew into the folder `out`, which is made; returns their paths.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
     try:
         with made_parents(out / PICTURES[0]):
             sweep_pictures(out)
             with workplace(out / PICTURES[0]) as work:
-                _write_pictures(scene, settle(scene), work, size)
-                _put_pictures(work, out)
+                for name, data in pictures.items():
+                    (work / name).write_bytes(data)
+                _put_pictures(work, out, tuple(pictures))
     except OSError as error:
         raise InputError(f"{error.filename or out}: cannot be written: {error.strerror}") from error
-    return tuple(out / name for name in PICTURES)
+    return tuple(out / name for name in pictures)
 
 
-def _put_pictures(work: Path, out: Path) -> None:
+def _put_pictures(work: Path, out: Path, names: Sequence[str]) -> None:
     with signals_held():
-        for name in PICTURES:
+        for name in names:
             (work / name).replace(out / name)
             note_placed(out / name)
 
@@ -162,11 +178,15 @@ def _verified(inventory: "Inventory") -> Report:
     return verify(inventory.scene, physics=inventory.physics, state=inventory.state)
 
 
-def _write_pictures(scene: Scene, settled: "SettledState", folder: Path, size: int = 1024) -> None:
+def _drawn(scene: Scene, settled: "SettledState", size: int = 1024) -> dict[str, bytes]:
     from thinkblox.sim.render import render_preview, render_top
 
+    drawn = {}
     for name, render in zip(PICTURES, (render_preview, render_top), strict=True):
-        render(scene, size=size, poses=settled.poses).save(folder / name)
+        file = BytesIO()
+        render(scene, size=size, poses=settled.poses).save(file, format="PNG")
+        drawn[name] = file.getvalue()
+    return drawn
 
 
 class _Writing:

@@ -13,9 +13,7 @@ import pytest
 from thinkblox.exporters.folder import check_folder
 from thinkblox.scene.scene import load_scene
 
-pytestmark = pytest.mark.skipif(
-    not Path("/proc/self/status").exists(), reason="needs to see when a process heeds stops"
-)
+pytestmark = pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="sees when a process heeds stops")
 KILLS = int(os.environ.get("THINKBLOX_KILLS", "120"))
 """How often commands are killed in all."""
 OLD, NEW = "A room with a chair.", "A room with a stool."
@@ -87,6 +85,7 @@ def test_a_killed_generate_leaves_the_old_or_the_new_room(tmp_path: Path, overwr
             assert ("nothing was written" in errors) == (found != NEW), errors
         if number != signal.SIGKILL:
             assert [p.name for p in out.parent.iterdir()] in ([], ["room"])
+        whole *= 0.97 if status == 0 else 1.01  # the machine is not always as fast
         seen[f"{status} {found}"] = seen.get(f"{status} {found}", 0) + 1
         subprocess.run(["rm", "-rf", out], check=True)
     print(seen)
@@ -114,6 +113,7 @@ def test_a_killed_verify_leaves_the_old_or_the_new_files(tmp_path: Path, overwri
         after = whole * (rng.random() if kill % 2 else rng.uniform(0.7, 1.0))
         status, errors = killed([*arguments, *(["--overwrite"] if overwrite else [])], number, after)
         check_status(number, status, errors)
+        whole *= 0.97 if status == 0 else 1.01
         found = {path: path.read_bytes() for path in new if path.exists()}
         assert set(found) >= set(old)
         assert all(data in (new[path], old.get(path)) for path, data in found.items())

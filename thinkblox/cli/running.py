@@ -2,14 +2,13 @@
 
 import argparse
 import contextlib
-import io
-import os
 import sys
 import traceback
 from collections.abc import Sequence
 from typing import Any
 
 from thinkblox.cli import assets, generate, render, schema, verify
+from thinkblox.cli.output import UnwrittenError, written_output
 from thinkblox.errors import InputError, ThinkBloxError
 from thinkblox.holding import forget_placed
 
@@ -30,8 +29,6 @@ def run(argv: Sequence[str] | None, stops: list[int]) -> int:
         stops: the signals that came so far: whatever is raised after one is a stop.
     """
     forget_placed()
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # a file may have a name that is no text
     try:
         return _ended(_parser().parse_args(argv))
     except Exception as error:
@@ -42,28 +39,17 @@ def run(argv: Sequence[str] | None, stops: list[int]) -> int:
 
 def _ended(arguments: argparse.Namespace) -> int:
     try:
-        status: int = arguments.run(arguments)
-        sys.stdout.flush()
+        with written_output():
+            status: int = arguments.run(arguments)
     except InputError as error:
         _say(str(error))
         return UNUSABLE
-    except OSError as error:
-        return _unwritten(error)
-    return status
-
-
-def _unwritten(error: OSError) -> int:
-    """The status for an output that cannot be written; raises the error again when the output is not to blame."""
-    try:
-        sys.stdout.flush()
-    except OSError as refused:
-        # What could not be written is still there, and the last flush at exit must not fail too.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        if isinstance(refused, BrokenPipeError):
+    except UnwrittenError as error:
+        if error.unread:
             return UNREAD  # whoever read the output, such as `head`, has had enough
-        _say(f"the output could not be written: {refused.strerror}")
+        _say(f"the output could not be written: {error.why}")
         return UNWRITTEN
-    raise error
+    return status
 
 
 def _fault(error: Exception) -> int:

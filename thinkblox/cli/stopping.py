@@ -12,6 +12,14 @@ SIGNALS = (signal.SIGINT, signal.SIGTERM)
 _CAME: list[int] = []
 
 
+class StoppedError(KeyboardInterrupt):
+    """A signal came.
+
+    A plain KeyboardInterrupt that ends an `exec`, of which the standard library has some, makes the interpreter end by
+    SIGINT, even if it was handled.
+    """
+
+
 @contextmanager
 def stoppable(*, to_the_end: bool) -> Iterator[list[int]]:
     """Let Ctrl-C and SIGTERM end a command as KeyboardInterrupt, so that nothing half-written stays behind.
@@ -39,7 +47,7 @@ def stoppable(*, to_the_end: bool) -> Iterator[list[int]]:
 def heed_stops() -> None:
     """Raise KeyboardInterrupt when a signal came: compiled code may have made another error of it that was handled."""
     if _CAME:
-        raise KeyboardInterrupt
+        raise StoppedError
 
 
 def say_stopped() -> None:
@@ -53,4 +61,4 @@ def say_stopped() -> None:
 
 def _stop(number: int, frame: FrameType | None) -> None:
     _CAME.append(number)
-    raise KeyboardInterrupt
+    raise StoppedError
