@@ -283,9 +283,9 @@ def test_a_room_is_replaced_but_not_a_strangers_file_of_meanwhile(
     assert (out / "trace.jsonl").stat().st_size == 0
     assert names(tmp_path) == ["room"]
 
-    def after_a_stranger(*paths: Path, aside: Path) -> None:
+    def after_a_stranger(room: Path, out: Path, aside: Path) -> None:
         (out / "thesis.tex").write_text("years of work")
-        _put_in_place(*paths, aside=aside)
+        _put_in_place(room, out, aside)
 
     monkeypatch.setattr("thinkblox.exporters.folder._put_in_place", after_a_stranger)
     with pytest.raises(InputError, match="meanwhile"):

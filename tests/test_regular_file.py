@@ -1,6 +1,7 @@
 """Only regular files of a bounded size are read, and for nothing else is waited."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -43,7 +44,7 @@ def odd(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("read", READERS)
-def test_what_is_no_small_regular_file_is_refused_at_once(odd: Path, read) -> None:  # type: ignore[no-untyped-def]
+def test_what_is_no_small_regular_file_is_refused_at_once(odd: Path, read: Callable[[Path], object]) -> None:
     with pytest.raises(InputError, match=str(odd)):
         read(odd)
 

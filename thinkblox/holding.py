@@ -37,8 +37,8 @@ def signals_held() -> Iterator[None]:
 def _redirected(tell: Callable[[int], None]) -> dict[int, Any]:
     """Have `tell` called instead of the handlers, which are handed back; those that are not Python's stay."""
     # The mask keeps a signal from this thread alone: one that another thread takes is handled here all the same.
-    before = {number: signal.getsignal(number) for number in STOPS}
-    before = {number: h for number, h in before.items() if callable(h) or h is signal.SIG_DFL}
+    found: dict[int, Any] = {int(number): signal.getsignal(number) for number in STOPS}
+    before = {number: h for number, h in found.items() if callable(h) or h is signal.SIG_DFL}
     for number in before:
         signal.signal(number, lambda came, _: tell(came))
     return before
