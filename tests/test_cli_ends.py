@@ -101,3 +101,23 @@ sys.exit(main())
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (130, "thinkblox: stopped; nothing was written\n")
+
+
+def test_a_stop_while_a_module_loads_waits_until_it_is_loaded(tmp_path: Path) -> None:
+    (tmp_path / "slow_module.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGTERM)\nloaded = True\n")
+    code = """
+import sys, time
+from thinkblox.cli import main, schema
+
+def loads(arguments):
+    import slow_module
+    print("loaded", slow_module.loaded, flush=True)
+    time.sleep(60.0)
+
+schema._schema = loads
+sys.argv = ["thinkblox", "schema"]
+sys.exit(main())
+"""
+    surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *filter(None, sys.path)])}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
+    assert (done.returncode, done.stderr) == (130, "thinkblox: stopped; nothing was written\n")

@@ -8,6 +8,8 @@ from contextlib import contextmanager, suppress
 from types import FrameType
 
 STOPPED = 130
+_SOON = 0.01
+"""How long after an import was found under way it is looked again [s]."""
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 _CAME: list[int] = []
 
@@ -34,11 +36,13 @@ def stoppable(*, to_the_end: bool) -> Iterator[list[int]]:
     if threading.current_thread() is not threading.main_thread():
         yield _CAME
         return
+    signal.signal(signal.SIGALRM, _raise_outside_imports)
     before = [signal.signal(number, _stop) for number in SIGNALS]
     try:
         yield _CAME
     finally:
         signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
         for number, handler in zip(SIGNALS, before, strict=True):
             signal.signal(number, signal.SIG_IGN if to_the_end else handler)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)
@@ -61,4 +65,14 @@ def say_stopped() -> None:
 
 def _stop(number: int, frame: FrameType | None) -> None:
     _CAME.append(number)
+    _raise_outside_imports(number, frame)
+
+
+def _raise_outside_imports(_: int, frame: FrameType | None) -> None:
+    # A compiled module that is stopped while it loads prints a traceback, or makes another error of it.
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            signal.setitimer(signal.ITIMER_REAL, _SOON)
+            return
+        frame = frame.f_back
     raise StoppedError
