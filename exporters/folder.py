@@ -2,8 +2,7 @@
 
 import os
 import shutil
-import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from itertools import islice
 from pathlib import Path
@@ -11,9 +10,17 @@ from pathlib import Path
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.exporters.manifest import foreign_files
+from thinkblox.exporters.manifest import PICTURES, foreign_files
+from thinkblox.holding import note_placed, signals_held
+from thinkblox.renaming import exchange, rename_if_free
 from thinkblox.scene.scene import Scene
 from thinkblox.value import read_json
+from thinkblox.whole_file import check_name, check_writable
+from thinkblox.workplace import leftovers, workplace
+
+_UNFINISHED, _FINISHED, _ASIDE = "unfinished", "finished", "aside"
+"""What a room is called in its workplace until it is whole, and then; and what it replaces, where the two cannot change
+places in one step."""
 
 
 def check_folder(out: str | Path, *, overwrite: bool = False) -> Path:
@@ -24,17 +31,11 @@ def check_folder(out: str | Path, *, overwrite: bool = False) -> Path:
             folder it would be made in cannot be written.
     """
     out = Path(out)
+    check_name(out)
+    _sweep(out)
     if os.path.lexists(out):
         _check_ours(out, overwrite)
-    parent = out.absolute().parent
-    while not os.path.lexists(parent):
-        parent = parent.parent
-    if not parent.is_dir():
-        raise InputError(f"{out}: cannot be made, for {parent} is not a folder")
-    try:
-        tempfile.TemporaryDirectory(prefix=f".{out.name}"[:20], dir=parent).cleanup()
-    except OSError as error:
-        raise InputError(f"{out}: cannot be made, for the folder {parent} is not writable: {error.strerror}") from error
+    check_writable(out)
     return out
 
 
@@ -50,8 +51,9 @@ def _check_ours(out: Path, overwrite: bool) -> None:
         raise InputError(f"{out}: is a symbolic link; name the folder itself")
     if not out.is_dir():
         raise InputError(f"{out}: exists and is not a folder; choose another name")
+    sweep_pictures(out)
     try:
-        foreign = list(islice(foreign_files(out), 3))
+        foreign = _strangers(out)
     except InputError as error:
         raise InputError(f"{out}: exists and is not a room that we wrote; choose another folder") from error
     if foreign:
@@ -65,22 +67,46 @@ def _check_ours(out: Path, overwrite: bool) -> None:
         raise InputError(f"{out}: already holds a room; choose another folder, or ask for it to be overwritten")
 
 
+def sweep_pictures(out: Path) -> None:
+    """Take away what was left behind by processes that were killed while they drew pictures into a folder."""
+    for work in leftovers(out / PICTURES[0]):
+        if {entry.name for entry in work.iterdir()} <= {*PICTURES}:
+            shutil.rmtree(work, ignore_errors=True)
+
+
+def _strangers(folder: Path) -> list[str]:
+    """Some of what lies in a room's folder and is not ours; raises InputError when its manifest is not one."""
+    return list(islice(foreign_files(folder), 3))
+
+
+def _has_strangers(folder: Path) -> bool:
+    try:
+        return bool(_strangers(folder))
+    except InputError:
+        return True
+
+
 @contextmanager
 def whole_folder(out: str | Path, *, overwrite: bool) -> Iterator[Path]:
     """A folder to write a room to, which becomes `out` at the end; after any failure or interruption, `out` is as
     it was before.
+
+    A process that is killed leaves a hidden folder behind, which the next one that writes `out` takes away.
 
     Raises:
         InputError: as for `check_folder`, or the disk refused.
     """
     out = check_folder(out, overwrite=overwrite)
     try:
-        with made_parents(out), tempfile.TemporaryDirectory(prefix=f".{out.name}-", dir=out.parent) as work:
-            room = Path(work) / "room"
+        with made_parents(out), workplace(out) as work:
+            room = work / _UNFINISHED
             room.mkdir()
             yield room
             check_folder(out, overwrite=overwrite)
-            _move_into_place(room, out, aside=Path(f"{work}-replaced"))
+            room = room.rename(work / _FINISHED)
+            with signals_held():
+                _put_in_place(room, out, aside=work / _ASIDE)
+                note_placed(out)
     except OSError as error:
         raise InputError(f"{error.filename or out}: cannot be written: {error.strerror}") from error
 
@@ -99,15 +125,36 @@ def made_parents(out: Path) -> Iterator[None]:
         raise
 
 
-def _move_into_place(room: Path, out: Path, aside: Path) -> None:
-    """Put `room` where `out` is; what was there is kept aside until the new one stands, and put back if it cannot."""
-    try:
-        if out.exists():
-            out.rename(aside)
-        room.rename(out)
-    except BaseException:
-        if aside.exists() and not out.exists():
+def _put_in_place(room: Path, out: Path, aside: Path) -> None:
+    """Let `room` be `out`; what was there is in the workplace then, and comes back if a stranger's file is in it."""
+    if not os.path.lexists(out):
+        rename_if_free(room, out)
+    elif exchange(room, out):
+        _check_replaced(room, out, lambda: exchange(room, out))
+    else:
+        out.rename(aside)
+        try:
+            _check_replaced(aside, out, lambda: aside.rename(out))
+            rename_if_free(room, out)
+        except OSError:
             aside.rename(out)
-        raise
-    if aside.exists():
-        shutil.rmtree(aside)
+            raise
+
+
+def _check_replaced(old: Path, out: Path, undo: Callable[[], object]) -> None:
+    """See to it that nobody has put anything into a folder since it was looked at; raises InputError."""
+    if _has_strangers(old):
+        undo()
+        raise InputError(f"{out}: files that are not ours were put there meanwhile; choose another folder")
+
+
+def _sweep(out: Path) -> None:
+    """Take away what was left behind by processes that were killed while they wrote `out`, and nothing else."""
+    for work in leftovers(out):
+        if not {entry.name for entry in work.iterdir()} <= {_UNFINISHED, _FINISHED, _ASIDE}:
+            continue
+        if (work / _ASIDE).is_dir() and not os.path.lexists(out):
+            (work / _ASIDE).rename(out)
+        replaced = [work / name for name in (_FINISHED, _ASIDE) if (work / name).is_dir()]
+        if not any(map(_has_strangers, replaced)):
+            shutil.rmtree(work, ignore_errors=True)

@@ -1,21 +1,23 @@
 """Saving any scene, generated or edited, with its report, its formats and its pictures."""
 
 import re
-import tempfile
 from collections.abc import Mapping, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from thinkblox.errors import InputError
 from thinkblox.exporters.credits import credits_of
-from thinkblox.exporters.folder import check_folder, made_parents, whole_folder
+from thinkblox.exporters.folder import check_folder, made_parents, sweep_pictures, whole_folder
 from thinkblox.exporters.formats import DEFAULT, ExportFormat, formats_named
 from thinkblox.exporters.manifest import MANIFEST, PICTURES, FileKind, Manifest, ManifestFile
+from thinkblox.holding import note_placed, signals_held
 from thinkblox.scene.asset_files import asset_files
 from thinkblox.scene.scene import Scene
 from thinkblox.value import to_json
 from thinkblox.verdict import Report
 from thinkblox.whole_file import write_whole
+from thinkblox.workplace import workplace
 
 if TYPE_CHECKING:
     from thinkblox.exporters.inventory import Inventory
@@ -74,8 +76,9 @@ def save_scene(
         for name, data in extra.items():
             writing.add(name, data, "extra")
         if pictures:
-            _write_pictures(scene, inventory.state, room)
-            writing.found("picture", {"preview.png": "a three-quarter view", "top.png": "a plan with names"})
+            says = ("a three-quarter view", "a plan with names")
+            for (name, data), what in zip(_drawn(scene, inventory.state).items(), says, strict=True):
+                writing.add(name, data, "picture", what)
         writing.finish(inventory, chosen)
     return Path(out)
 
@@ -86,17 +89,39 @@ def save_pictures(scene: Scene, out: str | Path, *, size: int = 1024) -> tuple[P
     Raises:
         InputError: the folder cannot be written.
     """
+    return write_pictures(draw_pictures(scene, size=size), Path(out))
+
+
+def draw_pictures(scene: Scene, *, size: int = 1024) -> dict[str, bytes]:
+    """preview.png and top.png of a scene as it rests, `size` pixels square, by name."""
     from thinkblox.sim.verdict.settle import settle
 
-    out = Path(out)
+    return _drawn(scene, settle(scene), size)
+
+
+def write_pictures(pictures: Mapping[str, bytes], out: Path) -> tuple[Path, ...]:
+    """Write what `draw_pictures` drew into the folder `out`, which is made; returns their paths.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
     try:
-        with made_parents(out / PICTURES[0]), tempfile.TemporaryDirectory(prefix=".pictures-", dir=out) as work:
-            _write_pictures(scene, settle(scene), Path(work), size)
-            for name in PICTURES:
-                (Path(work) / name).replace(out / name)
+        with made_parents(out / PICTURES[0]):
+            sweep_pictures(out)
+            with workplace(out / PICTURES[0]) as work:
+                for name, data in pictures.items():
+                    (work / name).write_bytes(data)
+                _put_pictures(work, out, tuple(pictures))
     except OSError as error:
         raise InputError(f"{error.filename or out}: cannot be written: {error.strerror}") from error
-    return tuple(out / name for name in PICTURES)
+    return tuple(out / name for name in pictures)
+
+
+def _put_pictures(work: Path, out: Path, names: Sequence[str]) -> None:
+    with signals_held():
+        for name in names:
+            (work / name).replace(out / name)
+            note_placed(out / name)
 
 
 def write_scene(scene: Scene, path: Path) -> None:
@@ -105,14 +130,28 @@ def write_scene(scene: Scene, path: Path) -> None:
     Raises:
         InputError: it cannot be written, or a mesh or texture is not known.
     """
-    for name, data in asset_files(scene.assets.values()).items():
-        file = path.parent / name
-        try:
-            file.parent.mkdir(exist_ok=True)
-        except OSError as error:
-            raise InputError(f"{file.parent}: cannot be made: {error.strerror}") from error
+    write_files(scene_files(scene, path.name), path.parent)
+
+
+def scene_files(scene: Scene, name: str) -> dict[str, bytes]:
+    """A scene as the file `name`, after the meshes and textures that it needs beside it, by relative path.
+
+    Raises:
+        InputError: a mesh or texture is not known.
+    """
+    return {**asset_files(scene.assets.values()), name: to_json(scene)}
+
+
+def write_files(files: Mapping[str, bytes], home: Path) -> None:
+    """Write files of a scene into a folder, each whole or not at all, the last one last; raises InputError."""
+    for name, data in files.items():
+        file = home / name
+        if file.parent != home:
+            try:
+                file.parent.mkdir(exist_ok=True)
+            except OSError as error:
+                raise InputError(f"{file.parent}: cannot be made: {error.strerror}") from error
         write_whole(file, data)
-    write_whole(path, to_json(scene))
 
 
 def _check_report(scene: Scene, report: Report | None) -> None:
@@ -139,11 +178,15 @@ def _verified(inventory: "Inventory") -> Report:
     return verify(inventory.scene, physics=inventory.physics, state=inventory.state)
 
 
-def _write_pictures(scene: Scene, settled: "SettledState", folder: Path, size: int = 1024) -> None:
+def _drawn(scene: Scene, settled: "SettledState", size: int = 1024) -> dict[str, bytes]:
     from thinkblox.sim.render import render_preview, render_top
 
+    drawn = {}
     for name, render in zip(PICTURES, (render_preview, render_top), strict=True):
-        render(scene, size=size, poses=settled.poses).save(folder / name)
+        file = BytesIO()
+        render(scene, size=size, poses=settled.poses).save(file, format="PNG")
+        drawn[name] = file.getvalue()
+    return drawn
 
 
 class _Writing:

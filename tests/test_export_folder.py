@@ -1,5 +1,7 @@
 """The output folder: whole or not at all, and never over anything that is not ours."""
 
+import os
+import signal
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -11,14 +13,17 @@ from tests.export_rooms import Result, Trace, report_on, result
 from tests.textured import crate, crate_scene
 from thinkblox.errors import InputError
 from thinkblox.exporters import ExportFormat, register
-from thinkblox.exporters.folder import check_folder
+from thinkblox.exporters.folder import _put_in_place, check_folder, whole_folder
 from thinkblox.exporters.formats import _FORMATS
 from thinkblox.exporters.inventory import Inventory
 from thinkblox.exporters.manifest import MANIFEST, PICTURES, Manifest
 from thinkblox.exporters.saving import save_pictures, save_scene
+from thinkblox.holding import placed
+from thinkblox.renaming import exchange
 from thinkblox.saving import save_room
 from thinkblox.scene.scene import load_scene
 from thinkblox.value import read_json
+from thinkblox.workplace import _claimed
 
 WITHOUT_PICTURES = ["manifest.json", "report.json", "scene.json", "scene.usda", "scene.xml", "trace.jsonl"]
 
@@ -29,6 +34,13 @@ def names(folder: Path) -> list[str]:
 
 def save(made: Result, out: Path, **options: Any) -> Path:
     return save_room(made, out, pictures=False, **options)  # type: ignore[arg-type]
+
+
+def left_behind(out: Path) -> Path:
+    """The workplace of a process that was killed."""
+    folder, lock = _claimed(out)
+    os.close(lock)
+    return folder
 
 
 def test_everything_is_written_and_nothing_else(tmp_path: Path) -> None:
@@ -219,3 +231,101 @@ def test_messages_speak_no_command_line(tmp_path: Path) -> None:
         check_folder(out)
     assert "--" not in str(raised.value)
     assert "overwritten" in str(raised.value)
+
+
+def test_what_a_killed_process_left_is_swept_up_by_the_next(tmp_path: Path) -> None:
+    out, work = tmp_path / "room", left_behind(tmp_path / "room")
+    (work / "unfinished" / "assets").mkdir(parents=True)
+    (work / "unfinished" / "scene.json").write_text("half")
+    left_behind(tmp_path / "another")
+    assert save(result(), out) == out
+    assert names(tmp_path) == sorted(["room", next(name for name in names(tmp_path) if name.startswith("."))])
+
+
+def test_what_a_living_process_works_on_stays(tmp_path: Path) -> None:
+    with whole_folder(tmp_path / "room", overwrite=False) as room:
+        (room / "scene.json").write_text("half")
+        save(result(), tmp_path / "room")
+        assert (room / "scene.json").read_text() == "half"
+        (tmp_path / "room").rename(tmp_path / "first")
+    assert names(tmp_path) == ["first", "room"]
+
+
+def test_a_room_that_was_put_aside_when_its_process_was_killed_comes_back(tmp_path: Path) -> None:
+    work = left_behind(tmp_path / "room")
+    save(result(), work / "aside")
+    with pytest.raises(InputError, match="already holds a room"):
+        check_folder(tmp_path / "room")
+    assert load_scene(tmp_path / "room") == result().scene
+    assert names(tmp_path) == ["room"]
+
+
+def test_a_replaced_room_with_a_strangers_file_in_it_is_not_swept_up(tmp_path: Path) -> None:
+    save(result(), tmp_path / "room")
+    work = left_behind(tmp_path / "room")
+    (save(result(), work / "finished") / "thesis.tex").write_text("years of work")
+    check_folder(tmp_path / "room", overwrite=True)
+    assert (work / "finished" / "thesis.tex").read_text() == "years of work"
+
+
+@pytest.fixture(params=["in one step", "in two steps"])
+def system(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    if request.param == "in two steps":
+        monkeypatch.setattr("thinkblox.renaming._system_call", lambda: None)
+
+
+@pytest.mark.usefixtures("system")
+def test_a_room_is_replaced_but_not_a_strangers_file_of_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = save(result(), tmp_path / "room")
+    save(replace(result(), episode=Trace(())), out, overwrite=True)
+    assert (out / "trace.jsonl").stat().st_size == 0
+    assert names(tmp_path) == ["room"]
+
+    def after_a_stranger(room: Path, out: Path, aside: Path) -> None:
+        (out / "thesis.tex").write_text("years of work")
+        _put_in_place(room, out, aside)
+
+    monkeypatch.setattr("thinkblox.exporters.folder._put_in_place", after_a_stranger)
+    with pytest.raises(InputError, match="meanwhile"):
+        save(result(), out, overwrite=True)
+    assert (out / "thesis.tex").read_text() == "years of work"
+    assert names(tmp_path) == ["room"]
+
+
+@pytest.mark.usefixtures("system")
+def test_a_name_that_is_taken_meanwhile_is_left_alone(tmp_path: Path) -> None:
+    writing = whole_folder(tmp_path / "room", overwrite=False)
+    writing.__enter__()
+    (tmp_path / "room").mkdir()
+    (tmp_path / "room" / "thesis.tex").write_text("years of work")
+    with pytest.raises(InputError, match="exists"):
+        writing.__exit__(None, None, None)
+    assert (tmp_path / "room" / "thesis.tex").read_text() == "years of work"
+    assert names(tmp_path) == ["room"]
+
+
+def test_a_stop_waits_until_the_new_room_stands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = save(result(), tmp_path / "room")
+
+    def stopped(*paths: Path) -> bool:
+        signal.raise_signal(signal.SIGINT)
+        return exchange(*paths)
+
+    monkeypatch.setattr("thinkblox.exporters.folder.exchange", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        save(replace(result(), episode=Trace(())), out, overwrite=True)
+    assert (out / "trace.jsonl").stat().st_size == 0
+    assert placed()[-1] == out
+    assert names(tmp_path) == ["room"]
+
+
+@pytest.mark.parametrize("name", ["x" * 255, "ü" * 127])
+def test_a_name_may_be_as_long_as_names_can_be(tmp_path: Path, name: str) -> None:
+    assert load_scene(save(result(), tmp_path / name)) == result().scene
+    with pytest.raises(InputError, match="too long for a name; 255 bytes"):
+        check_folder(tmp_path / f"{name}xx")
+    with pytest.raises(InputError, match="too long"):
+        check_folder(tmp_path / "none" / f"{name}xx" / "room")
+    assert names(tmp_path) == [name]

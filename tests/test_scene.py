@@ -5,9 +5,11 @@ import jsonschema
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec import structs
 
 from tests.conftest import unit_box
 from thinkblox.errors import InputError
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene, load_scene
@@ -146,3 +148,13 @@ def test_placement_frames_are_inverse_and_front_is_x(yaw, x, y):
 def test_an_opening_is_kept():
     door = Opening(id="door_1", kind="door", wall=1, offset=0.5, width=0.9, height=2.1)
     assert from_json(to_json(rectangle(4.0, 3.0, openings=(door,))), Room).openings == (door,)
+
+
+def test_the_parts_of_all_objects_together_are_bounded(box_asset: Asset) -> None:
+    (link,) = box_asset.links
+    heap = structs.replace(box_asset, links=(structs.replace(link, shapes=link.shapes * 2048),))
+    assert heap.made_of == (1, 2048, 0)
+    placed = [Placement(id=f"box_{n}", category="box", asset="box-0", position=(0, 0, n), yaw=0, size=(1, 1, 1))
+              for n in range(20)]  # fmt: skip
+    with pytest.raises(InputError, match="40960 shapes together; at most 40000 are read"):
+        Scene(room=rectangle(4.0, 4.0), placements=tuple(placed), assets={"box-0": heap})

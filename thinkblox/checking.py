@@ -1,17 +1,18 @@
 """Opening and measuring whatever a path holds: one of our scenes, a model, or the layout of another generator."""
 
+import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 from msgspec import structs
 
 from thinkblox.errors import InputError
-from thinkblox.exporters.saving import write_scene
-from thinkblox.scene.scene import load_scene
+from thinkblox.regular_file import opened_regular, read_regular
 from thinkblox.suite import SuiteResult
-from thinkblox.value import Value
+from thinkblox.value import Value, read_json
 from thinkblox.verdict import Absence, Report
+from thinkblox.whole_file import check_file, write_whole
 
 if TYPE_CHECKING:
     from thinkblox.sim.subject import Subject
@@ -25,7 +26,9 @@ MOST_MOVE = 100.0
 LISTED = 5
 """So many of the files in a folder are named in a message."""
 TIMEOUT = 600.0
-"""How long the measuring of a foreign file may take unless told otherwise [s]."""
+"""How long the measuring of a file may take unless told otherwise [s]."""
+_PAGE = b'<meta name="generator" content="ThinkBLOX"'
+"""What stands near the beginning of every page of ours."""
 
 
 class VerifyOptions(Value, frozen=True, kw_only=True):
@@ -49,6 +52,7 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
         fixed_base: hold the root links of a URDF to the world.
         exclude: names of things of a model, or patterns such as "target*", that are left out of it.
         robot: names or patterns of things of a model that are robots: they stay where they are, and are not judged.
+        overwrite: let `out` and `page` replace any file, not just one that we wrote.
     """
 
     format: str | None = None
@@ -68,32 +72,74 @@ class VerifyOptions(Value, frozen=True, kw_only=True):
     fixed_base: bool = False
     exclude: tuple[str, ...] = ()
     robot: tuple[str, ...] = ()
+    overwrite: bool = False
 
 
 def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeout: float = TIMEOUT) -> Report:
     """Measure the scene in a file or folder.
 
     Our own scenes are measured as `thinkblox.verify` does. Models keep their own options. Layouts of other
-    generators become scenes first. What is not ours is read and simulated in a process of its own.
+    generators become scenes first. Whatever it is, it is read and simulated in a process of its own; what is to be
+    written is written by this one, whole or not at all.
 
     Args:
         path: a scene.json or the folder that holds one, an MJCF or URDF file, or a layout.
         reading: how it is read, and what is made of it.
-        timeout: how long a foreign file may take, not counting the start of its process [s].
+        timeout: how long it may take [s], without the start of the process.
 
     Raises:
-        InputError: it cannot be read, or takes too long; says what was wrong, where, and what to do.
+        InputError: it cannot be read, or takes too long; or `out` or `page` cannot be written, or is a file that we did
+            not write; says what was wrong, where, and what to do.
     """
     path, reading = Path(path), reading or VerifyOptions()
     _check_names(reading)
+    _check_targets(reading)
     kind = _format_of(path, reading.format)
     if kind not in MODELS and (reading.root or reading.fixed_base or reading.exclude or reading.robot):
         raise InputError(f"{path}: --root, --fixed-base, --exclude and --robot are for models, which are MJCF or URDF")
-    if kind == OURS:
-        return _measured(str(path), kind, reading)
     from thinkblox.sim.workers.guard import guarded
 
-    return guarded(_measured, str(path), kind, reading, seconds=timeout, doing=f"measuring {path}")
+    # This process loads no more than it takes to read the answer: the child is what a caller waits for.
+    done = guarded(_measured, str(path), kind, reading, seconds=timeout, doing=f"measuring {path}")
+    if reading.out is not None:
+        from thinkblox.exporters.saving import write_files
+
+        write_files(done.scene, Path(reading.out).parent)
+    if reading.page is not None:
+        write_whole(Path(reading.page), done.page)
+    return done.report
+
+
+class _Done(NamedTuple):
+    """A report, and what is to be written: the files of the scene by relative path, and the page."""
+
+    report: Report
+    scene: dict[str, bytes]
+    page: bytes
+
+
+def _check_targets(reading: VerifyOptions) -> None:
+    """Refuse before any work what cannot be written at its end."""
+    targets = {name: Path(path) for name, path in (("out", reading.out), ("page", reading.page)) if path is not None}
+    if len({path.absolute() for path in targets.values()}) < len(targets):
+        raise InputError(f"{reading.out}: the scene and the page cannot be one file")
+    for name, path in targets.items():
+        check_file(path, ours=_is_scene if name == "out" else _is_page, overwrite=reading.overwrite)
+
+
+def _is_scene(path: Path) -> bool:
+    from thinkblox.scene.scene import Scene
+
+    try:
+        read_json(path, Scene)
+    except InputError:
+        return False
+    return True
+
+
+def _is_page(path: Path) -> bool:
+    with opened_regular(path, most=sys.maxsize) as file:
+        return _PAGE in file.read(2000)
 
 
 def _check_names(reading: VerifyOptions) -> None:
@@ -149,16 +195,14 @@ class _Ours(msgspec.Struct):
 
 def _is_ours(path: Path) -> bool:
     try:
-        msgspec.json.decode(path.read_bytes(), type=_Ours)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+        msgspec.json.decode(read_regular(path), type=_Ours)
     except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError):
         return False
     return True
 
 
-def _measured(path: str, format: str, reading: VerifyOptions) -> Report:
-    """Read, mend, measure and write, all as asked."""
+def _measured(path: str, format: str, reading: VerifyOptions) -> _Done:
+    """Read, mend and measure, all as asked."""
     subject, notes, unplaced = _opened(Path(path), format, reading)
     report = _report(subject)
     if reading.fix:
@@ -175,12 +219,12 @@ def _measured(path: str, format: str, reading: VerifyOptions) -> Report:
         notes=(*notes, *report.notes),
         suites=_suites(subject, reading),
     )
-    _write(path, subject, report, reading)
-    return report
+    return _Done(report, _scene_files(path, subject, reading), _page(path, subject, report, reading))
 
 
 def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject", tuple[str, ...], tuple[str, ...]]:
     """What is to be measured, notes on how it was read, and the names of what it does not place."""
+    from thinkblox.scene.scene import load_scene
     from thinkblox.sim.subject import subject_of
 
     if format == OURS:
@@ -243,12 +287,19 @@ def _suites(subject: "Subject", reading: VerifyOptions) -> tuple[SuiteResult, ..
     return tuple(run_suite(name, subject, seed=reading.seed) for name in reading.suites)
 
 
-def _write(path: str, subject: "Subject", report: Report, reading: VerifyOptions) -> None:
-    if reading.out is not None:
-        if subject.scene is None:
-            raise InputError(f"{path}: a model has no scene.json; --out is for scenes and layouts")
-        write_scene(subject.scene, Path(reading.out))
-    if reading.page is not None:
-        from thinkblox.page import write_page
+def _scene_files(path: str, subject: "Subject", reading: VerifyOptions) -> dict[str, bytes]:
+    if reading.out is None:
+        return {}
+    if subject.scene is None:
+        raise InputError(f"{path}: a model has no scene.json; --out is for scenes and layouts")
+    from thinkblox.exporters.saving import scene_files
 
-        write_page(report, subject, Path(reading.page), title=report.prompt or Path(path).name)
+    return scene_files(subject.scene, Path(reading.out).name)
+
+
+def _page(path: str, subject: "Subject", report: Report, reading: VerifyOptions) -> bytes:
+    if reading.page is None:
+        return b""
+    from thinkblox.page import page_of
+
+    return page_of(report, subject, title=report.prompt or Path(path).name).encode("utf-8", "replace")

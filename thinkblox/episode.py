@@ -14,15 +14,18 @@ from thinkblox.errors import InputError
 from thinkblox.judging import Try
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.plan import Plan
+from thinkblox.regular_file import opened_regular
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
-from thinkblox.value import Value, Vec3
+from thinkblox.value import Value, Vec3, refuse_double_keys
 
 EPISODE_VERSION = 1
 MAX_LINE = 8_000_000
 """Longest line of a trace that is read [bytes]."""
+MAX_TRACE = 1_000_000_000
+"""Largest trace that is read [bytes]."""
 
 RoundKind = Literal["policy", "repair", "revision", "last resort"]
 
@@ -169,18 +172,17 @@ def read_episode(path: str | Path) -> Episode:
     beginning: Beginning | None = None
     assets: dict[str, Asset] = {}
     rounds: list[Round] = []
-    try:
-        with file.open("rb") as lines:
-            for number, text in enumerate(iter(lambda: lines.readline(MAX_LINE), b""), 1):
-                line = _decoded(decoder, text, f"{file}, line {number}")
-                if isinstance(line, Beginning):
-                    beginning = line
-                elif isinstance(line, UsedAsset):
-                    assets[line.asset.id] = line.asset
-                else:
-                    rounds.append(line)
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+    with opened_regular(file, most=MAX_TRACE) as lines:
+        for number, text in enumerate(iter(lambda: lines.readline(MAX_LINE), b""), 1):
+            line = _decoded(decoder, text, f"{file}, line {number}")
+            if isinstance(line, Beginning):
+                if beginning is not None:
+                    raise InputError(f"{file}, line {number}: begins a second episode; a trace holds one")
+                beginning = line
+            elif isinstance(line, UsedAsset):
+                assets[line.asset.id] = line.asset
+            else:
+                rounds.append(line)
     if beginning is None:
         raise InputError(f"{file}: no line of it begins an episode; traces of before version 0.2 hold none")
     return _checked(file, beginning, assets, rounds)
@@ -188,9 +190,11 @@ def read_episode(path: str | Path) -> Episode:
 
 def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> Line:
     try:
-        return decoder.decode(text)
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
+        line = decoder.decode(text)
+    except (InputError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
         raise InputError(f"{where}: {error}") from error
+    refuse_double_keys(text, where)
+    return line
 
 
 def _checked(file: Path, beginning: Beginning, assets: dict[str, Asset], rounds: list[Round]) -> Episode:

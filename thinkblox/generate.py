@@ -1,5 +1,6 @@
 """The loop: a prompt becomes a plan, and each target of the plan a measured placement."""
 
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
@@ -166,12 +167,13 @@ def furnish(
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
     makeable, refused = _makeable(plan, scene, source)
-    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort)
+    kinds, until = kinds_of(makeable, source), time.monotonic() + effort.seconds
+    loop = Loop(makeable, kinds, policy, source, effort, until)
     made: list[_Attempt] = []
     for number in range(1 + effort.restarts):
         made.append(_Attempt(loop, scene, number, judged, on_object, refused))
         last = _faults(made[-1].report)
-        if not any(last) or (len(made) > 1 and last >= _faults(made[-2].report)):
+        if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
     best = min(made, key=lambda attempt: _faults(attempt.report))
     episode = Episode(
@@ -229,16 +231,10 @@ class _Attempt:
         absent = list(refused)
         total = len(loop.plan.targets)
         for count, target in enumerate(loop.plan.targets, 1):
-            rng = np.random.default_rng((scene.seed, number, count))
-            placing = Placing(self.world, loop, target, rng)
-            grown = placing.run()
-            self.world = placing.world if grown is None else grown
-            if grown is None:
-                why = placing.reason
+            why = loop.over or self._place(loop, target, number, np.random.default_rng((scene.seed, number, count)))
+            if why:
                 absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=why))
-            self.assets |= placing.assets
-            self.rounds += [structs.replace(r, attempt=number) for r in placing.rounds]
-            on_object(Progress(target, grown is not None, count, total, number))
+            on_object(Progress(target, not why, count, total, number))
         self.report = report_on(
             self.world.scene,
             loop.plan,
@@ -246,3 +242,12 @@ class _Attempt:
             tolerances=judged.tolerances,
             requirements=judged.requirements,
         )
+
+    def _place(self, loop: Loop, target: Target, number: int, rng: np.random.Generator) -> str:
+        """Place one object; says why when it could not be placed."""
+        placing = Placing(self.world, loop, target, rng)
+        grown = placing.run()
+        self.world = placing.world if grown is None else grown
+        self.assets |= placing.assets
+        self.rounds += [structs.replace(r, attempt=number) for r in placing.rounds]
+        return "" if grown is not None else placing.reason or "no place was found"

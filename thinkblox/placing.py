@@ -34,6 +34,10 @@ SOFT: frozenset[Reason] = frozenset({"blocks_way", "blocks_window", "blocks_open
 """What a crowded room may have to give up, and the report then says."""
 
 
+BUDGET = 900.0
+"""How long the objects of a room may take to be placed unless told otherwise [s]."""
+
+
 @dataclass(frozen=True)
 class Effort:
     """How hard the loop tries.
@@ -44,6 +48,11 @@ class Effort:
         repairs: poses measured around its best try after that.
         revisions: places measured for a neighbour that is in the way, after that.
         restarts: how often a room that is not all as asked is begun anew; the best one is kept.
+        seconds: the budget: how long objects are placed. What is not placed by then is absent, and says so; the report
+            on the whole room comes after. The same seed gives the same room as long as the budget is not used up.
+
+    Raises:
+        InputError: a budget that is no number of seconds above 0.
     """
 
     candidates: int = 8
@@ -51,8 +60,11 @@ class Effort:
     repairs: int = 40
     revisions: int = 16
     restarts: int = 2
+    seconds: float = BUDGET
 
     def __post_init__(self) -> None:
+        if not self.seconds > 0.0:
+            raise InputError(f"a budget of {self.seconds} s is none; give seconds, more than 0")
         for name, least in (("candidates", 1), ("rounds", 0), ("repairs", 0), ("revisions", 0), ("restarts", 0)):
             value = getattr(self, name)
             if type(value) is not int or value < least:
@@ -61,13 +73,21 @@ class Effort:
 
 @dataclass(frozen=True)
 class Loop:
-    """What every object of a room is placed with."""
+    """What every object of a room is placed with; `until` is the monotonic time at which the budget is over [s]."""
 
     plan: Plan
     kinds: dict[str, Kind]
     policy: Policy
     source: AssetSource
     effort: Effort
+    until: float = math.inf
+
+    @property
+    def over(self) -> str:
+        """That the budget is over, in words; empty while it is not."""
+        if time.monotonic() < self.until:
+            return ""
+        return f"the budget of {self.effort.seconds:g} s was over before a place for it was found"
 
 
 @dataclass
@@ -95,15 +115,19 @@ class Placing:
         """Place the object; None when no pose was found that may stand."""
         feedback: tuple[str, ...] = ()
         for number in range(self.loop.effort.rounds):
+            if self.loop.over:
+                break
             grown = self._ask(number, feedback)
             if grown is not None:
                 return grown
             feedback = tuple(t.feedback for t in self.rounds[-1].tries if t.feedback)
-        return self._repair() or self._revise() or self._last_resort()
+        return self._repair() or (None if self.loop.over else self._revise()) or self._last_resort()
 
     @property
     def reason(self) -> str:
         """Why it could not be placed: the failure of the try that came nearest, or of the last text."""
+        if self.loop.over:
+            return self.loop.over
         if self.failed:
             return str(min(self.failed, key=_badness)[1]).removeprefix(f"{self.target.id}: ")
         said = [t.rejection.message for r in self.rounds for t in r.tries if t.rejection is not None]
@@ -159,6 +183,8 @@ class Placing:
         tries: list[Try] = []
         valid: list[tuple[int, Proposal, Verdict]] = []
         for item in read:
+            if tries and self.loop.over:
+                break
             done = item if isinstance(item, Try) else measured(self.world, item)
             tries.append(done)
             if isinstance(item, Try) or done.verdict is None:
@@ -196,7 +222,7 @@ class Placing:
 
     def _repair(self) -> World | None:
         """Search the nearest valid pose around the best failed try, or around a place where such things may be."""
-        if self.loop.effort.repairs == 0:
+        if self.loop.effort.repairs == 0 or self.loop.over:
             return None
         best, _ = min(self.failed, key=_badness, default=(None, None))
         asset = best.asset if best and best.asset else self.asset

@@ -1,12 +1,15 @@
 """A report as a person reads it on a terminal: the outcome, every fault with its numbers, and tables of suites."""
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from thinkblox.headline import headline
-from thinkblox.listing import CategoryEntry
 from thinkblox.suite import Criterion, SuiteResult
 from thinkblox.value import Vec3
 from thinkblox.verdict import MendingMove, Report
+
+if TYPE_CHECKING:
+    from thinkblox.listing import CategoryEntry
 
 MARKS = {True: "passed", False: "FAILED", None: "-"}
 UNITS = {"m": ("mm", 1000.0)}
@@ -106,14 +109,14 @@ def _number(value: float | None, unit: str) -> str:
     return f"{value * factor:.4g} {shown}".strip()
 
 
-def categories(entries: Sequence[CategoryEntry]) -> str:
+def categories(entries: Sequence["CategoryEntry"]) -> str:
     """A table of the catalogue, a line for each category."""
     heading = ("category", "stands on", "size [m]", "mass [kg]", "attributes")
     rows = [(e.name, e.mount, _lengths(e.size), f"{e.mass:g}", ", ".join(e.attributes)) for e in entries]
     return f"{_table([heading, *rows])}\n{len(entries)} categories; size is depth x width x height"
 
 
-def category(entry: CategoryEntry) -> str:
+def category(entry: "CategoryEntry") -> str:
     """All about one category of the catalogue, a line for each fact."""
     return f"{entry.name}: {entry.noun}\n" + _table(
         [

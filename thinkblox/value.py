@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from thinkblox.errors import InputError
+from thinkblox.regular_file import read_regular
 
 Vec2 = tuple[float, float]
 Vec3 = tuple[float, float, float]
@@ -61,12 +62,9 @@ def read_json(path: Path, kind: type[V]) -> V:
     """Read `kind` from a JSON file.
 
     Raises:
-        InputError: it is missing, unreadable or wrong, or an object in it has a key twice; names the file.
+        InputError: it is missing, unreadable, too large or wrong, or an object in it has a key twice; names the file.
     """
-    try:
-        data = path.read_bytes().removeprefix(BOM_UTF8)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
+    data = read_regular(path).removeprefix(BOM_UTF8)
     value = from_json(data, kind, where=str(path))
     refuse_double_keys(data, str(path))
     return value

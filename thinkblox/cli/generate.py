@@ -4,8 +4,9 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from thinkblox.cli.options import natural, whole
+from thinkblox.cli.options import natural, seconds, whole
 from thinkblox.cli.progress import ObjectBar
+from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
 
 if TYPE_CHECKING:
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 STATUS = (
     "exit status: 0 all as asked; 1 written, but something asked for was not placed, does not stand as asked or did not"
-    " pass; 2 the input cannot be used, nothing was written; 130 stopped, nothing was written"
+    " pass; 2 the input cannot be used, nothing was written; 70 a fault of ours; 130 stopped, it says what was written"
 )
 
 
@@ -27,6 +28,7 @@ def add_command(commands: "Commands") -> None:
         "--room", metavar="FILE", type=Path, help="furnish this room: JSON with floor, height, openings"
     )
     parser.add_argument("--candidates", metavar="N", type=_candidates, default=8, help="poses proposed per round (8)")
+    parser.add_argument("--budget", metavar="S", type=seconds, default=900.0, help="for placing objects (900)")
     parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
     parser.add_argument("--overwrite", action="store_true", help="replace an output folder of an earlier run")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
@@ -53,9 +55,10 @@ def _generate(arguments: argparse.Namespace) -> int:
             arguments.prompt,
             seed=arguments.seed,
             room=room,
-            effort=Effort(candidates=arguments.candidates),
+            effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
             on_object=progress.tell,
         )
+    heed_stops()
     save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
     if arguments.json:
         write_json(to_json(result.report))

@@ -3,6 +3,8 @@
 import sys
 from typing import TYPE_CHECKING, Any
 
+from thinkblox.cli.stopping import heed_stops
+
 if TYPE_CHECKING:
     from thinkblox.generate import Progress
 
@@ -22,7 +24,8 @@ class ObjectBar:
             self._bar.close()
 
     def tell(self, progress: "Progress") -> None:
-        """Show one object more."""
+        """Show one object more; raises KeyboardInterrupt when the command was stopped meanwhile."""
+        heed_stops()
         if self._quiet:
             return
         outcome = "placed" if progress.placed else "not placed"

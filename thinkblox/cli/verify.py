@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 STATUS = (
     "exit status: 0 everything passed; 1 measured, but not all passed, the output says what; 2 the input cannot be"
-    " used; 130 stopped"
+    " used; 70 a fault of ours; 130 stopped"
 )
 TIMED = "for a foreign file, not counting the start of its process, of some seconds (600)"
 
@@ -68,7 +68,8 @@ def add_command(commands: "Commands") -> None:
         help="this, or all like 'robot0*', is no furniture: it stays where it is, and is not judged (repeat)",
     )
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
-    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help=TIMED)
+    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for reading and measuring (600)")
+    parser.add_argument("--overwrite", action="store_true", help="replace any file with --out and --html")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.set_defaults(run=_verify)
 
@@ -101,6 +102,7 @@ def _verify(arguments: argparse.Namespace) -> int:
         fixed_base=arguments.fixed_base,
         exclude=tuple(arguments.exclude),
         robot=tuple(arguments.robot),
+        overwrite=arguments.overwrite,
     )
     report = verify_file(arguments.scene, reading, timeout=arguments.timeout)
     passed = report.valid and all(suite.passed for suite in report.suites)

@@ -11,6 +11,7 @@ import msgspec
 from msgspec import Meta
 
 from thinkblox.errors import InputError
+from thinkblox.regular_file import read_regular
 
 MAX_BYTES = 64_000_000
 """Largest layout file that is read."""
@@ -66,13 +67,7 @@ def read_document(path: Path) -> Document:
         InputError: it cannot be read, is too large, is not JSON, nests too deep, holds NaN or an infinite number, or a
             key twice in one object.
     """
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"{path}: is larger than {MAX_BYTES // 1_000_000} MB; that is no layout of one room")
-        data = path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from error
-    return Document(path, _parsed(path, data.removeprefix(BOM_UTF8)))
+    return Document(path, _parsed(path, read_regular(path, most=MAX_BYTES).removeprefix(BOM_UTF8)))
 
 
 def beside(document: Document, belongs: Callable[[Any], bool]) -> list[Document]:

@@ -50,6 +50,7 @@ def page_of(report: Report, subject: Subject, *, title: str, walking: Walking | 
     head = element(
         "head",
         element("meta", charset="utf-8"),
+        element("meta", name="generator", content="ThinkBLOX"),
         element("meta", http_equiv="Content-Security-Policy", content=policy),
         element("meta", name="viewport", content="width=device-width, initial-scale=1"),
         element("title", f"{title} – ThinkBLOX"),

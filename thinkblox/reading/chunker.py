@@ -20,6 +20,7 @@ class Chunker:
         self.tokens = tokens
         self.at = 0
         self.known = 0
+        self._seen: dict[tuple[int, int], Lexeme] = {}
 
     def items(self) -> Iterator[Item]:
         """The items of the text; `known` counts the tokens that meant something."""
@@ -72,6 +73,11 @@ class Chunker:
         """The lexeme at the current token, `ahead` tokens on, of at most `most` tokens; an empty one at the end."""
         if self.at + ahead >= len(self.tokens):
             return _END
+        if (self.at + ahead, most) not in self._seen:
+            self._seen[self.at + ahead, most] = self._longest(ahead, most)
+        return self._seen[self.at + ahead, most]
+
+    def _longest(self, ahead: int, most: int) -> Lexeme:
         lexeme = self.lexicon.longest(self.tokens, self.at + ahead, most)
         return self._shortened(lexeme, ahead) if lexeme.length > 1 and lexeme.entry("adverb", "relation") else lexeme
 

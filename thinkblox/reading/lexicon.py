@@ -57,6 +57,8 @@ ENGLISH = "en"
 """The language of the words that categories bring with them."""
 LONGEST = 6
 """Most words that a phrase of the lexicon has."""
+_LONGEST_COMPOUND = 60
+"""Letters of a compound that are looked at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +141,7 @@ class Lexicon:
                 yield word[: len(word) - len(ending)]
 
     def _compound(self, word: str) -> tuple[Entry, ...]:
-        for cut in range(3, len(word) - 3):
+        for cut in range(3, min(len(word), _LONGEST_COMPOUND) - 3):
             entries = tuple(e for e in self.phrases.get((word[cut:],), ()) if e.sort in ("object", "room"))
             if entries:
                 return entries

@@ -1,6 +1,7 @@
 """What can be placed. Asset frame: origin at the centre of the footprint at the base, x to the front, y left, z up."""
 
 import math
+from functools import cached_property
 from typing import Annotated, Literal
 
 from msgspec import Meta
@@ -227,6 +228,12 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
     def free(self) -> bool:
         """Whether it can move: it is not fixed to a wall or a ceiling, and is not a rug."""
         return self.mount in ("floor", "surface") and self.collides
+
+    @cached_property
+    def made_of(self) -> tuple[int, int, int]:
+        """How many links, shapes and joints it has."""
+        joints = sum(link.joint is not None for link in self.links)
+        return (len(self.links), sum(len(link.shapes) for link in self.links), joints)
 
     @property
     def card(self) -> AssetCard:

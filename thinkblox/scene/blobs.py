@@ -5,7 +5,6 @@ never change. Beside a scene.json they are files of that name in the folder `ass
 """
 
 import re
-import stat
 from collections import OrderedDict
 from hashlib import sha256
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from thinkblox.errors import InputError
+from thinkblox.regular_file import read_regular
 
 BlobId = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}$")]
 """The SHA-256 of some bytes, in lower-case hexadecimal digits."""
@@ -110,13 +110,7 @@ def _lies_in(file: Path, home: Path) -> bool:
 
 
 def _contents(file: Path, id: str) -> bytes:
-    try:
-        status = file.stat()
-        if not stat.S_ISREG(status.st_mode) or status.st_size > MAX_BLOB:
-            raise InputError(f"{file}: is not a file of at most {MAX_BLOB // 1_000_000} MB")
-        data = file.read_bytes()
-    except OSError as error:
-        raise InputError(f"{file}: cannot be read: {error.strerror}") from error
+    data = read_regular(file, most=MAX_BLOB)
     if sha256(data).hexdigest() != id:
         raise InputError(f"{file}: is not what its name says: its content was changed; save the scene again")
     return data

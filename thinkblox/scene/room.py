@@ -17,6 +17,10 @@ MIN_EXTENT = 0.5
 """Smallest side of a room's bounding box that is accepted [m]."""
 MAX_EXTENT = 100.0
 """Largest side of a room's bounding box that is accepted [m]."""
+MAX_CORNERS = 200
+"""Most corners of a floor."""
+MAX_OPENINGS = 200
+"""Most doors and windows of a room."""
 _COMPASS = ("east", "north_east", "north", "north_west", "west", "south_west", "south", "south_east")
 
 Upward = Annotated[float, Meta(ge=0.0, le=1000.0)]
@@ -101,6 +105,8 @@ class Room(CheckedValue, frozen=True, kw_only=True, cache_hash=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         _check_floor(self.floor)
+        if len(self.openings) > MAX_OPENINGS:
+            raise InputError(f"room.openings has {len(self.openings)} entries; at most {MAX_OPENINGS} are read")
         taken = {"floor", "ceiling"} | {wall.name for wall in self.walls}
         for opening in self.openings:
             if opening.id in taken:
@@ -155,8 +161,8 @@ def _walls(floor: tuple[Vec2, ...]) -> tuple[Wall, ...]:
 def _check_floor(floor: tuple[Vec2, ...]) -> None:
     if len(floor) < 3:
         raise InputError(f"room.floor has {len(floor)} corners; a floor needs at least 3, counter-clockwise, in metres")
-    if len(floor) > 1000:
-        raise InputError(f"room.floor has {len(floor)} corners; at most 1000 are read")
+    if len(floor) > MAX_CORNERS:
+        raise InputError(f"room.floor has {len(floor)} corners; at most {MAX_CORNERS} are read")
     if any(math.dist(a, b) < 0.01 for a, b in zip(floor, floor[1:] + floor[:1], strict=True)):
         raise InputError("room.floor has two corners in a row closer than 1 cm; remove one of them")
     polygon = _polygon(floor)

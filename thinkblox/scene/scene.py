@@ -17,7 +17,9 @@ from thinkblox.value import Vec3, read_json
 
 SCENE_VERSION = 1
 MAX_PLACEMENTS = 2000
-"""Most objects in a scene that is read."""
+"""Most objects in a scene."""
+MAX_MADE_OF = {"links": 10_000, "shapes": 40_000, "joints": 2_000}
+"""Most links, shapes and joints that all objects of a scene have together."""
 
 
 class Scene(Arrangement, frozen=True, kw_only=True):
@@ -27,7 +29,7 @@ class Scene(Arrangement, frozen=True, kw_only=True):
 
     Raises:
         InputError: a version this release does not read, too many placements, two of one id or one called as a part of
-            the room is, or one whose asset is missing.
+            the room is, or one whose asset is missing; or they have too many parts together.
     """
 
     version: int = SCENE_VERSION
@@ -52,6 +54,7 @@ class Scene(Arrangement, frozen=True, kw_only=True):
             seen.add(placement.id)
             if placement.asset not in self.assets:
                 raise InputError(f"placement {placement.id!r}: the scene holds no asset {placement.asset!r}")
+        _check_amount(self.placements, self.assets)
         structs.force_setattr(self, "placements", supported(self, self.room, self.assets))
 
     def asset_of(self, placement: Placement) -> Asset:
@@ -117,6 +120,14 @@ class Scene(Arrangement, frozen=True, kw_only=True):
         kept = {k: a for k, a in assets.items() if k in used}
         known = None if changed is None else Supported.of(placements, self.room, kept, changed)
         return structs.replace(self, placements=tuple(placements) if known is None else known, assets=kept)
+
+
+def _check_amount(placements: Iterable[Placement], assets: dict[str, Asset]) -> None:
+    made_of = {id: asset.made_of for id, asset in assets.items()}
+    together = [sum(amounts) for amounts in zip(*(made_of[p.asset] for p in placements), strict=True)]
+    for (part, most), amount in zip(MAX_MADE_OF.items(), together, strict=False):
+        if amount > most:
+            raise InputError(f"the objects of the scene have {amount} {part} together; at most {most} are read")
 
 
 def load_scene(path: str | Path) -> Scene:

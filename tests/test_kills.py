@@ -1,0 +1,123 @@
+"""Commands that are killed or stopped at random times: what they write is whole, as it was before, or not there."""
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from thinkblox.exporters.folder import check_folder
+from thinkblox.scene.scene import load_scene
+
+pytestmark = pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="sees when a process heeds stops")
+KILLS = int(os.environ.get("THINKBLOX_KILLS", "120"))
+"""How often commands are killed in all."""
+OLD, NEW = "A room with a chair.", "A room with a stool."
+SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
+
+
+def command(*arguments: object) -> list[str]:
+    return [sys.executable, "-m", "thinkblox", *map(str, arguments)]
+
+
+def done(*arguments: object) -> None:
+    subprocess.run(command(*arguments), check=True, capture_output=True)
+
+
+def killed(arguments: list[str], number: int, after: float) -> tuple[int, str]:
+    """The status of a command that gets a signal some seconds after it began to heed them, and what it said."""
+    with subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as running:
+        while not _heeds_stops(running.pid) and running.poll() is None:
+            time.sleep(0.002)
+        time.sleep(after)
+        running.send_signal(number)
+        _, errors = running.communicate(timeout=300)
+    return running.returncode, errors
+
+
+def _heeds_stops(pid: int) -> bool:
+    status = Path(f"/proc/{pid}/status").read_text()
+    caught = next((int(line.split()[1], 16) for line in status.splitlines() if line.startswith("SigCgt")), 0)
+    return bool(caught >> (signal.SIGTERM - 1) & caught >> (signal.SIGINT - 1) & 1)
+
+
+def seconds_of(arguments: list[str]) -> float:
+    begin = time.monotonic()
+    subprocess.run(arguments, check=True, capture_output=True)
+    return time.monotonic() - begin
+
+
+def check_status(number: int, status: int, errors: str) -> None:
+    assert "Traceback" not in errors, errors
+    expected = {0, -signal.SIGKILL} if number == signal.SIGKILL else {0, 130}
+    assert status in expected, errors
+
+
+def prompts_in(out: Path) -> str:
+    check_folder(out, overwrite=True)  # whole, and nothing else in it
+    return load_scene(out).prompt
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("overwrite", [False, True], ids=["new", "overwrite"])
+def test_a_killed_generate_leaves_the_old_or_the_new_room(tmp_path: Path, overwrite: bool) -> None:
+    out, rng = tmp_path / "home" / "room", random.Random(overwrite)
+    (tmp_path / "home").mkdir()
+    options = ["--no-pictures", *(["--overwrite"] if overwrite else [])]
+    done("generate", OLD, "--out", tmp_path / "old", "--no-pictures")
+    whole = seconds_of(command("generate", NEW, "--out", tmp_path / "new", "--no-pictures"))
+    seen: dict[str, int] = {}
+    for kill in range(KILLS // 3):
+        if overwrite and not out.exists():
+            subprocess.run(["cp", "-r", tmp_path / "old", out], check=True)
+        number = SIGNALS[kill % len(SIGNALS)]
+        # The end, where a room is put in place, is what most of them are to hit.
+        after = whole * (rng.random() if kill % 2 else rng.uniform(0.7, 1.0))
+        status, errors = killed(command("generate", NEW, "--out", out, *options), number, after)
+        check_status(number, status, errors)
+        found = prompts_in(out) if out.exists() else "nothing"
+        assert found in ({OLD, NEW} if overwrite else {"nothing", NEW})
+        if status == 130:
+            assert ("nothing was written" in errors) == (found != NEW), errors
+        if number != signal.SIGKILL:
+            assert [p.name for p in out.parent.iterdir()] in ([], ["room"])
+        whole *= 0.97 if status == 0 else 1.01  # the machine is not always as fast
+        seen[f"{status} {found}"] = seen.get(f"{status} {found}", 0) + 1
+        subprocess.run(["rm", "-rf", out], check=True)
+    print(seen)
+    done("generate", NEW, "--out", out, *options)
+    assert [path.name for path in out.parent.iterdir()] == ["room"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("overwrite", [False, True], ids=["new", "overwrite"])
+def test_a_killed_verify_leaves_the_old_or_the_new_files(tmp_path: Path, overwrite: bool) -> None:
+    home, rng = tmp_path / "home", random.Random(overwrite)
+    home.mkdir()
+    out, page = home / "mended.json", home / "page.html"
+    done("generate", NEW, "--out", tmp_path / "room", "--no-pictures")
+    arguments = command("verify", tmp_path / "room", "--out", out, "--html", page)
+    whole = seconds_of(arguments)
+    new = {path: path.read_bytes() for path in (out, page)}
+    old = dict.fromkeys(new, b"mine") if overwrite else {}
+    for kill in range(KILLS // 6):
+        for path in new:
+            path.unlink(missing_ok=True)
+            if overwrite:
+                path.write_bytes(old[path])
+        number = SIGNALS[kill % len(SIGNALS)]
+        after = whole * (rng.random() if kill % 2 else rng.uniform(0.7, 1.0))
+        status, errors = killed([*arguments, *(["--overwrite"] if overwrite else [])], number, after)
+        check_status(number, status, errors)
+        whole *= 0.97 if status == 0 else 1.01
+        found = {path: path.read_bytes() for path in new if path.exists()}
+        assert set(found) >= set(old)
+        assert all(data in (new[path], old.get(path)) for path, data in found.items())
+        if status == 130:
+            assert ("nothing was written" in errors) == (found == old)
+    done(*arguments[3:], "--overwrite")
+    assert {path: path.read_bytes() for path in home.iterdir()} == new
