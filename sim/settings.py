@@ -48,8 +48,8 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
         solref: time constant [s] and damping ratio of contacts; at least two timesteps.
         impratio: ratio of frictional to normal constraint impedance, against creep.
         gravity: [m/s2].
-        settle_time: how long a candidate may take to come to rest, and everything that it set in motion [s].
-        least_settle_time: shortest settle of a candidate before stillness is believed [s], unless it stands squarely.
+        settle_time: how long a candidate may take to come to rest, and everything that it set in motion, and how long
+            they are watched where they do not stand squarely [s].
         rest_time: longest settle of a whole scene before its keyframe is taken [s].
         hold_time: how long a settled scene must stand still [s].
         chunk: steps between two looks at what settles.
@@ -67,7 +67,6 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
     impratio: AboveZero = 10.0
     gravity: tuple[Number, Number, Number] = (0.0, 0.0, -9.81)
     settle_time: AboveZero = 5.0
-    least_settle_time: NotNegative = 0.5
     rest_time: NotNegative = 2.0
     hold_time: NotNegative = 5.0
     chunk: Annotated[int, Meta(ge=1, le=1_000_000)] = 10

@@ -52,11 +52,10 @@ def test_it_is_refused_in_a_file_too() -> None:
     "physics",
     [
         Physics(settle_time=0.004),
-        Physics(least_settle_time=0.0),
         Physics(rest_time=0.0, hold_time=0.0),
         Physics(chunk=1),
     ],
-    ids=["one step", "no least settle", "no rest and no hold", "a look each step"],
+    ids=["one step", "no rest and no hold", "a look each step"],
 )
 def test_the_least_that_is_allowed_gives_a_verdict(physics: Physics) -> None:
     room = scene(None, (put(CRATE, 2.0, 2.0), CRATE))

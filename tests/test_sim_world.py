@@ -242,7 +242,7 @@ def test_a_wardrobe_among_neighbours_keeps_its_doors_to_itself() -> None:
     assert verdict.valid, str(verdict)
 
 
-def test_what_stands_near_an_edge_is_kept_awake_for_the_least_settle_time(
+def test_what_stands_near_an_edge_is_watched_for_all_of_the_time(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     steps: list[int] = []
@@ -255,4 +255,4 @@ def test_what_stands_near_an_edge_is_kept_awake_for_the_least_settle_time(
     monkeypatch.setattr(mujoco, "mj_step", counted)
     verdict = check(scene(None, (put(table(), 2.0, 2.0), table())), put(vase(), 2.597, 2.0, 0.75), vase())
     assert verdict.valid
-    assert sum(steps) * Physics().timestep >= Physics().least_settle_time - 1e-9
+    assert sum(steps) * Physics().timestep >= Physics().settle_time - 1e-9

@@ -8,14 +8,14 @@ from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, Vec3
 
 Reason = Literal[
-    "collision",  # deeper in another object than tolerated
+    "collision",  # deeper in another object than tolerated, where it is put or once it rests
     "outside",  # outside the room or above its ceiling
     "unsupported",  # nothing carries it, or a mounted thing does not touch what it hangs on
     "drift",  # slid while settling
     "drop",  # fell further than its clearance
     "tilt",  # leaned or toppled
     "restless",  # did not come to rest, or left something else moving
-    "pushes",  # moved something else while settling
+    "pushes",  # moved or tilted something else while settling
     "blocks_door",  # stands in a door's swing or way
     "blocks_window",  # stands higher than the sill right in front of a window
     "blocks_opening",  # keeps a door or drawer of furniture shut, its own or another's
@@ -29,7 +29,11 @@ Reason = Literal[
 
 
 class Collision(Measurement, frozen=True, kw_only=True):
-    """How deep an object is inside another [m], and the share of its volume that is inside the other."""
+    """How deep an object is inside another [m], and the share of its volume that is inside the other.
+
+    Where an object is pressed in only once everything rests, the depth is that at rest, and the share is 0; where it
+    presses another into what carries that, `other` is the one that is pressed.
+    """
 
     other: str
     depth: float
@@ -44,10 +48,11 @@ class Support(Measurement, frozen=True, kw_only=True):
 
 
 class Push(Measurement, frozen=True, kw_only=True):
-    """How far another object was moved by this one's settling [m]."""
+    """How far another object was moved [m] and turned [degrees] by this one's settling, against where it would be."""
 
     other: str
     distance: float
+    tilt: float = 0.0
 
 
 class PushedAside(Measurement, frozen=True, kw_only=True):
@@ -184,7 +189,8 @@ class Verdict(Measurement, frozen=True, kw_only=True):
             "tilt": f"tilted {self.tilt:.1f} degrees while settling",
             "restless": "did not come to rest",
             "riders": "what rests on it fails: " + "; ".join(str(rider) for rider in self.riders if not rider.valid),
-            "pushes": "pushed " + ", ".join(f"{p.other} ({p.distance * 1000:.1f} mm)" for p in self.pushed),
+            "pushes": "pushed "
+            + ", ".join(f"{p.other} ({p.distance * 1000:.1f} mm, {p.tilt:.1f} degrees)" for p in self.pushed),
             "blocks_door": f"stands in the way of {blocked}",
             "blocks_window": f"stands in front of {blocked}",
             "blocks_opening": f"does not let open: {shut}",

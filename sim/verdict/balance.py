@@ -15,6 +15,14 @@ LEVEL = math.cos(math.radians(5.0))
 """Cosine of the steepest contact that counts as level."""
 MARGIN = 0.005
 """How far the middle of what carries an object must be inside the polygon of its contacts [m]."""
+LEANS = 0.04
+"""And how far for every metre that anything above it is high: what stands so does not fall for leaning 2 degrees."""
+FIRM = 10.0
+"""Contacts give way by what they are deep: margin squared must exceed depth times height so many times.
+
+A body that leans by an angle a presses the contacts at its margin m in by a m, which rights it by weight a m^2 / depth;
+its weight at a height h upsets it by weight a h.
+"""
 CARRIED = 0.95
 """Least share of its weight that level contacts must carry."""
 ASIDE = 0.02
@@ -31,25 +39,45 @@ def at_rest(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> bool:
 def stands_squarely(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
     """Whether everything that is awake is at rest, and stands level and well inside the polygon of its contacts.
 
-    Statics: where the middle of the pressure on each level footing is inside the footing, no small motion lifts any
-    contact, and the whole stays as it is. What leans, lies in a hollow, stands on one foot, or has its weight near an
-    edge, is left for the simulation to tell.
+    Statics: where the middle of the pressure on each level footing is inside the footing, by more the higher anything
+    stands over it and the softer its contacts are, no small motion lifts any contact, and the whole stays as it is.
+    What leans, lies in a hollow, stands on one foot, or has its weight near an edge, is left for the simulation.
     """
-    if float(np.abs(data.qvel).max(initial=0.0)) >= SLOW:
+    awake = _awake(model, data)
+    if float(np.abs(data.qvel).max(initial=0.0)) >= SLOW_TURN or not all(at_rest(model, data, b) for b in awake):
         return False
     contact = data.contact
     roots = model.body_rootid[model.geom_bodyid[contact.geom]]
     acting = np.flatnonzero((contact.efc_address >= 0) & (roots[:, 0] != roots[:, 1]))
     force, rise = data.efc_force[contact.efc_address[acting]], contact.frame[acting, 2]
     pressed = np.concatenate([roots[acting, 1], roots[acting, 0]])
+    by = np.concatenate([roots[acting, 0], roots[acting, 1]])
     up, force = np.concatenate([rise, -rise]), np.concatenate([force, force])
-    points = np.concatenate([contact.pos[acting, :2]] * 2)
+    points = np.concatenate([contact.pos[acting]] * 2)
+    depth = np.concatenate([-contact.dist[acting]] * 2)
     gravity = float(np.linalg.norm(model.opt.gravity))
-    for body in _awake(model, data):
+    top = _tops(data.subtree_com[:, 2], pressed[up >= LEVEL], by[up >= LEVEL])
+    for body in awake:
         mine, weight = pressed == body, float(model.body_subtreemass[body]) * gravity
-        if not _well_footed(points[mine], force[mine], up[mine], weight):
+        margin = _margin(points[mine, :2], force[mine], up[mine], weight)
+        height = top[body] - points[mine, 2].min(initial=top[body])
+        if margin < _least_margin(float(height), float(depth[mine].max(initial=0.0))):
             return False
     return True
+
+
+def _tops(heights: NDArray[np.float64], carried: NDArray[np.int32], by: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Of every body the height of the highest middle of mass among itself and all that it carries [m]."""
+    tops, before = heights.copy(), None
+    while before is None or not np.array_equal(tops, before):
+        before = tops.copy()
+        np.maximum.at(tops, by, tops[carried])
+    return tops
+
+
+def _least_margin(height: float, depth: float) -> float:
+    """What a footing must have with something so high over it, and contacts so deep [m]."""
+    return max(MARGIN, LEANS * height, math.sqrt(FIRM * depth * max(0.0, height)))
 
 
 def _awake(model: mujoco.MjModel, data: mujoco.MjData) -> list[int]:
@@ -58,16 +86,17 @@ def _awake(model: mujoco.MjModel, data: mujoco.MjData) -> list[int]:
     return [int(model.dof_bodyid[model.tree_dofadr[tree]]) for tree in awake]
 
 
-def _well_footed(
-    points: NDArray[np.float64], force: NDArray[np.float64], up: NDArray[np.float64], weight: float
-) -> bool:
-    """Whether one body's contacts (n), pressed with some force [N] in a direction that rises by `up`, carry it well."""
+def _margin(points: NDArray[np.float64], force: NDArray[np.float64], up: NDArray[np.float64], weight: float) -> float:
+    """How far the middle of what carries a body is inside the polygon of its contacts [m]; less than 0 for no answer.
+
+    The contacts (n) press with some force [N] in a direction that rises by `up`.
+    """
     below = (up >= LEVEL) & (force > 0.0)
     carried, aside = float(force[below].sum()), float(force[np.abs(up) < LEVEL].sum())
     if weight <= 0.0 or carried < CARRIED * weight or aside > ASIDE * weight:
-        return False
+        return -1.0
     polygon = shapely.convex_hull(shapely.multipoints(points[below]))
     middle = shapely.points(force[below] @ points[below] / carried)
     if not isinstance(polygon, shapely.Polygon) or not shapely.contains(polygon, middle):
-        return False
-    return bool(shapely.distance(polygon.exterior, middle) >= MARGIN)
+        return -1.0
+    return float(shapely.distance(polygon.exterior, middle))

@@ -84,6 +84,14 @@ def judge_pose(
     return Static(reasons=reasons, collisions=collisions, boundary=boundary, blocked=doors + windows, swings=swings)
 
 
+def with_pressed(static: Static, pressed: tuple[Collision, ...]) -> Static:
+    """The same with what is found too deep once everything rests."""
+    if not pressed:
+        return static
+    collisions = tuple(sorted((*static.collisions, *pressed), key=lambda c: (-c.depth, c.other)))
+    return structs.replace(static, collisions=collisions, reasons=static.reasons | {"collision"})
+
+
 def judge_motion(motion: Motion, tolerances: Tolerances) -> frozenset[Reason]:
     """The reasons that a settle gives."""
     found: dict[Reason, bool] = {
@@ -91,10 +99,15 @@ def judge_motion(motion: Motion, tolerances: Tolerances) -> frozenset[Reason]:
         "drop": motion.drop > tolerances.drop + tolerances.clearance,
         "tilt": motion.tilt > tolerances.tilt,
         "restless": motion.restless,
-        "pushes": any(push.distance > tolerances.pushed for push in motion.pushed),
+        "pushes": disturbs(motion.pushed, tolerances),
         "unstable": motion.unstable,
     }
     return frozenset(reason for reason, holds in found.items() if holds)
+
+
+def disturbs(pushed: Sequence[Push], tolerances: Tolerances) -> bool:
+    """Whether anything was moved or tilted further than tolerated."""
+    return any(push.distance > tolerances.pushed or push.tilt > tolerances.tilt for push in pushed)
 
 
 def verdict(

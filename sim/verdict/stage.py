@@ -1,4 +1,4 @@
-"""A compiled, sleeping scene in which one object at a time is put, and let go."""
+"""A compiled scene in which one object at a time is put, and let go."""
 
 import math
 from collections import deque
@@ -13,22 +13,27 @@ from thinkblox.scene.placement import Placement, to_micrometres
 from thinkblox.sim.build import compiled, yaw_quat
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.verdict.balance import SLOW_TURN, at_rest, stands_squarely
+from thinkblox.sim.verdict.balance import at_rest, stands_squarely
 from thinkblox.sim.verdict.contacts import Contacts, shares
 from thinkblox.sim.verdict.judge import Motion
-from thinkblox.sim.verdict.settle import asleep, diverged, free_addresses, motion_between
+from thinkblox.sim.verdict.settle import diverged, free_addresses, motion_between, turn
 from thinkblox.verdict import Pose, Push, Support
 
 NUDGE = 1e-12
 """A speed that wakes a sleeping body and moves it nowhere [m/s]."""
 QUIET = 1.0
-"""How long everything must have been slow to count as at rest when it never sleeps [s]."""
-TREMBLE, TREMBLE_TURN = 0.0005, 0.002
-"""And how little it may have moved and turned in that time [m, rad]."""
+"""How long everything must have stayed where it is to count as at rest when the time is over [s]."""
+TREMBLE, TREMBLE_TURN = 0.001, 0.01
+"""How far it may have been from itself meanwhile [m, rad]: contacts tremble."""
+TREND, TREND_TURN = 0.0003, 0.002
+"""How far the middle of the second half of that time may be from that of the first [m, rad]: what topples goes on."""
 STEADY, INSTANTS = 0.95, 20
 """Less than this share of a weight borne is looked at again, over so many instants."""
-FELT = 0.0005
-"""What moved less was not pushed [m]."""
+FELT, FELT_TURN = 0.0005, 0.2
+"""What moved and turned less was not pushed [m, degrees]."""
+
+Poses = dict[str, NDArray[np.float64]]
+Depths = dict[tuple[str, str], float]
 
 
 class Settled(NamedTuple):
@@ -37,19 +42,35 @@ class Settled(NamedTuple):
     Attributes:
         motion: of the object, and what it pushed.
         supports: what carries it at the end.
+        depths: deepest contact of every two things that touch at the end [m]; empty where it did not come to rest.
+        poses: of the other free bodies that moved at all, at the end, by name: position and quaternion wxyz.
         moved, stirred: the farthest that any point of it, and of anything else, was from its start at any look [m].
-        seconds: how long it took [s].
+        decided: it lies or stands for good; else the time was over.
     """
 
     motion: Motion
     supports: tuple[Support, ...]
+    depths: Depths
+    poses: Poses
     moved: float
     stirred: float
-    seconds: float
+    decided: bool
+
+
+class _Course(NamedTuple):
+    """The motion of the object, and whether it can only stay where it is."""
+
+    motion: Motion
+    proven: bool = False
+
+    @property
+    def decided(self) -> bool:
+        """Whether it can only stay, or has been given up."""
+        return self.proven or (self.motion.rest is None and not self.motion.restless)
 
 
 class Stage:
-    """One model and its state; every settle starts from the model's reference pose, with everything asleep."""
+    """One model and its state; every settle starts from the model's reference pose, with what it has asleep."""
 
     def __init__(self, spec: mujoco.MjSpec, physics: Physics) -> None:
         self._physics = physics
@@ -62,79 +83,88 @@ class Stage:
         self._radii = _radii(self._model, self._data, self._ids)
 
     @quiet_engine()
-    def settle(self, id: str, placement: Placement) -> Settled:
-        """Put the free body called `id` where a placement says, and let it come to rest.
+    def settle(self, id: str, placement: Placement, *, seconds: float) -> Settled:
+        """Put the free body called `id` where a placement says, and let it come to rest, for so long at most.
 
-        It is kept awake for `physics.least_settle_time`, for what topples may begin slowly, unless everything that is
-        awake stands squarely before. It ends when all is at rest, when the body is lost or toppled, and when the time
-        is over: what moves then is restless.
+        It ends when everything that is awake stands squarely, so that it can only stay, when the body is lost or
+        toppled, and when the time is over: what moves then is restless. Nothing falls asleep meanwhile, for what
+        topples may begin slowly.
         """
         mine, tolerance = self._ids.index(id), self._model.opt.sleep_tolerance
         self._put(mine, placement)
         track = _Track(self._data, self._poses, self._radii)
+        self._model.opt.sleep_tolerance = 0.0
         try:
-            motion = self._run(int(self._model.body(id).id), mine, track)
+            course = self._run(int(self._model.body(id).id), mine, track, seconds)
+            now, farthest = track.look(), track.farthest.copy()
+            supports, depths = self._reading(id, course) if not course.motion.unstable else ((), {})
         finally:
             self._model.opt.sleep_tolerance = tolerance
-        stirred = np.delete(track.farthest, mine).max(initial=0.0)
-        moved, seconds = float(track.farthest[mine]), float(self._data.time)
-        if motion.unstable:
-            return Settled(motion, (), moved, float(stirred), seconds)
-        motion = structs.replace(motion, pushed=self._pushed(mine, track))
-        return Settled(motion, self._supports(id, steady=motion.rest is not None), moved, float(stirred), seconds)
+        others = [int(n) for n in np.flatnonzero((now != track.start).any(axis=1)) if n != mine]
+        poses, start = ({self._ids[n]: each[n] for n in others} for each in (now, track.start))
+        motion = structs.replace(course.motion, pushed=() if course.motion.unstable else pushes(start, poses))
+        stirred = float(np.delete(farthest, mine).max(initial=0.0))
+        return Settled(motion, supports, depths, poses, float(farthest[mine]), stirred, course.decided)
 
     def _put(self, number: int, placement: Placement) -> None:
         mujoco.mj_resetData(self._model, self._data)
         self._data.qpos[self._poses[number]] = (*placement.position, *yaw_quat(placement.yaw))
         mujoco.mj_forward(self._model, self._data)
 
-    def _run(self, body: int, mine: int, track: "_Track") -> Motion:
+    def _run(self, body: int, mine: int, track: "_Track", seconds: float) -> _Course:
         model, data, physics = self._model, self._data, self._physics
         interval = physics.timestep * physics.chunk
-        tolerance, moving, quiet = model.opt.sleep_tolerance, 0.0, _Quiet(interval)
-        for look in range(1, math.ceil(physics.settle_time / interval - 1e-9) + 1):
-            model.opt.sleep_tolerance = 0.0 if (look - 1) * interval < physics.least_settle_time else tolerance
+        moving, quiet = 0.0, _Quiet(interval)
+        for look in range(1, math.ceil(seconds / interval - 1e-9) + 1):
             mujoco.mj_step(model, data, nstep=physics.chunk)
             now = track.look()
             motion = motion_between(track.start[mine], now[mine], unstable=diverged(data))
             if motion.unstable or max(motion.drift, motion.drop) > physics.lost or motion.tilt > physics.toppled:
-                return motion
+                return _Course(motion)
             if not at_rest(model, data, body):
                 moving = look * interval
-            elif stands_squarely(model, data) or asleep(data):
-                return _rested(motion, moving + interval, now[mine])
-            quiet.look(data, now)
-        rested = moving < look * interval and quiet.lasted
-        return _rested(motion, moving + interval, now[mine]) if rested else structs.replace(motion, restless=True)
+            elif stands_squarely(model, data):
+                return _Course(_rested(motion, moving + interval, now[mine]), proven=True)
+            quiet.look(now)
+        if not quiet.lasted:
+            return _Course(structs.replace(motion, restless=True))
+        return _Course(_rested(motion, min(moving, seconds - QUIET) + interval, now[mine]))
 
-    def _pushed(self, mine: int, track: "_Track") -> tuple[Push, ...]:
-        shift = np.linalg.norm(track.look()[:, :3] - track.start[:, :3], axis=1)
-        found = [
-            Push(other=id, distance=round(float(far), 6))
-            for number, (id, far) in enumerate(zip(self._ids, shift, strict=True))
-            if number != mine and far > FELT
-        ]
-        return tuple(sorted(found, key=lambda push: (-push.distance, push.other)))
+    def _reading(self, id: str, course: _Course) -> tuple[tuple[Support, ...], Depths]:
+        """What carries an object now, with which share of its weight, and how deep things touch.
 
-    def _supports(self, id: str, *, steady: bool) -> tuple[Support, ...]:
-        """What carries an object now, with which share of its weight; woken, for what sleeps has no contacts."""
-        body = self._model.body(id)
+        What can only stay is read at once, and what stands lightly, and is borne by turns, over some instants.
+        """
+        body, rested = self._model.body(id), course.motion.rest is not None
         self._data.qvel[int(body.dofadr[0])] = NUDGE
         mujoco.mj_forward(self._model, self._data)
         weight = float(body.subtreemass[0]) * -self._physics.gravity[2]
-        forces = self._contacts.carriers_of(self._data, id)
-        if steady and sum(forces.values()) < STEADY * weight:
-            forces = self._mean_forces(id)
-        return shares(forces, weight)
+        forces, depths = self._contacts.carriers_of(self._data, id), self._contacts.depths(self._data)
+        if rested and not (course.proven and sum(forces.values()) >= STEADY * weight):
+            forces, depths = self._mean_forces(id)
+        return shares(forces, weight), depths if rested else {}
 
-    def _mean_forces(self, id: str) -> dict[str, float]:
-        """What carries an object, over some instants: what stands lightly is borne by turns."""
+    def _mean_forces(self, id: str) -> tuple[dict[str, float], Depths]:
+        """What carries an object and how deep things touch, on average over some instants."""
         total: dict[str, float] = {}
+        deep: Depths = {}
         for _ in range(INSTANTS):
             mujoco.mj_step(self._model, self._data, nstep=2)
             for by, force in self._contacts.carriers_of(self._data, id).items():
                 total[by] = total.get(by, 0.0) + force / INSTANTS
-        return total
+            for pair, depth in self._contacts.depths(self._data).items():
+                deep[pair] = deep.get(pair, 0.0) + depth / INSTANTS
+        return total, deep
+
+
+def pushes(before: Poses, after: Poses) -> tuple[Push, ...]:
+    """How far bodies are from where they were, or would have been, furthest first; what was not felt is left out."""
+    found = []
+    for other, pose in after.items():
+        far, turned = float(np.linalg.norm(pose[:3] - before[other][:3])), turn(before[other][3:], pose[3:])
+        if far > FELT or turned > FELT_TURN:
+            found.append(Push(other=other, distance=round(far, 6), tilt=round(turned, 4)))
+    return tuple(sorted(found, key=lambda push: (-push.distance, push.other)))
 
 
 def _rested(motion: Motion, when: float, pose: NDArray[np.float64]) -> Motion:
@@ -145,28 +175,28 @@ def _rested(motion: Motion, when: float, pose: NDArray[np.float64]) -> Motion:
 
 
 class _Quiet:
-    """Whether everything has been still for a while, though the engine does not call it asleep: it trembles."""
+    """Whether everything has stayed where it is for a while, though it may tremble there."""
 
     def __init__(self, interval: float) -> None:
-        self._looks = math.ceil(QUIET / interval)
-        self._poses: deque[NDArray[np.float64]] = deque(maxlen=self._looks + 1)
+        self._poses: deque[NDArray[np.float64]] = deque(maxlen=math.ceil(QUIET / interval) + 1)
 
-    def look(self, data: mujoco.MjData, poses: NDArray[np.float64]) -> None:
+    def look(self, poses: NDArray[np.float64]) -> None:
         """Take one look more; `poses` are those of the free bodies (n, 7)."""
-        if float(np.abs(data.qvel).max(initial=0.0)) >= SLOW_TURN:
-            self._poses.clear()
         self._poses.append(poses)
 
     @property
     def lasted(self) -> bool:
-        """Whether nothing moved or turned to speak of between the looks of the last while."""
-        if len(self._poses) <= self._looks:
+        """Whether nothing moved or turned to speak of at all looks of the last while."""
+        if len(self._poses) < (self._poses.maxlen or 0):
             return False
-        first, last = self._poses[0], self._poses[-1]
-        shift = np.linalg.norm(last[:, :3] - first[:, :3], axis=1).max(initial=0.0)
-        aligned = np.abs((last[:, 3:] * first[:, 3:]).sum(axis=1)).clip(0.0, 1.0)
-        turned = 2.0 * np.arccos(aligned).max(initial=0.0)
-        return bool(shift < TREMBLE and turned < TREMBLE_TURN)
+        poses, half = np.array(self._poses), len(self._poses) // 2
+        trend = np.abs(poses[half:].mean(axis=0) - poses[:half].mean(axis=0))
+        return _within(np.ptp(poses, axis=0), TREMBLE, TREMBLE_TURN) and _within(trend, TREND, TREND_TURN)
+
+
+def _within(difference: NDArray[np.float64], far: float, turned: float) -> bool:
+    """Whether differences of poses (n, 7) are small [m, rad]; a quaternion differs by half of what is turned."""
+    return bool(difference[:, :3].max(initial=0.0) < far and 2.0 * difference[:, 3:].max(initial=0.0) < turned)
 
 
 class _Track:

@@ -16,11 +16,20 @@ from thinkblox.sim.geometry.bounds import Boxes, Neighbours, piece_boxes
 from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.geometry.swings import Surroundings, surroundings
 from thinkblox.sim.settings import Physics, Tolerances, Walking
+from thinkblox.sim.verdict.blame import LeftAlone, blamed, left_alone
 from thinkblox.sim.verdict.gate import Gate
-from thinkblox.sim.verdict.judge import fixed_supports, judge_motion, judge_pose, verdict, with_riders
+from thinkblox.sim.verdict.judge import (
+    disturbs,
+    fixed_supports,
+    judge_motion,
+    judge_pose,
+    verdict,
+    with_pressed,
+    with_riders,
+)
 from thinkblox.sim.verdict.requirement import Requirement, check_requirements, unmet_by
 from thinkblox.sim.verdict.stage import Settled, Stage
-from thinkblox.verdict import Reason, Unmet, Verdict
+from thinkblox.verdict import Collision, Reason, Unmet, Verdict
 
 CANDIDATE = "//candidate"
 """Name of the candidate's body; no placement can be called so."""
@@ -45,10 +54,10 @@ class Cut(NamedTuple):
 
 
 NARROW, WHOLE = Cut(0.01, 0.01), Cut(math.inf, math.inf)
+SOON = 0.5
+"""How long a candidate is let go among sleepers, to see whether it stands squarely or falls [s]."""
 KEPT = 32
 """Compiled parts of a room that a world keeps."""
-WOBBLES = 1.0
-"""What takes longer than this until all is at rest wobbles [s]."""
 WIDER = 0.05
 """How much wider than the way that the candidate went the second cut is [m]."""
 
@@ -82,7 +91,8 @@ class World:
         self._physics = physics or Physics()
         self._walking = walking or Walking()
         self._requirements = check_requirements(requirements)
-        self._stages: dict[tuple[Asset, frozenset[str]], Stage] = {}
+        self._stages: dict[tuple[Asset, frozenset[str], bool], Stage] = {}
+        self._alone: dict[frozenset[str], LeftAlone] = {}
         self._without: dict[str, World] = {}
 
     def check(self, candidates: Sequence[Placement], asset: Asset, *, way: bool = True) -> list[Verdict]:
@@ -218,16 +228,17 @@ class World:
             swings=swings,
         )
         cut_off = self.cut_off(candidate, asset) if way and not static.gated else ()
-        said = partial(verdict, candidate, static, cut_off=cut_off, unmet=self._unmet(candidate, asset))
+        said = partial(verdict, candidate, cut_off=cut_off, unmet=self._unmet(candidate, asset))
         if not asset.free:
-            return said(supports=fixed_supports(candidate, asset, static))
+            return said(static, supports=fixed_supports(candidate, asset, static))
         if static.gated:
-            return said()
+            return said(static)
         settled = self._settled(candidate, asset)
+        static = with_pressed(static, self._pressed(settled))
         moved = judge_motion(settled.motion, self._tolerances)
         loose = sum(support.share for support in settled.supports) < self._tolerances.carried and not moved
         more: frozenset[Reason] = moved | (frozenset({"unsupported"}) if loose else frozenset())
-        return said(motion=settled.motion, supports=settled.supports, more=more)
+        return said(static, motion=settled.motion, supports=settled.supports, more=more)
 
     def _unmet(self, candidate: Placement, asset: Asset) -> tuple[Unmet, ...]:
         if not self._requirements:
@@ -237,30 +248,63 @@ class World:
     def _settled(self, candidate: Placement, asset: Asset) -> Settled:
         """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough.
 
-        What wobbles on ends as rounding errors have it, and so it is what it does in the whole room that counts.
+        What lies or stands for good soon is measured among sleepers. What is still undecided then is near an edge,
+        leans, wobbles or trembles: it is watched from the beginning with everything awake.
         """
+        settled, there = self._wide_enough(candidate, asset, awake=False)
+        if not settled.decided:
+            settled, there = self._wide_enough(candidate, asset, awake=True)
+        if not disturbs(settled.motion.pushed, self._tolerances) and not self._pressed(settled):
+            return settled
+        return blamed(settled, self._left_alone(there))
+
+    def _wide_enough(self, candidate: Placement, asset: Asset, *, awake: bool) -> tuple[Settled, frozenset[str]]:
         boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW
+        seconds = self._physics.settle_time if awake else min(SOON, self._physics.settle_time)
         there = self._within(boxes, cut)
-        settled = self._stage(asset, there).settle(CANDIDATE, candidate)
-        while cut is not WHOLE and (settled.seconds > WOBBLES or not cut.holds(settled)):
-            cut = WHOLE if cut is not NARROW or settled.seconds > WOBBLES else _wider(settled)
+        settled = self._stage(asset, there, awake).settle(CANDIDATE, candidate, seconds=seconds)
+        while cut is not WHOLE and not cut.holds(settled):
+            cut = WHOLE if cut is not NARROW else _wider(settled)
             before, there = there, self._within(boxes, cut)
             if there != before:
-                settled = self._stage(asset, there).settle(CANDIDATE, candidate)
-        return settled
+                settled = self._stage(asset, there, awake).settle(CANDIDATE, candidate, seconds=seconds)
+        return settled, there
+
+    def _pressed(self, settled: Settled) -> tuple[Collision, ...]:
+        """What is pressed deeper than tolerated into the candidate, or by it into something else, at rest."""
+        deepest: dict[str, float] = {}
+        for pair, depth in settled.depths.items():
+            if depth > self._tolerances.penetration:
+                other = self._pressed_of(pair)
+                deepest[other] = max(depth, deepest.get(other, 0.0))
+        return tuple(Collision(other=other, depth=round(depth, 6), overlap=0.0) for other, depth in deepest.items())
+
+    def _pressed_of(self, pair: tuple[str, str]) -> str:
+        """The name of what gives way: what touches the candidate, or the lighter of two others, as its contacts do."""
+        others = [name for name in pair if name != CANDIDATE]
+        placed = [name for name in others if name in self.scene]
+        return min(placed, key=lambda id: self.scene.asset_of(self.scene[id]).mass, default=others[0])
+
+    def _left_alone(self, there: frozenset[str]) -> LeftAlone:
+        if there not in self._alone:
+            if len(self._alone) >= KEPT:
+                del self._alone[next(iter(self._alone))]
+            self._alone[there] = left_alone(build_spec(self.scene, physics=self._physics, only=there), self._physics)
+        return self._alone[there]
 
     def _within(self, boxes: Boxes, cut: Cut) -> frozenset[str]:
         """The objects that a cut holds."""
         return self._neighbours.hanging_together(self._neighbours.meetings(boxes, cut.reach), cut.gap)
 
-    def _stage(self, asset: Asset, there: frozenset[str]) -> Stage:
-        if (asset, there) not in self._stages:
+    def _stage(self, asset: Asset, there: frozenset[str], awake: bool) -> Stage:
+        key = (asset, there, awake)
+        if key not in self._stages:
             if len(self._stages) >= KEPT:
                 del self._stages[next(iter(self._stages))]
-            spec = build_spec(self.scene, physics=self._physics, sleeping=True, only=there)
+            spec = build_spec(self.scene, physics=self._physics, sleeping=not awake, only=there)
             add_placement(spec, _parked(asset, self.scene.room.height + PARKED), asset, free=True, name=CANDIDATE)
-            self._stages[asset, there] = Stage(spec, self._physics)
-        return self._stages[asset, there]
+            self._stages[key] = Stage(spec, self._physics)
+        return self._stages[key]
 
     @cached_property
     def _neighbours(self) -> Neighbours:
