@@ -23,11 +23,11 @@ class Contacts:
         self._of_geom = np.array([self._number[name] for name in names], dtype=np.int64)
         self._model = model
 
-    def depths(self, data: mujoco.MjData) -> dict[tuple[str, str], float]:
-        """Deepest contact of every touching pair [m]; a pair is in the order of `names`; gaps are left out."""
+    def depths(self, data: mujoco.MjData, *, deeper: float = 0.0) -> dict[tuple[str, str], float]:
+        """Deepest contact of every pair that touches deeper than that [m]; a pair is in the order of `names`."""
         pairs, depth = self._pairs(data), -data.contact.dist
         found: dict[tuple[str, str], float] = {}
-        for index in np.flatnonzero(depth > 0.0):
+        for index in np.flatnonzero(depth > deeper):
             first, second = sorted(pairs[index])
             key = (self.names[first], self.names[second])
             found[key] = max(found.get(key, 0.0), float(depth[index]))
