@@ -44,5 +44,6 @@ def mesh_file(text: str, where: object, *, path: Path, folder: Path, meshdir: st
     last = text.replace("\\", "/").rsplit("/", 1)[-1]
     named_so = [base / file for file in (text, last) for base in (own, own / meshdir)]
     found = next((file for file in named_so if file.is_file()), None)
-    inside = found is not None and found.is_relative_to(folder) and ".." not in found.parts
+    inside = found is not None and ".." not in found.parts and found.is_relative_to(folder)
+    inside = inside and found is not None and found.resolve().is_relative_to(folder.resolve())
     return found if found and inside else locate(text, where, bases=(own, own / meshdir), folder=folder)
