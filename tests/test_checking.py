@@ -156,6 +156,13 @@ def test_a_name_that_is_not_there_lists_what_is(tmp_path: Path, capsys: pytest.C
     assert 'nothing in the model is called "panda"; there are arm, target_1, target_2, crate' in said
 
 
+def test_a_model_of_nothing_but_robots_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "room.xml"
+    file.write_text(SCENE.format(x=2))
+    with pytest.raises(InputError, match="nothing but what was set aside"):
+        verify_file(file, VerifyOptions(robot=("*",)))
+
+
 def test_a_root_widens_what_a_model_may_name(tmp_path: Path) -> None:
     (tmp_path / "models").mkdir()
     (tmp_path / "part.xml").write_text("<mujocoinclude><option timestep='0.001'/></mujocoinclude>")

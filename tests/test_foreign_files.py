@@ -105,6 +105,18 @@ def test_a_link_within_the_folder_is_followed(tmp_path: Path) -> None:
     assert opened(tmp_path, mjcf(BOX, head='<include file="link.xml"/>')).model.opt.timestep == 0.001
 
 
+@pytest.mark.parametrize("name", ["a" * 300 + ".obj", "a" * 5000 + ".obj", "loop.obj", "shut/vase.obj"])
+def test_a_name_that_no_file_can_have_is_refused(tmp_path: Path, name: str) -> None:
+    (tmp_path / "loop.obj").symlink_to(tmp_path / "loop.obj")
+    (tmp_path / "shut").mkdir(mode=0)
+    with pytest.raises(InputError, match="<mesh"):
+        opened(tmp_path, mjcf(BOX, head=f'<asset><mesh name="vase" file="{name}"/></asset>'))
+    shape = f'<collision><geometry><mesh filename="{name}"/></geometry></collision>'
+    (tmp_path / "robot.urdf").write_text(f'<robot name="r"><link name="a">{shape}</link></robot>')
+    with pytest.raises(InputError, match="<mesh"):
+        open_model(tmp_path / "robot.urdf")
+
+
 def test_a_model_outside_the_folder_that_is_given_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a").mkdir()
     file = tmp_path / "room.xml"

@@ -220,10 +220,27 @@ def test_numbers_that_are_one_too_many_and_what_is_said_twice_are_passed_over(tm
     limit = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
     subject = opened(tmp_path, link("a"), link("b"), joint("a", "b", "revolute", axes + limit))
     assert subject.model.jnt_axis[1].tolist() == [0, 0, 1]
-    assert any("more than 3 numbers" in note for note in subject.notes)
+    assert any("with more than 3 numbers" in note for note in subject.notes)
     assert any("The joint a_b says something twice" in note for note in subject.notes)
 
 
 def test_an_error_of_the_engine_names_the_line_of_the_urdf(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"Element 'axis' at model\.urdf:3"):
         opened(tmp_path, link("a"), link("b"), joint("a", "b", "revolute", "\n\n<axis xyz='0 x 1'/>"))
+
+
+def test_a_mesh_that_is_a_link_out_of_the_folder_is_refused(tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    folder.mkdir()
+    shutil.copy(TABLE / "meshes" / "foot.obj", tmp_path)
+    (folder / "foot.obj").symlink_to(tmp_path / "foot.obj")
+    file = written(folder, MESH.format("foot.obj"))
+    with pytest.raises(InputError, match="a link that leaves the folder"):
+        open_model(file)
+    assert open_model(file, folder=tmp_path).model.nmesh == 1
+
+
+def test_an_include_in_a_urdf_reads_nothing(tmp_path: Path) -> None:
+    (tmp_path / "part.xml").write_text("<x><option timestep='0.5'/></x>")
+    subject = opened(tmp_path, f'<mujoco><include file="{tmp_path}/part.xml"/></mujoco>', link("a"))
+    assert subject.model.opt.timestep < 0.5

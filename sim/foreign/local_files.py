@@ -4,10 +4,13 @@ import os
 import re
 import stat
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 
 from thinkblox.errors import InputError
 
+LONGEST = 1000
+"""Of a path that a model names [characters]."""
 _LISTED = 5
 _ABSOLUTE = re.compile(r"^(/|[A-Za-z][A-Za-z0-9+.-]*:)")
 
@@ -18,6 +21,22 @@ WIDEN = "only files inside it are read. Name a folder that holds them all with -
 def is_absolute(text: str) -> bool:
     """Whether a path, of any system, starts at a root, a drive or a scheme such as "http:"."""
     return bool(_ABSOLUTE.match(text.replace("\\", "/")))
+
+
+def is_file(path: Path) -> bool:
+    """Whether there is an ordinary file that may be looked at; a name that no file can have names none."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def is_inside(path: Path, folder: Path) -> bool:
+    """Whether a path is in a folder once all symbolic links on both are followed."""
+    try:
+        return path.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError):
+        return False
 
 
 def locate(text: str, where: object, *, bases: Iterable[Path], folder: Path) -> Path:
@@ -34,16 +53,18 @@ def locate(text: str, where: object, *, bases: Iterable[Path], folder: Path) -> 
     Raises:
         InputError: the path is absolute or leaves `folder`, or no such file exists; names the element.
     """
+    if len(text) > LONGEST:
+        raise InputError(f"{where} names a file by {len(text)} characters; at most {LONGEST} are read.")
     if is_absolute(text):
         raise InputError(f'{where} names the absolute path "{text}": only paths inside {folder} are read.')
     bases = tuple(dict.fromkeys(bases))
     candidates = [Path(os.path.normpath(base / text.replace("\\", "/"))) for base in bases]
     inside = [candidate for candidate in candidates if candidate.is_relative_to(folder)]
-    if not inside or any(path.is_file() for path in candidates if path not in inside):
+    if not inside or any(is_file(path) for path in candidates if path not in inside):
         raise InputError(f'{where} names "{text}", which leaves the folder {folder}: {WIDEN}')
     for candidate in inside:
-        if candidate.is_file():
-            if not candidate.resolve().is_relative_to(folder.resolve()):
+        if is_file(candidate):
+            if not is_inside(candidate, folder):
                 raise InputError(f'{where} names "{text}", a link that leaves the folder {folder}: {WIDEN}')
             return candidate
     raise InputError(f'{where} names "{text}", which is not in {_folders(inside)}.{_instead(inside)}')
@@ -82,7 +103,7 @@ def _instead(candidates: list[Path]) -> str:
     """What is there of the same kind."""
     found: list[str] = []
     for candidate in candidates:
-        if candidate.parent.is_dir():
+        with suppress(OSError):
             found += sorted(p.name for p in candidate.parent.iterdir() if p.suffix.lower() == candidate.suffix.lower())
     if not found:
         return ""

@@ -86,12 +86,14 @@ def open_model(
         read = _mjcf(path, folder) if kind == "mjcf" else _urdf(path, folder, fixed_base)
         model = _compiled(read)
         _check_model(path, model)
-        model, floor = _floored(path, read, model)
-    sorted_out = set_aside(path, model, things_of(model), exclude=exclude, robots=robots)
+        try:
+            model, floor = _floored(path, read, model)
+            sorted_out = set_aside(path, model, things_of(model), exclude=exclude, robots=robots)
+        except mujoco.FatalError as error:
+            raise InputError(read.refused(error)) from error
     if not sorted_out.things:
-        raise InputError(
-            f"{path}: the model has no bodies with joints or geoms in them, so there is nothing to measure."
-        )
+        lacks = "nothing but what was set aside" if exclude or robots else "no bodies with joints or geoms in them"
+        raise InputError(f"{path}: the model has {lacks}, so there is nothing to measure.")
     start, keyframe = start_of(model)
     return Subject(
         model=model,

@@ -155,7 +155,11 @@ def _cut_numbers(root: Node) -> tuple[str, ...]:
             if len(words) > count:
                 node.set(name, " ".join(words[:count]))
                 found += 1
-    return (f"{found} positions, angles or scales have more than 3 numbers; the first 3 count.",) if found else ()
+    return (
+        (f"Of a position, angles or a scale with more than 3 numbers the first 3 count, {found} times.",)
+        if found
+        else ()
+    )
 
 
 def _keep_first(root: Node) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from thinkblox.sim.foreign.local_files import locate
+from thinkblox.sim.foreign.local_files import is_file, is_inside, locate
 
 _ADDRESS = re.compile(r"^(?:package|model)://([^/]+)/(.+)$")
 _LEVELS = 5
@@ -43,6 +43,7 @@ def mesh_file(text: str, where: object, *, path: Path, folder: Path, meshdir: st
         return locate(rest, where, bases=bases, folder=package)
     last = text.replace("\\", "/").rsplit("/", 1)[-1]
     named_so = [base / file for file in (text, last) for base in (own, own / meshdir)]
-    found = next((file for file in named_so if file.is_file()), None)
-    inside = found is not None and found.is_relative_to(folder) and ".." not in found.parts
+    found = next((file for file in named_so if is_file(file)), None)
+    inside = found is not None and ".." not in found.parts and found.is_relative_to(folder)
+    inside = inside and found is not None and is_inside(found, folder)
     return found if found and inside else locate(text, where, bases=(own, own / meshdir), folder=folder)

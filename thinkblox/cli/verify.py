@@ -58,14 +58,18 @@ def add_command(commands: "Commands") -> None:
     )
     model.add_argument("--fixed-base", action="store_true", help="hold the root links of a URDF to the world")
     model.add_argument(
-        "--exclude", metavar="NAME", action="append", default=[], help="leave this out, or all like 'target*' (repeat)"
+        "--exclude",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="leave this out, or all like 'target*' (may be repeated)",
     )
     model.add_argument(
         "--robot",
         metavar="NAME",
         action="append",
         default=[],
-        help="this, or all like 'robot0*', is no furniture: it stays where it is, and is not judged (repeat)",
+        help="this, or all like 'robot0*', is no furniture: it stays where it is, and is not judged (may be repeated)",
     )
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
     parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for reading and measuring (600)")
