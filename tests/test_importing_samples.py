@@ -344,6 +344,9 @@ def test_layoutvlm_tasks_without_records_take_a_table_of_sizes(tmp_path):
     layout = read_layout(path, sizes=sizes)
     assert [p.size for p in layout.scene.placements] == [(0.8, 0.6, 0.9), (2.0, 1.6, 1.0)]
     assert [p.position[2] for p in layout.scene.placements] == pytest.approx([0.0, 0.0])
+    assert read_layout(tmp_path / "scene.json", sizes=sizes).unplaced == ("u1-0", "u2-0"), (
+        "the task alone places nothing"
+    )
     _json(sizes, {"arm_chair": [0.8, 0.6, 0.9]})
     with pytest.raises(InputError, match="'bed-0' has no size"):
         read_layout(path, sizes=sizes)
