@@ -175,7 +175,7 @@ def _with_records(both: _Both, library: Library) -> _Both:
     records = {uid: library.record(uid) for uid in copies}
     missing = [uid for uid, record in records.items() if record is None]
     if missing and library.sizes:
-        return replace(both, assets={name: _Asset() for name in both.poses})
+        return replace(both, assets={name: _Asset() for name in both.poses or both.assets})
     if missing:
         both.scene_file.fail(
             "$.assets",
