@@ -106,3 +106,15 @@ def test_a_mutated_scene_is_measured_or_refused(room: Path, tmp_path: Path, caps
             load_scene(file)
         except InputError:
             assert status == 2, "not even read, and measured all the same"
+
+
+@pytest.mark.parametrize("old", ['"chair_1"', '"door_1"'])
+def test_no_id_of_any_file_ends_in_a_line_break(tmp_path: Path, old: str) -> None:
+    result = thinkblox.generate_room("A room with a chair and a door.", seed=1)
+    folder = thinkblox.save_room(result, tmp_path / "room", pictures=False)
+    for name, read in (("scene.json", load_scene), ("trace.jsonl", read_episode)):
+        text = (folder / name).read_text()
+        assert old in text
+        (folder / name).write_text(text.replace(old, f'{old[:-1]}\\n"'))
+        with pytest.raises(InputError):
+            read(folder)
