@@ -52,7 +52,8 @@ def seconds_of(arguments: list[str]) -> float:
 
 
 def check_status(number: int, status: int, errors: str) -> None:
-    assert "Traceback" not in errors, errors
+    # Of a killed process it may be a helper of some library that complains.
+    assert number == signal.SIGKILL or "Traceback" not in errors, errors
     expected = {0, -signal.SIGKILL} if number == signal.SIGKILL else {0, 130}
     assert status in expected, errors
 

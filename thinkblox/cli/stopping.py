@@ -36,13 +36,14 @@ def stoppable(*, to_the_end: bool) -> Iterator[list[int]]:
     if threading.current_thread() is not threading.main_thread():
         yield _CAME
         return
-    signal.signal(signal.SIGALRM, _raise_outside_imports)
+    alarm = signal.signal(signal.SIGALRM, _raise_outside_imports)
     before = [signal.signal(number, _stop) for number in SIGNALS]
     try:
         yield _CAME
     finally:
         signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
         signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, alarm)
         for number, handler in zip(SIGNALS, before, strict=True):
             signal.signal(number, signal.SIG_IGN if to_the_end else handler)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)

@@ -16,7 +16,7 @@ from msgspec import Meta
 from thinkblox.errors import InputError
 from thinkblox.regular_file import read_regular
 
-BlobId = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}$")]
+BlobId = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}\Z")]
 """The SHA-256 of some bytes, in lower-case hexadecimal digits."""
 BlobKind = Literal["bin", "png"]
 """What a blob is, and how its file ends: a mesh of `textured_mesh`, or a picture."""
