@@ -166,9 +166,9 @@ def furnish(
     on_object: Callable[[Progress], None],
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
+    until = time.monotonic() + effort.seconds
     makeable, refused = _makeable(plan, scene, source)
-    kinds, until = kinds_of(makeable, source), time.monotonic() + effort.seconds
-    loop = Loop(makeable, kinds, policy, source, effort, until)
+    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
     made: list[_Attempt] = []
     for number in range(1 + effort.restarts):
         made.append(_Attempt(loop, scene, number, judged, on_object, refused))
