@@ -41,10 +41,10 @@ def test_a_budget_is_more_than_nothing(seconds: float) -> None:
 
 def test_the_command_has_a_budget(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     command = ["generate", MANY, "--out", str(tmp_path / "room"), "--no-pictures", "--json"]
-    assert main([*command, "--budget", "0.001"]) == 1
+    assert main([*command, "--budget", "0.000001"]) == 1
     report = json.loads(capsys.readouterr().out)
     assert report["objects"] == []
-    assert "the budget of 0.001 s was over" in report["absent"][0]["reason"]
+    assert "the budget of 1e-06 s was over" in report["absent"][0]["reason"]
 
 
 def test_rooms_have_only_so_many_corners_and_openings() -> None:
