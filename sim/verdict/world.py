@@ -176,16 +176,12 @@ class World:
 
     def with_placement(self, placement: Placement, asset: Asset) -> "World":
         """The world of a scene with one object more, made out of this one: cheaper than a new one, and the same."""
-        grown = self._like(self.scene.with_placement(placement, asset))
+        grown = self.with_scene(self.scene.with_placement(placement, asset))
         if placement.id not in self.scene:
             grown._neighbours = self._neighbours.with_object(placement, solid_of(asset))
             grown._floor = self._floor.with_object(placement, solid_of(asset))
             grown._surroundings = self._surroundings.with_objects([(placement, asset)])
         return grown
-
-    def with_scene(self, scene: Scene) -> "World":
-        """The world of another scene, with the same settings."""
-        return self._like(scene)
 
     def cut_off(self, candidate: Placement, asset: Asset) -> tuple[str, ...]:
         """Ids of the doors and large objects, itself among them, that have no walkable way once it stands there."""
@@ -195,12 +191,13 @@ class World:
         if id not in self.scene:
             return self
         if id not in self._without:
-            world = self._like(self.scene.without(id))
+            world = self.with_scene(self.scene.without(id))
             world._neighbours, world._surroundings = self._neighbours.without(id), self._surroundings
             self._without = {id: world}
         return self._without[id]
 
-    def _like(self, scene: Scene) -> "World":
+    def with_scene(self, scene: Scene) -> "World":
+        """The world of another scene, with the same settings."""
         return World(
             scene,
             tolerances=self._tolerances,

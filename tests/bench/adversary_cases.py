@@ -166,8 +166,8 @@ def furnished(genes: Genes) -> Case:
     kind = make_asset(genes.among(_standing()), seed=genes.among(range(8)))
     x, y = genes.between(0.2, 0.8) * side, genes.between(0.2, 0.8) * side
     # A rug is not let go: one that floats is refused, and no simulation would say so.
-    gap = genes.gap() if kind.collides else 0.0 * genes.gap()
-    return Case(room, put(kind, x, y, gap, genes.between(0.0, 360.0), id="new_1"), kind)
+    gap = genes.gap()
+    return Case(room, put(kind, x, y, gap if kind.collides else 0.0, genes.between(0.0, 360.0), id="new_1"), kind)
 
 
 FAMILIES: dict[str, Callable[[Genes], Case]] = {

@@ -24,9 +24,10 @@ def kept(make: Callable[Concatenate[Owner, P], T]) -> Callable[Concatenate[Owner
     @wraps(make)
     def remembered(owner: Owner, /, *rest: P.args, **named: P.kwargs) -> T:
         results: dict[Any, T] = owner.__dict__.setdefault(key, {})
-        if rest not in results:
-            results[rest] = make(owner, *rest, **named)
-        return results[rest]
+        arguments = (rest, *sorted(named.items()))
+        if arguments not in results:
+            results[arguments] = make(owner, *rest, **named)
+        return results[arguments]
 
     return remembered
 
