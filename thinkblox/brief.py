@@ -22,6 +22,12 @@ RelationKind = Literal[
     "facing",  # its front points at the anchor
     "opposite",  # across the room from the anchor, facing it
     "near",  # within 1.5 m
+    "far",  # well away from it: over 4 m, or over 2 m in a room too small for that
+    "inside",  # within a container: a rack, a shelf, a cupboard, a basket
+    "at_long_side",  # beside one of the anchor's two longer sides
+    "at_short_side",  # beside one of the anchor's two shorter sides
+    "outside",  # on the floor beside a container rather than in it
+    "back_to_back",  # the backs against each other
     "against_wall",
     "in_corner",
     "in_centre",
@@ -44,9 +50,13 @@ Place = Literal[
     "window",
     "door",
     "centre",
+    "ceiling",
+    "one_wall",
+    "opposite_wall",
 ]
 """Parts of the room that a relation can name as its anchor. Left, right, far and near are as seen by somebody who comes
-in by the door; a plan names the walls they mean. "in_corner" names one of these walls, or the two that meet there."""
+in by the door; a plan names the walls they mean. "one_wall" is any wall, the same for all that name it, and
+"opposite_wall" the one across from it. "in_corner" names one of these walls, or the two that meet there."""
 
 
 Measures = tuple[Extent | None, Extent | None, Extent | None]
@@ -67,6 +77,9 @@ class Request(CheckedValue, frozen=True, kw_only=True):
         attributes: what the prompt says of it, in the catalogue's words ("round", "double", "low").
         phrase: the words it was read from; empty when assumed.
         size: what the prompt says of its size.
+        least, most: how many there may be, where the prompt leaves that open ("at least three"); `count` lies within.
+        unshown: what the prompt says of it that no shape, colour or material of ours shows ("clawfoot", "tartan").
+        states: how the prompt wants to find it ("open", "folded", "rolled up"); noted, not shown.
     """
 
     key: Name
@@ -76,6 +89,10 @@ class Request(CheckedValue, frozen=True, kw_only=True):
     attributes: tuple[str, ...] = ()
     phrase: str = ""
     size: Measures = (None, None, None)
+    least: Annotated[int, Meta(ge=0, le=200)] | None = None
+    most: Annotated[int, Meta(ge=0, le=200)] | None = None
+    unshown: tuple[str, ...] = ()
+    states: tuple[str, ...] = ()
 
 
 class Relation(CheckedValue, frozen=True, kw_only=True):
@@ -85,6 +102,8 @@ class Relation(CheckedValue, frozen=True, kw_only=True):
         each: one share of the subject for every member of the anchor ("a lamp on each"; "a plant in each corner").
         asked: named in the prompt; False when it is only what such things usually do.
         rows: number of rows for "in_rows"; 0 when the prompt does not say.
+        spread: over how many walls or corners they are shared out ("shelves on two walls"); 0 when it does not say.
+        negated: it must not hold.
     """
 
     kind: RelationKind
@@ -93,6 +112,20 @@ class Relation(CheckedValue, frozen=True, kw_only=True):
     each: bool = False
     asked: bool = True
     rows: Ordinal = 0
+    spread: Ordinal = 0
+    negated: bool = False
+
+
+Fate = Literal["requested", "related", "constraint", "style", "filler", "not_understood"]
+"""What became of a word of the prompt."""
+
+
+class Word(CheckedValue, frozen=True, kw_only=True):
+    """A word of the prompt and what became of it; `start` is where it begins [characters]."""
+
+    text: str
+    start: Ordinal
+    fate: Fate
 
 
 class OpeningRequest(CheckedValue, frozen=True, kw_only=True):
@@ -113,9 +146,12 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
         area: of the floor [m2], where the prompt gives that.
         height: of the room [m], where the prompt gives it.
         style: adjectives about the whole ("calm", "cosy").
-        missing: things asked for that the catalogue does not have ("hoverboard"), with their count in words.
-        unknown: words that meant nothing to us.
+        missing: things asked for that are not made, with their count in words.
+        unknown: words that meant nothing to us, or that we can do nothing about, and that name or change a thing.
         empty: the prompt wants nothing besides what it names.
+        excluded: categories that must not be there.
+        free: parts of the room that are to stay free of furniture.
+        account: every word of the prompt and what became of it; empty where the reader keeps no account.
     """
 
     prompt: str
@@ -133,6 +169,9 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     missing: tuple[str, ...] = ()
     unknown: tuple[str, ...] = ()
     empty: bool = False
+    excluded: tuple[Name, ...] = ()
+    free: tuple[Place, ...] = ()
+    account: tuple[Word, ...] = ()
 
     def request(self, key: str) -> Request:
         """The request called `key`; raises KeyError."""
