@@ -21,6 +21,11 @@ class Mention:
         seats: how many people it was said to be for.
         size: lengths said of it.
         general: only said of the whole before the parts ("a shop full of plants: ...", "ten tables: six round ...").
+        least, most: how many there may be, where that is left open.
+        unshown: what was said of it that we know nothing about.
+        states: how it is to be found ("open").
+        per: so many for each of these, whatever it is related to ("at every seat a plate").
+        groups: how many groups it forms ("three islands of four desks"), and the word for them.
     """
 
     noun: str
@@ -36,6 +41,13 @@ class Mention:
     seats: int = 0
     size: Size | None = None
     general: bool = False
+    least: int | None = None
+    most: int | None = None
+    unshown: list[str] = field(default_factory=list)
+    states: list[str] = field(default_factory=list)
+    per: "list[Mention]" = field(default_factory=list)
+    groups: int = 0
+    group: str = ""
 
     @property
     def many(self) -> bool:
@@ -54,6 +66,8 @@ class Bond:
     asked: bool = True
     rows: int = 0
     implied: bool = False
+    negated: bool = False
+    spread: int = 0
 
 
 @dataclass(eq=False)
@@ -81,6 +95,8 @@ class Draft:
     unknown: list[str] = field(default_factory=list)
     excluded: set[str] = field(default_factory=set)
     empty: bool = False
+    free: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""

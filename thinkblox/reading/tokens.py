@@ -2,7 +2,7 @@
 
 import re
 import unicodedata
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 _TOKEN = re.compile(
     r"(?P<unit>(?<![^\W\d_])(?:sq)?(?:m|ft)\s?(?:²|\^2|2(?!\w)))"
@@ -10,6 +10,7 @@ _TOKEN = re.compile(
     r"|(?P<word>[^\W\d_]+(?:['’`´][^\W\d_]+)*)"
     r"|(?P<mark>[^\w\s])"
 )
+_HYPHENS = "-‐‑"
 _JOINED = ("s", "t", "re", "ll", "ve", "m", "d")
 _LETTERS = str.maketrans({"ß": "ss", "æ": "ae", "œ": "oe", "ø": "o", "×": "x", "ł": "l"})
 
@@ -23,12 +24,18 @@ class Token:
         shown: as it was written.
         kind: "word", "number" or "mark".
         value: of a number, else 0.
+        start: where it begins in the text [characters].
+        glued: a hyphen joins it to the next one ("two-burner").
+        owner: it has a genitive ending ("the bed's").
     """
 
     text: str
     shown: str
     kind: str
     value: float = 0.0
+    start: int = 0
+    glued: bool = False
+    owner: bool = False
 
 
 def fold(text: str) -> str:
@@ -42,30 +49,41 @@ def fold(text: str) -> str:
 def tokenise(text: str) -> list[Token]:
     """The tokens of a text, in order. Hyphens part words; an apostrophe joins an English ending and parts others."""
     tokens: list[Token] = []
-    for match in _TOKEN.finditer(unicodedata.normalize("NFC", text)):
-        kind = match.lastgroup
+    text = unicodedata.normalize("NFC", text)
+    for match in _TOKEN.finditer(text):
+        kind, start = match.lastgroup, match.start()
         if kind == "number":
-            tokens.append(_number(match[0]))
+            tokens.append(_number(match[0], start))
         elif kind == "unit":
-            tokens.append(Token("m2" if "m" in match[0].lower() else "ft2", match[0], "word"))
+            tokens.append(Token("m2" if "m" in match[0].lower() else "ft2", match[0], "word", start=start))
         elif kind == "word":
-            tokens += _words(match[0])
-        elif match[0] not in "-‐‑":
-            tokens.append(Token(fold(match[0]), match[0], "mark"))
+            tokens += _words(match[0], start)
+        elif match[0] not in _HYPHENS:
+            tokens.append(Token(fold(match[0]), match[0], "mark", start=start))
+        elif not _is_inner(text, start):
+            tokens.append(Token("–", match[0], "mark", start=start))
+        elif tokens and tokens[-1].start + len(tokens[-1].shown) == start:
+            tokens[-1] = replace(tokens[-1], glued=True)
     return tokens
 
 
-def _number(shown: str) -> Token:
+def _is_inner(text: str, index: int) -> bool:
+    """Whether a hyphen stands within a word rather than for a dash."""
+    return not (text[index - 1 : index].isspace() and text[index + 1 : index + 2].isspace())
+
+
+def _number(shown: str, start: int) -> Token:
     text = shown.replace("−", "-")
     head, _, tail = text.partition(",")
     value = float(head + tail) if len(tail) == 3 else float(text.replace(",", "."))
-    return Token(text, shown, "number", value)
+    return Token(text, shown, "number", value, start)
 
 
-def _words(shown: str) -> list[Token]:
+def _words(shown: str, start: int) -> list[Token]:
     parts = re.split("['’`´]", shown)
     if len(parts) == 1:
-        return [Token(fold(shown), shown, "word")]
+        return [Token(fold(shown), shown, "word", start=start)]
     if fold(parts[-1]) in _JOINED:
-        return [Token(fold("".join(parts)), shown, "word")]
-    return [Token(fold(part), part, "word") for part in parts]
+        return [Token(fold("".join(parts)), shown, "word", start=start, owner=fold(parts[-1]) == "s")]
+    starts = [start + sum(len(part) + 1 for part in parts[:index]) for index in range(len(parts))]
+    return [Token(fold(part), part, "word", start=at) for part, at in zip(parts, starts, strict=True)]

@@ -1,0 +1,134 @@
+"""Tokens of an English text to chunks, from left to right."""
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, Noun, Stray
+from thinkblox.reading.english.grammar import Function, grammar
+from thinkblox.reading.english.phrase import PhraseReader
+from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.sizes import read_size
+from thinkblox.reading.tokens import Token
+
+_MARKS = {
+    ".": "stop",
+    "!": "stop",
+    "?": "stop",
+    "\n": "stop",
+    ";": "semicolon",
+    ":": "colon",
+    ",": "comma",
+    "(": "open",
+    ")": "close",
+    "[": "open",
+    "]": "close",
+    "–": "dash",
+    "—": "dash",
+    "/": "comma",
+    "&": "and",
+    "+": "and",
+}
+_LINKS = (
+    "mutual",
+    "negations",
+    "inverses",
+    "prepositions",
+    "participles",
+    "verbs",
+    "joins",
+    "fillers",
+)
+
+
+class Chunker:
+    """Cuts the tokens of one text into chunks."""
+
+    def __init__(self, lexicon: Lexicon, tokens: Sequence[Token]) -> None:
+        self.lexicon = lexicon
+        self.tokens = list(tokens)
+        self.at = 0
+        self.made: list[Chunk] = []
+
+    @cached_property
+    def _phrases(self) -> PhraseReader:
+        return PhraseReader(self.lexicon, self.tokens)
+
+    def chunks(self) -> list[Chunk]:
+        """All chunks of the text."""
+        while self.at < len(self.tokens):
+            chunk = self._next()
+            if chunk is not None:
+                self.at = chunk.end
+                self.made.append(chunk)
+            else:
+                self.at += 1
+        return self.made
+
+    def _next(self) -> Chunk | None:
+        token = self.tokens[self.at]
+        if token.kind == "mark":
+            value = _MARKS.get(token.text)
+            return Link("mark", value, self.at, self.at + 1, token.shown) if value else None
+        if token.text == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text in ("/", "o"):
+            return Link("prepositions", "with", self.at, self.at + 2, "w/")
+        if token.kind == "number" or grammar().at(self.tokens, self.at, "count"):
+            found = read_size(self.lexicon, self.tokens, self.at)
+            if found is not None:
+                return Measured(found[0], self.at, found[1])
+        return self._words()
+
+    def _words(self) -> Chunk:
+        link = self._link()
+        noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        if noun is not None and (link is None or self._is_noun(noun, link)):
+            return noun
+        if link is not None:
+            text = " ".join(token.shown for token in self.tokens[self.at : self.at + link.length])
+            return Link(link.sort, link.value, self.at, self.at + link.length, text)
+        adjective = self._phrases.adjective(self.at)
+        if adjective is not None:
+            return adjective
+        return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _after_preposition(self) -> bool:
+        last = self.made[-1] if self.made else None
+        return isinstance(last, Link) and last.sort in ("prepositions", "inverses")
+
+    def _link(self) -> Function | None:
+        found = grammar().all_at(self.tokens, self.at, *_LINKS)
+        if not found:
+            return None
+        longest = [function for function in found if function.length == found[0].length]
+        return min(longest, key=lambda function: _LINKS.index(function.sort))
+
+    def _is_noun(self, noun: Noun, link: Function) -> bool:
+        """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""
+        if noun.kind == "pronoun":
+            return self._is_pronoun(noun, link)
+        if noun.det or noun.count is not None:
+            return noun.kind != "number" or noun.end - noun.start >= link.length
+        first = self._phrases.thing_at(self.at)
+        if first is not None and first.length > link.length:
+            return True
+        if link.sort == "prepositions" and link.value in ("around",):
+            return noun.kind == "thing" and noun.end - noun.start > 1 and not self._after_noun()
+        if link.sort in ("fillers", "joins"):
+            return noun.kind in ("thing", "place", "room") and first is not None
+        return False
+
+    def _is_pronoun(self, noun: Noun, link: Function) -> bool:
+        if link.sort == "joins":
+            after = grammar().at(self.tokens, noun.end, "verbs")
+            return not (self._after_noun() and after is not None) and link.value == "which" and noun.value != "who"
+        return link.sort == "fillers" or noun.end - noun.start >= link.length
+
+    def _after_noun(self) -> bool:
+        return bool(self.made) and isinstance(self.made[-1], Noun)
+
+
+def cut(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Chunk]:
+    """The chunks of a text."""
+    return Chunker(lexicon, tokens).chunks()
+
+
+__all__ = ["Adjective", "cut"]

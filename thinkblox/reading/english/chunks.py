@@ -1,0 +1,123 @@
+"""What an English text is cut into: noun phrases, and the words between them."""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from thinkblox.reading.sizes import Size
+
+NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number", "shape"]
+
+
+@dataclass
+class Noun:
+    """A noun phrase, or a number that stands for one ("two by the window").
+
+    Attributes:
+        kind: what its head is.
+        value: category or name, place, type of room, part or pronoun, according to `kind`.
+        start, end: tokens that it covers.
+        text: as it was written.
+        det: its determiner, a key of the grammar's; empty where it has none.
+        count: as said; None for a bare noun. `vague` when it is only a guess ("several").
+        least, most: where a number of them is left open.
+        of_known: so many of some that are known already ("two of the towels", "half of them").
+        every: "every second chair" is 2 and `counted` False; "every two loungers" 2 and True.
+        ordinal: 1 for the first, -1 for the last; 0 where nothing is said.
+        side: "left", "right" or "middle", where that tells it from others of its kind.
+        rows, groups: how many rows or groups it is said to form, -1 for "rows" without a number.
+        group: the word for the groups ("island").
+        unshown: modifiers that we know nothing about.
+        seats: how many people it is for.
+        room: another reading of the same words as a room ("bar").
+        owner: the thing of which it is a part ("the bed's foot").
+        named: the head is in the catalogue or another list of ours.
+    """
+
+    kind: NounKind
+    value: str
+    start: int
+    end: int
+    text: str = ""
+    det: str = ""
+    count: int | None = None
+    vague: bool = False
+    least: int | None = None
+    most: int | None = None
+    plural: bool = False
+    of_known: bool = False
+    every: int = 0
+    counted: bool = False
+    ordinal: int = 0
+    side: str = ""
+    rows: int = 0
+    groups: int = 0
+    group: str = ""
+    attributes: list[str] = field(default_factory=list)
+    styles: list[str] = field(default_factory=list)
+    unshown: list[str] = field(default_factory=list)
+    states: list[str] = field(default_factory=list)
+    size: Size | None = None
+    seats: int = 0
+    room: str = ""
+    owner: str = ""
+    named: bool = True
+
+    @property
+    def definite(self) -> bool:
+        """Whether it points at something known."""
+        return self.det in ("the", "my", "both", "all", "other", "half", "none") or self.of_known
+
+    @property
+    def each(self) -> bool:
+        """Whether what is said of it is said of every single one."""
+        return self.det in ("each", "either")
+
+    @property
+    def many(self) -> bool:
+        """Whether it speaks of several."""
+        return self.plural if self.count is None else self.count > 1
+
+
+@dataclass
+class Link:
+    """Words between noun phrases: a preposition, verb, conjunction, mark, ..., as a section and key of the grammar."""
+
+    sort: str
+    value: str
+    start: int
+    end: int
+    text: str = ""
+
+
+@dataclass
+class Adjective:
+    """An adjective without a noun: "the sofa is red", "three of them chrome"."""
+
+    start: int
+    end: int
+    text: str
+    attributes: list[str] = field(default_factory=list)
+    styles: list[str] = field(default_factory=list)
+    unshown: list[str] = field(default_factory=list)
+    states: list[str] = field(default_factory=list)
+
+
+@dataclass
+class Measured:
+    """A size that stands for itself."""
+
+    size: Size
+    start: int
+    end: int
+
+
+@dataclass
+class Stray:
+    """A word that means nothing to us."""
+
+    start: int
+    end: int
+    text: str
+
+
+Chunk = Noun | Link | Adjective | Measured | Stray

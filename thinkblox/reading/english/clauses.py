@@ -1,0 +1,1539 @@
+"""Chunks of an English text to a draft, clause by clause."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.reading.attach import bind, relation_kind
+from thinkblox.reading.draft import Bond, Draft, Gap, Mention
+from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, Noun, Stray
+from thinkblox.reading.english.meaning import Meaning, Meanings, Namer
+from thinkblox.reading.english.nodes import Frame, Front, Node, Where
+from thinkblox.reading.english.plurals import singular
+from thinkblox.reading.english.referents import Referents, is_small
+from thinkblox.reading.sizes import Size
+
+_ENDS = ("stop", "semicolon", "colon", "dash")
+_GROUPS = ("station", "workstation", "set", "setting", "group", "bay", "cubicle", "pod", "cluster", "area", "zone", "unit", "place")
+"""Words for several things together, where "each" then says which."""
+_ROOMY = 3.0
+"""Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
+_BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far")
+_JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
+_CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+
+
+class Clauses(Namer):
+    """Reads the chunks of one text."""
+
+    def __init__(self, chunks: Sequence[Chunk]) -> None:
+        self.chunks = list(chunks)
+        self.at = 0
+        self.draft = Draft()
+        self.referents = Referents(self.draft)
+        self.meanings = Meanings(self.referents, self)
+        self.habits = load_habits()
+        self.groups: dict[str, Mention] = {}
+        self._begin()
+        self.opening: Gap | None = None
+        self.whole: Mention | None = None
+        self.wanting_only = False
+
+    def _begin(self) -> None:
+        """Begin a clause."""
+        self.frontier: list[Node] = []
+        self.front: list[Front] = []
+        self.clause = Frame()
+        self.subject: Node | None = None
+        self.relative: Node | None = None
+        self.pending: Frame | None = None
+        self.separator = ""
+        self.predicate = False
+        self.negating = False
+        self.excluding = False
+        self.leaving = False
+        self.each = False
+        self.excepting = False
+        self.existential = False
+
+    def read(self) -> Draft:
+        """Read everything."""
+        while self.at < len(self.chunks):
+            chunk = self.chunks[self.at]
+            self.at += 1
+            match chunk:
+                case Noun():
+                    self._noun(chunk)
+                case Link():
+                    self._link(chunk)
+                case Adjective():
+                    self._adjective(chunk)
+                case Measured():
+                    self._measured(chunk.size)
+                case Stray():
+                    self.draft.unknown.append(chunk.text)
+        self._drop_groups()
+        return self.draft
+
+    # --- what comes next
+
+    def peek(self, ahead: int = 0) -> Chunk | None:
+        """The chunk so many after the next one."""
+        index = self.at + ahead
+        return self.chunks[index] if 0 <= index < len(self.chunks) else None
+
+    def _next_noun(self, ahead: int = 0) -> Noun | None:
+        """The noun that comes next, past fillers."""
+        index = self.at + ahead
+        while index < len(self.chunks) and self._is_filler(self.chunks[index]):
+            index += 1
+        chunk = self.chunks[index] if index < len(self.chunks) else None
+        return chunk if isinstance(chunk, Noun) else None
+
+    def _is_filler(self, chunk: Chunk) -> bool:
+        return isinstance(chunk, Link) and chunk.sort in ("fillers",) or isinstance(chunk, Adjective) and not chunk.attributes
+
+    def _is_link(self, chunk: Chunk | None, sort: str, *values: str) -> bool:
+        return isinstance(chunk, Link) and chunk.sort == sort and (not values or chunk.value in values)
+
+    def _skip_fillers(self, index: int) -> int:
+        while index < len(self.chunks) and self._is_filler(self.chunks[index]):
+            index += 1
+        return index
+
+    # --- links
+
+    def _link(self, link: Link) -> None:
+        match link.sort:
+            case "mark":
+                self._mark(link)
+            case "joins":
+                self._join(link)
+            case "prepositions":
+                self._preposition(link)
+            case "inverses":
+                self._open(link.value)
+            case "participles":
+                self._participle(link.value)
+            case "verbs":
+                self._verb(link)
+            case "negations":
+                self._negation(link)
+            case "mutual":
+                self._mutual(link.value)
+
+    def _mark(self, link: Link) -> None:
+        match link.value:
+            case "stop" | "semicolon" | "colon" | "dash":
+                self._end(link.value)
+            case "comma" | "open" | "close" | "and":
+                self._separate("and" if link.value == "and" else "comma")
+
+    def _end(self, kind: str) -> None:
+        """End a clause; after a colon or dash, what follows may tell the parts of what came last."""
+        things = self.clause.members
+        front = self.front if kind == "colon" and not things else []
+        last = self.frontier[-1].thing if self.frontier else None
+        self.whole = last if kind in ("colon", "dash") and last is not None and last.many else None
+        if kind == "colon" and last is not None and last.many and not self.predicate and last.count is None:
+            last.general = True
+        if things and not self.excluding:
+            self.referents.topics.append(things[0])
+        elif self.subject is not None and self.subject.thing is not None:
+            self.referents.topics.append(self.subject.thing)
+        self._begin()
+        self.front = front
+        self.opening = None
+
+    def _join(self, link: Link) -> None:
+        match link.value:
+            case "and" | "or":
+                keep = self.excluding and link.value == "or"
+                self._separate(link.value)
+                self.excluding = keep
+            case "but":
+                negated = self.negating
+                self._separate("comma")
+                if negated and self.subject is not None:
+                    self.predicate = True
+            case "stop":
+                self._end("stop")
+            case "which":
+                self.relative = next((n for n in reversed(self.frontier) if n.things), None)
+                self.separator = ""
+
+    def _separate(self, kind: str) -> None:
+        self.negating = False
+        if self.separator == "comma" and kind == "and":
+            kind = "comma_and"
+        if kind == "and" and self.excluding and self._next_is_excluded():
+            return
+        self.excluding = False
+        self.separator = kind
+        self.relative = None
+        self.pending = None
+
+    def _next_is_excluded(self) -> bool:
+        """Whether "without a television and a rug" goes on: a noun without a verb or relation of its own."""
+        noun = self._next_noun()
+        if noun is None or noun.kind != "thing":
+            return False
+        after = self.peek(1)
+        return not isinstance(after, Link) or after.sort == "mark"
+
+    # --- prepositions
+
+    def _preposition(self, link: Link) -> None:
+        match link.value:
+            case "with":
+                self._open("with")
+                return
+            case "without":
+                self._exclude_next()
+                return
+            case "instead":
+                self._exclude_next()
+                return
+            case "except":
+                self.excepting, self.negating, self.excluding = True, False, False
+                return
+            case "of":
+                self._of()
+                return
+            case "for":
+                self._for()
+                return
+            case "as":
+                self._as()
+                return
+            case "among":
+                if (noun := self._next_noun()) is not None and noun.kind in ("room", "abstract", "place"):
+                    self.at = self.chunks.index(noun) + 1
+                return
+        self._where(self._read_where(link))
+
+    def _read_where(self, link: Link, word: str = "") -> Where:
+        """The preposition with what it is to; goes past it."""
+        index = self._skip_fillers(self.at)
+        chunk = self.chunks[index] if index < len(self.chunks) else None
+        where = Where(word or link.value, None, negated=self.negating)
+        if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
+            return where
+        if self._leads(where, chunk, index):
+            return where
+        where.noun = chunk
+        self.at = index + 1
+        if chunk.kind in ("part", "place", "abstract") and self._is_link(self.peek(), "prepositions", "of"):
+            whole = self._next_noun(1)
+            if whole is not None:
+                where.whole = whole
+                self.at = self.chunks.index(whole, self.at) + 1
+        if link.value == "between" and self._is_link(self.peek(), "joins", "and") and not chunk.many:
+            second = self._next_noun(1)
+            if second is not None and second.kind in ("thing", "place", "pronoun"):
+                where.second = second
+                self.at = self.chunks.index(second, self.at) + 1
+        return where
+
+    def _leads(self, where: Where, noun: Noun, index: int) -> bool:
+        """Whether the noun is the subject of an adverb before it: "above, a lamp", "opposite a sofa" is not."""
+        return False
+
+    def _where(self, where: Where) -> None:
+        """Say where something is: of what was named, or of what comes."""
+        self.negating = False
+        if where.noun is not None and where.noun.kind in ("people", "abstract", "room") and where.noun.kind != "room":
+            self._beyond(where)
+            return
+        if where.noun is not None and where.noun.kind == "room":
+            if where.word == "in" and not self.draft.room:
+                self._room(where.noun)
+            return
+        if self._is_fronted():
+            self._set_front(where)
+            return
+        node = self._subject_of(where)
+        if node is None:
+            if where.noun is not None and where.noun.kind == "thing" and where.noun.det not in ("the", "each", "my"):
+                self._set_front(where)
+            elif where.noun is not None:
+                self._set_front(where)
+            return
+        self._place_node(node, where)
+
+    def _beyond(self, where: Where) -> None:
+        """Words that say where and mean no place that we know."""
+
+    def _place_node(self, node: Node, where: Where) -> None:
+        subjects = node.things
+        meaning = self.meanings.of(where, subjects, self._likely(node))
+        if meaning is None:
+            return
+        self._relate(subjects, meaning, negated=where.negated)
+        if where.negated:
+            return
+        if node in self.frontier:
+            del self.frontier[self.frontier.index(node) + 1 :]
+        else:
+            self.frontier.append(node)
+        if node.frame is not None and node.frame.head is not None:
+            node.frame.told |= any(t in meaning.anchors for t in node.frame.head.things)
+        anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
+        if anchors and where.noun is not None and where.noun.kind in ("thing", "number") and not meaning.told:
+            self.frontier.append(Node(anchors, None, known=meaning.told))
+        elif anchors and where.noun is not None and where.noun.kind == "thing":
+            self.frontier.append(Node(anchors, None, known=True))
+
+    def _set_front(self, where: Where) -> None:
+        noun = self._noun_ahead()
+        likely = [self.referents.topics[-1]] if self.referents.topics and not self.clause.members else []
+        if self.frontier and self.frontier[-1].things and not likely:
+            likely = [n.things[-1] for n in reversed(self.frontier) if n.things and n.frame is not None][:1]
+        if where.noun is not None and where.noun.kind in ("part", "place"):
+            likely = likely if where.noun.det in ("my", "each", "either", "") and where.noun.kind == "part" else []
+        meaning = self.meanings.of(where, [], likely, noun)
+        if self.separator not in ("and", "comma", "comma_and"):
+            self.front = list(self.front)
+        else:
+            self.front = []
+        if meaning is not None:
+            self.front.append(Front(where, meaning.anchors, meaning.kind, meaning.each))
+            self.front[-1].meaning = meaning  # type: ignore[attr-defined]
+        self.frontier = []
+        self.clause = Frame()
+        self.subject = None
+        self.separator = ""
+        self.pending = None
+        if self._is_link(self.peek(), "mark", "comma"):
+            self.at += 1
+
+    def _noun_ahead(self) -> str:
+        for ahead in range(3):
+            chunk = self.peek(ahead)
+            if isinstance(chunk, Noun):
+                return chunk.value if chunk.kind == "thing" else ""
+            if not isinstance(chunk, Link) or chunk.sort not in ("verbs", "fillers", "mark"):
+                return ""
+        return ""
+
+    def _is_fronted(self) -> bool:
+        """Whether what was just read says where something is that comes only now."""
+        after = self.peek()
+        begins = not self.frontier and self.subject is None
+        if begins and not self.clause.members:
+            return True
+        if not self.separator:
+            return False
+        if isinstance(after, Noun) and after.kind in ("thing",) and not after.definite:
+            return True
+        if self._is_link(after, "verbs", "be", "stand", "hang"):
+            following = self._next_noun(1)
+            return following is not None and following.kind == "thing" and not self._is_link(after, "x")
+        if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
+            following = self.peek(1)
+            led = self.chunks[self.at - 3] if self.at >= 3 else None
+            return isinstance(following, Noun) and following.kind == "thing" and self._is_link(led, "mark", "comma")
+        return False
+
+    # --- whom a relation is about
+
+    def _subject_of(self, where: Where) -> Node | None:
+        nodes = [node for node in reversed(self.frontier) if node.things]
+        if not nodes:
+            return self.subject
+        if self.predicate and self.subject is not None and len(self.frontier) <= 1:
+            return self.subject
+        inner = nodes[0]
+        noun = where.noun
+        if inner.frame is None:
+            return self._past_anchor(nodes, where)
+        head = inner.frame.head
+        if head is not None and head.things and not self._is_pronominal(where):
+            thing = inner.things[-1]
+            place = noun is not None and noun.kind == "place" and not (noun.value == "centre" and where.whole is None)
+            if place and not self.habits.is_in(thing.noun, "wallpieces", "ceiling") and not inner.frame.each:
+                if noun is not None and not (noun.value in ("wall", "floor", "ceiling") and where.word == "on"):
+                    return self._node_of(head, nodes)
+            same = noun is not None and noun.kind == "thing" and self._is_head(noun, head)
+            if where.word in _BY_OWNER and not same and noun is not None and noun.kind == "thing":
+                if self.habits.is_in(thing.noun, "small", "seats", "lamps"):
+                    return self._node_of(head, nodes)
+        return self._joined(inner, where)
+
+    def _node_of(self, head: Node, nodes: list[Node]) -> Node:
+        return head if head.frame is not None or head not in nodes else head
+
+    def _is_head(self, noun: Noun, head: Node) -> bool:
+        found = self.referents.named(noun) if noun.definite else None
+        return found in head.things
+
+    def _is_pronominal(self, where: Where) -> bool:
+        noun = where.noun
+        if noun is None:
+            return True
+        if noun.kind == "pronoun":
+            return True
+        if noun.kind == "part":
+            return where.whole is None or where.whole.kind == "pronoun"
+        return False
+
+    def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
+        """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
+        inner = nodes[0]
+        subject = next((n for n in nodes if n.frame is not None), None) or self.subject
+        if subject is None:
+            return inner
+        if inner.known or where.negated:
+            return subject
+        thing = inner.things[-1]
+        if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
+            return subject
+        if self._is_pronominal(where) and where.noun is not None:
+            return subject if not is_small(thing) and is_small(subject.things[-1]) else inner
+        return inner
+
+    def _joined(self, node: Node, where: Where) -> Node:
+        """A list that shares what is said of its last member: "a vase and two candles on the table"."""
+        thing = node.things[-1]
+        frame = node.frame
+        if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
+            return node
+        kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
+        kind = "against_wall" if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value else kind
+        group = _JOINED.get(kind)
+        if group is None or not self.habits.is_in(thing.noun, group) and thing.noun in self._catalogue():
+            return node
+        taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
+        free: list[Mention] = []
+        for member in reversed(frame.members):
+            if member in taken or (member is not thing and not self.habits.is_in(member.noun, group)):
+                break
+            free.insert(0, member)
+        return Node(free, frame) if len(free) > 1 else node
+
+    def _catalogue(self) -> set[str]:
+        return set(self.habits.known())
+
+    def _likely(self, node: Node) -> list[Mention]:
+        """What a pronoun means first: the head of the list, then what the clause is about."""
+        found: list[Mention] = []
+        frame = node.frame
+        if frame is not None and frame.head is not None:
+            found += frame.head.things
+        if self.subject is not None and self.subject is not node:
+            found += self.subject.things
+        found += [m for m in self.clause.members if m not in node.things][-1:]
+        for front in self.front:
+            found += [a for a in front.anchors if isinstance(a, Mention)]
+        return list(dict.fromkeys(t for t in found if t not in node.things))
+
+    # --- relations
+
+    def _relate(self, subjects: list[Mention], meaning: Meaning, *, negated: bool = False) -> None:
+        """Bind subjects to what they are related to."""
+        anchors = tuple(a for a in meaning.anchors if a not in subjects) or meaning.anchors
+        for subject in subjects:
+            if subject in anchors and len(anchors) == 1:
+                continue
+            self._multiply(subject, meaning)
+            kind = relation_kind(meaning.kind)
+            if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
+                kind = "next_to"
+            bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+            if negated:
+                self.draft.bonds.append(bond)
+                continue
+            self._share(bond)
+            bind(self.draft, bond)
+            for anchor in anchors:
+                if isinstance(anchor, Mention) and kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
+                    self.referents.pairs.append((subject, anchor))
+        if self.opening is not None and not subjects and isinstance(anchors[0], str) and anchors[0].endswith("_wall"):
+            self.opening.wall = anchors[0]
+
+    def _multiply(self, subject: Mention, meaning: Meaning) -> None:
+        """One "on each side" are two; one "in each corner" four."""
+        if meaning.both and subject.count == 1 and meaning.times == 1:
+            subject.count = 2
+        if subject.count and meaning.times > 1 and not getattr(subject, "_told", False):
+            subject.count *= meaning.times
+            if subject.least:
+                subject.least *= meaning.times
+        elif meaning.spread > 1 and subject.count == 1:
+            subject.count = meaning.spread
+
+    def _share(self, bond: Bond) -> None:
+        """Keep the number that "each" gave where the relation to it is told in other words."""
+        for old in self.draft.bonds:
+            if old.implied and old.each and old.subject is bond.subject and not bond.each:
+                heads = [a for a in old.anchors if isinstance(a, Mention)]
+                if tuple(heads) != bond.anchors and not set(map(id, heads)) & set(map(id, bond.anchors)):
+                    bond.subject.per += [h for h in heads if h not in bond.subject.per]
+                elif len(heads) == 1 and bond.anchors == tuple(heads):
+                    bond.each = bond.kind != "between"
+
+    # --- nouns
+
+    def _noun(self, noun: Noun) -> None:
+        self.draft.style += noun.styles if not self.excluding else []
+        if noun.kind == "thing" and self._is_label(noun):
+            return
+        match noun.kind:
+            case "thing":
+                self._thing(noun)
+            case "place":
+                self._place(noun)
+            case "room":
+                self._room(noun)
+            case "people":
+                self._people(noun)
+            case "number":
+                self._number(noun)
+            case "pronoun":
+                self._pronoun(noun)
+            case "part":
+                self._bare_part(noun)
+            case "abstract":
+                self._abstract(noun)
+        if noun.kind != "room":
+            self.separator = ""
+
+    def _is_label(self, noun: Noun) -> bool:
+        """Whether the first noun says what kind of room it is: "Chess club, 7 m x 6 m: ..."."""
+        if self.draft.things or self.draft.room or self.front or self.draft.excluded:
+            return False
+        after = self.peek()
+        if noun.room:
+            self._room(replace(noun, kind="room", value=noun.room))
+            return True
+        introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
+        introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
+        roomish = noun.value.rpartition(" ")[2] in _ROOMISH
+        with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
+        if not noun.named and (roomish or introduces or with_ or self._is_link(after, "mark")) and not noun.many:
+            self._room(replace(noun, kind="room", value="room"))
+            return True
+        return False
+
+    def _room(self, noun: Noun) -> None:
+        if self.draft.room and noun.value not in ("room",) and not noun.definite and self.draft.things:
+            self.draft.notes.append(noun.text)
+        if not self.draft.room or self.draft.room == "room":
+            self.draft.room = noun.value
+        self.draft.room_attributes += noun.attributes
+        self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
+        if noun.size:
+            self.draft.sizes.append(noun.size)
+        if not self.draft.things:
+            self.frontier = []
+
+    def _people(self, noun: Noun) -> None:
+        if noun.count and not self.draft.things and not noun.each:
+            self.draft.people = noun.count
+
+    def _place(self, noun: Noun) -> None:
+        if self.leaving or "empty" in (*noun.attributes, *noun.states) or "free" in noun.text.lower().split():
+            self._free(noun.value)
+            return
+        name = noun.value.split()[0]
+        if name in ("window", "door") and noun.det == "no" or (self.excluding and name in ("window", "door")):
+            self.draft.openings.append(Gap(name, 0))
+        elif name in ("window", "door") and not noun.definite:
+            self.opening = Gap(name, noun.count or (2 if noun.plural else 1))
+            self.draft.openings.append(self.opening)
+            for front in self.front:
+                if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
+                    self.opening.wall = front.anchors[0]
+            self.frontier = []
+        elif not self.separator:
+            self.frontier = []
+
+    def _free(self, place: str) -> None:
+        self.draft.free.append(place.split()[0])
+
+    def _bare_part(self, noun: Noun) -> None:
+        if self.leaving and noun.value == "middle":
+            self._free("centre")
+            return
+        self.subject = None
+        self.frontier = []
+
+    def _abstract(self, noun: Noun) -> None:
+        if noun.det == "each" or noun.definite:
+            group = self.groups.get(singular(noun.value.rpartition(" ")[2]))
+            if group is not None:
+                self._take_known(noun, [group])
+                return
+        if not self.clause.members and self.separator != "and":
+            self.frontier = [Node()]
+
+    def _thing(self, noun: Noun) -> None:
+        if noun.det == "no" or (self.excluding and not self.excepting):
+            self._exclude(noun)
+            return
+        if self._is_existential_break():
+            self._begin()
+        elif self.separator and self._is_new_clause(noun):
+            kept = self.separator
+            topic = self.clause.members[:1] or (self.subject.things[:1] if self.subject else [])
+            self.referents.topics += topic
+            self._begin()
+            self.separator = kept
+        known = self._known(noun)
+        if known:
+            self._take_known(noun, known)
+            return
+        thing = self._new(noun)
+        self._take(thing, noun)
+
+    def _is_existential_break(self) -> bool:
+        return False
+
+    def _is_new_clause(self, noun: Noun) -> bool:
+        """Whether a verb of its own follows the noun: ", and two guitars hang on the wall"."""
+        if self.separator == "and" and not self.predicate and not self.existential:
+            return False
+        index = self.at
+        while index < len(self.chunks):
+            chunk = self.chunks[index]
+            if isinstance(chunk, Link):
+                if chunk.sort == "verbs":
+                    text = chunk.text.lower()
+                    return chunk.value != "put" and not text.startswith("there")
+                if chunk.sort == "mark" or (chunk.sort == "joins" and chunk.value != "and") or chunk.sort == "mutual":
+                    return False
+                if chunk.sort == "joins" and not isinstance(self.chunks[min(index + 1, len(self.chunks) - 1)], Noun):
+                    return False
+                if chunk.sort in ("inverses", "participles") and chunk.value not in ("stand", "hang"):
+                    return False
+                if chunk.sort == "prepositions" and chunk.value == "with":
+                    return False
+            elif isinstance(chunk, (Measured, Stray)):
+                return False
+            index += 1
+        return False
+
+    def _known(self, noun: Noun) -> list[Mention]:
+        """The things that a noun phrase points back to."""
+        if noun.det == "each" and noun.every:
+            return self._every(noun)
+        if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
+            found = self.some_of(noun, besides=[])
+            return [found] if found is not None else []
+        if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
+            found_all = self.referents.every(noun)
+            if found_all and (noun.count is None or sum(t.count or 1 for t in found_all) >= noun.count):
+                return found_all
+            return []
+        bare = not noun.det and noun.count is None and not noun.plural and noun.named
+        if not (noun.definite or (bare and self._is_repeated(noun))):
+            return []
+        first = self.referents.named(noun)
+        if first is None:
+            return []
+        if noun.plural and noun.definite:
+            every = self.referents.every(noun)
+            total = sum(t.count or 1 for t in every)
+            if noun.count is None or noun.count == total:
+                return every
+            if noun.count < total:
+                return [first]
+            return []
+        if noun.count and first.count and noun.count > first.count:
+            return []
+        if not noun.plural and first.many and noun.det == "the" and first.count:
+            return [first]
+        return [first]
+
+    def _one_named(self, noun: Noun) -> list[Mention]:
+        """ "One side table" of two that were named: "on one side table stands a lamp"."""
+        text = noun.text.lower().split()
+        if text[:1] != ["one"] or noun.count != 1:
+            return []
+        whole = self.referents.named(noun)
+        if whole is None or not whole.many or (whole.count or 2) < 2:
+            return []
+        return [self.referents.part(whole, 1)]
+
+    def _is_repeated(self, noun: Noun) -> bool:
+        first = self.referents.named(noun)
+        return first is not None and first not in self.clause.members and first.noun == noun.value and not noun.attributes
+
+    def _every(self, noun: Noun) -> list[Mention]:
+        """ "every second chair", "every two loungers": so many of them, or groups of so many."""
+        whole = self.referents.named(noun)
+        if whole is None or not whole.count:
+            return []
+        if noun.counted:
+            self.each_of = noun.every
+            return [whole]
+        return [self.referents.part(whole, max(1, whole.count // noun.every))]
+
+    def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
+        """The things that a noun phrase after a preposition means, and whether they were known."""
+        if noun.det == "each" and not noun.named or noun.value.rpartition(" ")[2] in _GROUPS:
+            group = self.groups.get(singular(noun.text.rpartition(" ")[2].lower()))
+            if group is not None:
+                return (group,), True
+        if noun.value == "seat" or (noun.det == "each" and singular(noun.text.rpartition(" ")[2].lower()) in _SEATS):
+            if (seats := self._seats()) and self.referents.named(noun) is None:
+                return tuple(seats), True
+        known = [t for t in self._known(noun) or self._one_named(noun) if t not in besides or noun.plural]
+        if known:
+            for thing in known:
+                self.referents.speak(thing)
+            return tuple(known), True
+        if noun.det in ("a", "") and not noun.plural and noun.count in (None, 1):
+            found = self.referents.named(noun, besides)
+            modest = found is not None and set(noun.attributes) <= set(found.attributes) and not noun.unshown
+            if found is not None and modest and found.noun == noun.value and (found.many or not noun.det):
+                self.referents.speak(found)
+                return (found,), True
+        thing = self._new(noun)
+        return (thing,), False
+
+    def _seats(self) -> list[Mention]:
+        return [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
+
+    def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
+        """The part of some known things that a number, "the left one" or "the other" means."""
+        if noun.kind == "thing":
+            whole = self.referents.named(noun, besides)
+            parts = [*self.referents.parts.get(id(whole), ())] if whole else []
+        else:
+            whole = self._whole(besides)
+            parts = [*self.referents.parts.get(id(whole), ())] if whole else []
+        if whole is None:
+            return None
+        told = [t for t in [*parts, whole] if noun.side and noun.side in getattr(t, "_sides", ())]
+        if told:
+            return told[0]
+        if noun.det == "other":
+            self.referents.parted = None
+            return whole
+        count = self._how_many(noun, whole)
+        part = self.referents.part(whole, count)
+        if noun.side:
+            self._set_side(part, whole, noun.side)
+        return part
+
+    def _how_many(self, noun: Noun, whole: Mention) -> int:
+        total = whole.count or 2
+        if noun.det == "half":
+            total += sum(p.count or 0 for p in self.referents.parts.get(id(whole), ()))
+            return max(1, total // 2)
+        if noun.det in ("each", "all", "none", "both") and noun.count is None:
+            return total
+        return noun.count or (total if noun.plural and not noun.side else 1)
+
+    def _set_side(self, part: Mention, whole: Mention, side: str) -> None:
+        """The left one of two that flank something stands at its left."""
+        other = {"left": "right", "right": "left"}.get(side, "")
+        part._sides = (side,)  # type: ignore[attr-defined]
+        if part is not whole:
+            whole._sides = (other,)  # type: ignore[attr-defined]
+        if not other:
+            return
+        for thing, where in ((part, side), (whole, other)):
+            for bond in self.draft.bonds_of(thing):
+                if bond.kind == "next_to" and bond.anchors and isinstance(bond.anchors[0], Mention) and part is not whole:
+                    bond.kind = relation_kind(f"{where}_of")
+
+    def _whole(self, besides: Sequence[Mention]) -> Mention | None:
+        """The several things that a number now parts."""
+        if self.referents.parted is not None:
+            return self.referents.parted
+        if self.whole is not None and self.whole in self.draft.things:
+            return self.whole
+        near = [n.things[-1] for n in reversed(self.frontier) if n.things]
+        near += self.clause.members[::-1]
+        many = [t for t in near if t.many and t not in besides]
+        return next(iter(many), None) or next((t for t in self.referents.plural() if t not in besides), None)
+
+    def _new(self, noun: Noun) -> Mention:
+        """Add the thing that a phrase asks for."""
+        count = noun.count if noun.count is not None else (None if noun.plural else 1)
+        thing = Mention(noun.value, count, noun.vague, noun.plural, noun.rows, [*noun.attributes], noun.text)
+        thing.least, thing.most = noun.least, noun.most
+        thing.unshown, thing.states = [*noun.unshown], [*noun.states]
+        thing.seats, thing.size = noun.seats, noun.size
+        thing.groups, thing.group = noun.groups, noun.group
+        self.draft.things.append(thing)
+        word = singular(noun.text.rpartition(" ")[2].lower())
+        if word in _GROUPS:
+            self.groups[word] = thing
+        if noun.rows:
+            self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
+        if self.wanting_only:
+            self.draft.empty, self.wanting_only = True, False
+        self.referents.speak(thing)
+        return thing
+
+    def _take_known(self, noun: Noun, known: list[Mention]) -> None:
+        """Speak again of things named before: as the subject, or as what a list names."""
+        for thing in known:
+            self.referents.speak(thing)
+            thing.attributes += [a for a in noun.attributes if a not in thing.attributes]
+            thing.unshown += [a for a in noun.unshown if a not in thing.unshown]
+            thing.states += [a for a in noun.states if a not in thing.states]
+        frame = self._frame_for(known[0], noun) if self.separator and self.frontier else None
+        node = Node(list(known), frame or self.clause, known=True, each=noun.each)
+        pending, self.pending = self.pending, None
+        if pending is not None and pending.head is not None:
+            self._member(known[0], pending)
+            node.frame = pending
+            self._push(node)
+            return
+        if frame is not None and frame.head is not None:
+            self._push(node)
+            return
+        self.clause.members += [t for t in known if t not in self.clause.members]
+        self.frontier = [node]
+        self._apply_front(known)
+        self.each |= noun.each
+
+    def _take(self, thing: Mention, noun: Noun) -> None:
+        """Take a new thing into the list it belongs to."""
+        pending, self.pending = self.pending, None
+        frame = pending
+        if frame is None:
+            frame = self._frame_for(thing, noun) if self.separator and self.frontier else self.clause
+        self._member(thing, frame)
+        self._push(Node([thing], frame, each=noun.each))
+        if frame.head is None:
+            self.subject, self.predicate = None, False
+            self._apply_front([thing])
+
+    def _push(self, node: Node) -> None:
+        head = node.frame.head if node.frame is not None else None
+        if head is not None and head in self.frontier:
+            del self.frontier[self.frontier.index(head) + 1 :]
+        elif head is None:
+            self.frontier = []
+        self.frontier.append(node)
+
+    def _frame_for(self, thing: Mention, noun: Noun) -> Frame:
+        """The list that a thing after a comma or "and" goes on with: the innermost that it belongs to."""
+        nodes = [node for node in reversed(self.frontier) if node.frame is not None]
+        for node in nodes:
+            frame = node.frame
+            if frame is None or frame.head is None:
+                continue
+            if self._goes_on(frame, thing, noun):
+                frame.closing |= self.separator in ("and", "comma_and")
+                return frame
+        if self.separator in ("and", "comma_and"):
+            self.clause.closing = True
+        return self.clause
+
+    def _goes_on(self, frame: Frame, thing: Mention, noun: Noun) -> bool:
+        head = frame.head.thing if frame.head is not None else None
+        told = self._told_of(frame)
+        if told is not None:
+            return told
+        if head is None:
+            return frame.times > 1
+        tie = self._tie(thing, frame)
+        if frame.closing and self.separator in ("comma", "comma_and"):
+            return False
+        if self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each:
+            return False
+        if tie is None:
+            return False
+        if frame.told and self.separator == "comma":
+            return frame.each and tie in _CARRIED
+        if frame.told and tie not in _CARRIED:
+            return False
+        if self.separator == "comma_and" and tie not in _CARRIED and not frame.each:
+            return False
+        return True
+
+    def _told_of(self, frame: Frame) -> bool | None:
+        """Whether what follows the noun ties it to the head of a list in words, or to something else."""
+        link = self.peek()
+        if not isinstance(link, Link) or link.sort not in ("prepositions", "participles"):
+            return None
+        index = 0
+        if link.sort == "participles":
+            index, link = 1, self.peek(1)
+            if not isinstance(link, Link) or link.sort != "prepositions":
+                return None
+        noun = self._next_noun(index + 1)
+        if noun is None or link.value in ("with", "of", "for"):
+            return None
+        if frame.head is None:
+            return frame.times > 1
+        if noun.kind == "pronoun" or (noun.kind == "part" and self._is_mine(noun, index)):
+            return True
+        if noun.kind == "thing" and noun.definite:
+            return self.referents.named(noun) in frame.head.things
+        if noun.kind == "part":
+            whole = self._next_noun(index + 3)
+            if whole is not None and whole.kind == "thing":
+                return self.referents.named(whole) in frame.head.things
+        if noun.kind == "place" and noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
+            return False if not frame.each else None
+        return None
+
+    def _is_mine(self, noun: Noun, index: int) -> bool:
+        after = self.peek(index + 2)
+        return not self._is_link(after, "prepositions", "of")
+
+    def _apply_front(self, things: list[Mention]) -> None:
+        """Give things the relation that stood before them ("on the desk a lamp and a vase")."""
+        for front in list(self.front):
+            listed = len(self.clause.members) > len(things)
+            thing = things[-1]
+            off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted") and thing.noun in self._catalogue()
+            wall = front.anchors and isinstance(front.anchors[0], str)
+            if listed and (off and not wall) and not self.clause.closing:
+                self.front.remove(front)
+                continue
+            if listed and self._is_told_next():
+                continue
+            meaning = getattr(front, "meaning", None)
+            if meaning is None:
+                continue
+            if listed and front.kind not in ("on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner"):
+                continue
+            fresh = replace(meaning)
+            self._relate(things, fresh, negated=front.where.negated)
+
+    # --- lists of what things have
+
+    def _open(self, kind: str) -> None:
+        """Begin a list of what something has: "with", "surrounded by", "carrying"."""
+        self.negating = False
+        noun = self._next_noun()
+        if noun is not None and noun.kind == "abstract" and kind == "with":
+            return
+        head = self._head_for(noun, kind)
+        if head is None:
+            if self.draft.things or self.front:
+                self.pending = Frame(None, "list")
+                self.pending = None
+            return
+        frame = Frame(head, kind, each=self.each or head.each)
+        self.each = False
+        if head in self.frontier:
+            del self.frontier[self.frontier.index(head) + 1 :]
+        else:
+            self.frontier.append(head)
+        self.pending = frame
+        self.separator = ""
+
+    def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
+        nodes = [node for node in reversed(self.frontier) if node.things]
+        if not nodes:
+            return self.subject if self.subject is not None and self.subject.things else None
+        if self.each:
+            return next((n for n in nodes if any(t.many for t in n.things)), nodes[0])
+        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1:
+            outer = [n for n in nodes if n.frame is not None]
+            return outer[-1] if outer else nodes[-1]
+        if noun is not None and noun.kind == "thing":
+            for node in nodes[:3]:
+                if node.frame is None and node.known and len(nodes) > 1:
+                    continue
+                return node
+        return nodes[0]
+
+    def _participle(self, kind: str) -> None:
+        match kind:
+            case "hold" | "carry":
+                self._open(kind)
+            case "surround":
+                self._where(self._read_where(Link("prepositions", "around", 0, 0)))
+            case "flank":
+                self._flank()
+            case "line":
+                self._where(self._read_where(Link("prepositions", "along", 0, 0)))
+            case "hang":
+                if self._is_link(self.peek(), "prepositions", "from") and (n := self._next_noun(1)) and n.kind == "thing":
+                    self.at += 1
+                    self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
+
+    def _member(self, thing: Mention, frame: Frame) -> None:
+        """Take a thing into a list: relate it to the head."""
+        first = not frame.members
+        if frame.times > 1 and thing not in frame.members:
+            thing.count = (thing.count or 1) * frame.times
+        if thing not in frame.members:
+            frame.members.append(thing)
+        if frame.head is None or not frame.head.things:
+            return
+        head = frame.head.things[-1]
+        if thing is head:
+            return
+        if not thing.owner:
+            thing.owner = head
+        tie = self._tie(thing, frame, first=first)
+        if tie is None:
+            tie = "next_to" if frame.each or frame.kind != "with" else None
+        thing.host = head
+        if tie is None:
+            thing.owner = None
+            return
+        if "shared" in thing.attributes and tie == "next_to" and head.many:
+            tie = "between"
+        told = frame.kind not in ("with",)
+        anchors = tuple(frame.head.things)
+        if len(anchors) > 1 and any(a.noun != head.noun for a in anchors):
+            anchors = (head,)
+        each = tie != "between" and (frame.each or self._shares(thing, head, tie, frame))
+        if frame.kind in ("around", "next_to") and thing.count == 1:
+            each = False
+        bind(self.draft, Bond(relation_kind(tie), thing, anchors, each=each, implied=not told or self._is_told_next()))
+
+    def _is_told_next(self) -> bool:
+        """Whether the relation of the thing just named to something is told in words."""
+        link = self.peek()
+        return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", "with", "of", "for")
+
+    def _shares(self, thing: Mention, head: Mention, tie: str, frame: Frame) -> bool:
+        """Whether "two desks with a chair" means a chair at each."""
+        if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
+            return False
+        if frame.kind in ("hold", "carry"):
+            return False
+        if thing.count is None:
+            return tie in ("on", "at", "around")
+        few = thing.count < 2 * head.count and thing.noun != head.noun
+        return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _tie(self, thing: Mention, frame: Frame, *, first: bool = False) -> str | None:
+        """How a listed thing belongs to the head; None when it does not, which ends the list."""
+        head = frame.head.thing if frame.head is not None else None
+        if head is None:
+            return None
+        first = first or not frame.members
+        usual = self.habits.tie(thing.noun, head.noun)
+        small = self.habits.is_in(thing.noun, "small", "fitted") or thing.noun not in self._catalogue()
+        shelves = self.habits.is_in(head.noun, "shelves", "containers") if "containers" in self._groups() else self.habits.is_in(head.noun, "shelves")
+        match frame.kind:
+            case "hold" | "carry" | "inside" if usual in ("at", "around"):
+                return usual
+            case "hold" | "carry":
+                if not (small or first or usual == "on"):
+                    return None
+                within = self._contains(head, shelves=shelves) if frame.kind == "hold" else shelves
+                return "inside" if within else "on"
+            case "inside":
+                return "inside" if small or first else None
+            case "on":
+                return "on" if small or first or usual == "on" else None
+            case "with":
+                if usual == "on" and shelves and small:
+                    return "inside"
+                if usual:
+                    return str(usual)
+                surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges") or head.noun not in self._catalogue()
+                laid = small and surfaces and thing.noun != "tv"
+                if laid:
+                    return "inside" if self._contains(head, shelves=shelves) else "on"
+                return "next_to" if frame.each else None
+        return frame.kind if frame.kind != "list" else None
+
+    def _groups(self) -> Sequence[str]:
+        return tuple(self.habits.groups)
+
+    def _contains(self, head: Mention, *, shelves: bool) -> bool:
+        word = singular(head.text.rpartition(" ")[2].lower())
+        return shelves or word in _CONTAINERS
+
+    # --- verbs
+
+    def _verb(self, link: Link) -> None:
+        text = link.text.lower()
+        if link.value == "put":
+            self.existential |= not self.clause.members
+            if not self.clause.members and not self.front:
+                return
+            if self.subject is None and self.clause.members and not self.separator:
+                self.subject = self._whole_subject()
+                self._open_of_subject("with")
+            return
+        if link.value == "leave":
+            self.leaving = True
+            return
+        if text.startswith(("there", "here", "you ", "we ")):
+            if self.clause.members:
+                self._begin_again()
+            self.existential = True
+            return
+        if self.relative is not None:
+            self.subject = self.relative
+            self.relative = None
+        elif self.subject is None or (self.clause.members and not self.predicate):
+            self.subject = self._whole_subject()
+        if self.subject is None and link.value in ("be", "stand", "hang", "serve"):
+            return
+        self._predicate(link)
+
+    def _begin_again(self) -> None:
+        topic = self.clause.members[:1]
+        self.referents.topics += topic
+        self._begin()
+
+    def _whole_subject(self) -> Node | None:
+        """Everything that the clause named before its verb."""
+        node = next((n for n in self.frontier if n.frame is not None and n.things and n.frame.head is None), None)
+        node = node or next((n for n in self.frontier if n.frame is not None and n.things), None)
+        if node is None:
+            return None
+        things = [t for t in self.clause.members if t in self.draft.things]
+        if node.known or not things:
+            things = [t for t in node.things if t in self.draft.things] or things
+            things = list(dict.fromkeys([*[m for m in self.clause.members if m in self.draft.things], *things]))
+        return Node(things, self.clause, known=node.known, each=node.each or self.each) if things else None
+
+    def _predicate(self, link: Link) -> None:
+        self.predicate = True
+        if self.subject is not None:
+            self.frontier = [self.subject]
+        self.separator = ""
+        match link.value:
+            case "have" | "consist":
+                self._have(link.value)
+            case "hold" | "carry":
+                self._open_of_subject(link.value)
+            case "face":
+                self._where(self._read_where(Link("prepositions", "facing", 0, 0)))
+            case "surround":
+                self._where(self._read_where(Link("prepositions", "around", 0, 0)))
+            case "flank":
+                self._flank()
+            case "line":
+                self._where(self._read_where(Link("prepositions", "along", 0, 0)))
+            case "share":
+                self._have_shared()
+            case "serve":
+                self._as()
+            case "hang":
+                if self._is_link(self.peek(), "prepositions", "from") and (n := self._next_noun(1)) and n.kind == "thing":
+                    self.at += 1
+                    self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
+
+    def _open_of_subject(self, kind: str) -> None:
+        if self.subject is None:
+            return
+        self.pending = Frame(self.subject, kind, each=self.each or self.subject.each)
+        self.each = False
+
+    def _have(self, kind: str) -> None:
+        if self.subject is None:
+            return
+        thing = self.subject.thing
+        if thing is not None and thing in self.groups.values() and (kind == "consist" or self.subject.each):
+            self._dissolve(thing)
+            return
+        self._open_of_subject("with")
+
+    def _have_shared(self) -> None:
+        if self.subject is None or self.subject.thing is None:
+            return
+        every = getattr(self, "each_of", 0)
+        frame = Frame(self.subject, "next_to")
+        if every:
+            frame.times = max(1, (self.subject.thing.count or every) // every)
+            self.each_of = 0
+        self.pending = frame
+
+    def _flank(self) -> None:
+        where = self._read_where(Link("prepositions", "next_to", 0, 0))
+        self._where(where)
+
+    def _dissolve(self, group: Mention) -> None:
+        """Let the members of a list stand for a group that is no thing itself: each member as often as the group."""
+        frame = Frame(None, "list", times=group.count or 1, each=True)
+        moved = [b for b in self.draft.bonds_of(group) if not any(isinstance(a, Mention) for a in b.anchors)]
+        self.draft.drop(group)
+        self.groups = {word: thing for word, thing in self.groups.items() if thing is not group}
+        frame.moved = moved  # type: ignore[attr-defined]
+        self.clause = frame
+        self.frontier = []
+        self.subject = None
+        self.pending = frame
+        self.each = False
+
+    def _drop_groups(self) -> None:
+        """A group of which nobody says what it is is not understood."""
+        for thing in self.groups.values():
+            if thing in self.draft.things and thing.noun not in self._catalogue():
+                self.draft.drop(thing)
+                self.draft.unknown.append(thing.text)
+
+    # --- parts, pronouns, numbers
+
+    def _pronoun(self, noun: Noun) -> None:
+        following = self.peek()
+        match noun.value:
+            case "each":
+                self._each(following)
+            case "it":
+                found = self.referents.single(None, "", self._spoken_of())
+                self._resume([found] if found is not None else [], noun)
+            case "them":
+                self._resume(list(self.referents.several([], "")), noun)
+            case "one" | "other" | "half" | "none":
+                count = noun.count or 1
+                whole = self._whole([])
+                if whole is None:
+                    return
+                if noun.value == "none":
+                    self._resume([whole], noun)
+                    self.negating = True
+                    return
+                if noun.value == "other":
+                    self.referents.parted = None
+                    self._resume([whole], noun)
+                    return
+                count = max(1, (whole.count or 2) // 2) if noun.value == "half" else count
+                self._part_of(whole, count)
+
+    def _spoken_of(self) -> list[Mention]:
+        return [t for t in (*self.referents.topics[-1:],) if not t.many]
+
+    def _each(self, following: Chunk | None) -> None:
+        if isinstance(following, Noun) and following.kind == "thing" and following.det == "a":
+            group = next((t for t in self.groups.values() if t in self.draft.things), None)
+            if group is not None:
+                self._dissolve(group)
+                return
+        nodes = [n for n in reversed(self.frontier) if any(t.many for t in n.things)]
+        begins = not self.frontier and not self.clause.members
+        if begins or not nodes:
+            found = [t for t in self.referents.several([], "each") if t.many]
+            if begins and found:
+                self.frontier = [Node(found, self.clause, known=True, each=True)]
+                self.clause.members += found
+                self.each = True
+                return
+        trailing = following is None or (isinstance(following, Link) and following.sort in ("mark", "joins"))
+        if trailing:
+            self._trailing_each()
+            return
+        if nodes:
+            del self.frontier[self.frontier.index(nodes[0]) + 1 :]
+            self.each = True
+
+    def _trailing_each(self) -> None:
+        """ "two bins with five balls each", "four chairs each"."""
+        node = self.frontier[-1] if self.frontier else None
+        if node is None or node.frame is None:
+            return
+        for thing in node.frame.members if node.frame.head is not None else node.things:
+            for bond in self.draft.bonds_of(thing):
+                if any(isinstance(a, Mention) for a in bond.anchors):
+                    bond.each = True
+
+    def _resume(self, things: list[Mention], noun: Noun) -> None:
+        """Go back to things named before."""
+        if not things:
+            return
+        separated = self.separator
+        if separated and self.clause.members:
+            self._begin()
+        self.clause.members += [t for t in things if t not in self.clause.members]
+        self.frontier = [Node(list(things), self.clause, known=True, each=noun.value == "each")]
+        self._apply_front(things)
+
+    def _number(self, noun: Noun) -> None:
+        """A number that stands for some of several: "two by the window", "three of them chrome"."""
+        if noun.rows and not noun.of_known:
+            self._arrange(noun)
+            return
+        whole = self._whole([])
+        if whole is None:
+            if noun.count and not self.draft.things:
+                self.draft.people = noun.count
+            return
+        if self._is_total(noun, whole):
+            return
+        if noun.det in ("none",):
+            self._resume([whole], noun)
+            self.negating = True
+            return
+        if noun.det == "other" and not noun.attributes:
+            self.referents.parted = None
+            self._resume([whole], noun)
+            return
+        if noun.det == "other":
+            self._look(whole, noun)
+            self.referents.parted = None
+            self._resume([whole], noun)
+            return
+        if noun.side or noun.ordinal:
+            part = self.some_of(noun, [])
+            if part is not None:
+                self._look(part, noun)
+                self._resume([part], noun)
+            return
+        self._part_of(whole, self._how_many(noun, whole), noun)
+
+    def _is_total(self, noun: Noun, whole: Mention) -> bool:
+        """Whether a number only sums up: "as many mats as there are machines, five"."""
+        after = self.peek()
+        plain = not (noun.attributes or noun.unshown or noun.states or noun.of_known or noun.side or noun.ordinal)
+        if not plain or isinstance(after, (Adjective, Noun)):
+            return False
+        ends = after is None or self._is_link(after, "mark") or self._is_link(after, "fillers")
+        if ends and noun.count and self.separator and self.frontier:
+            thing = self.frontier[-1].thing
+            if thing is not None and thing.many and (thing.count is None or thing.vague):
+                thing.count, thing.vague = noun.count, False
+            return True
+        return False
+
+    def _arrange(self, noun: Noun) -> None:
+        """ "(six shelving units stand) in two rows of three"."""
+        thing = self._whole([])
+        if thing is not None:
+            bind(self.draft, Bond("in_rows", thing, rows=max(noun.rows, 0)))
+
+    def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
+        """Set so many of `whole` apart and speak of them."""
+        times = self._times_next()
+        if times > 1 and whole.count is not None and count * times > whole.count and whole is not self.referents.parted:
+            whole.count = count * times
+        total = count * times
+        if whole.count is None and whole is not self.referents.parted:
+            whole.count = total
+            whole.vague = False
+            self._more = whole  # type: ignore[attr-defined]
+            part = whole
+        elif getattr(self, "_more", None) is whole and whole.count is not None and not self.referents.parted:
+            part = self._copy(whole, total)
+        else:
+            part = self.referents.part(whole, min(total, whole.count or total))
+        if noun is not None:
+            self._look(part, noun)
+        part._told = True  # type: ignore[attr-defined]
+        frame = Frame(None, "list")
+        self.frontier = [Node([part], frame, known=True)]
+        frame.members.append(part)
+        self.clause = frame
+        self.subject = None
+        self.predicate = False
+
+    def _copy(self, whole: Mention, count: int) -> Mention:
+        part = replace(whole, count=count, attributes=[*whole.attributes], unshown=[*whole.unshown], states=[*whole.states])
+        part.per = [*whole.per]
+        self.draft.things.append(part)
+        self.draft.bonds += [replace(b, subject=part) for b in self.draft.bonds_of(whole) if b.implied]
+        self.referents.speak(part)
+        return part
+
+    def _times_next(self) -> int:
+        """How many sides are named next, where a number is that of each: "three on each long side"."""
+        link = self.peek()
+        noun = self._next_noun(1) if self._is_link(link, "prepositions") else None
+        if noun is None or noun.kind not in ("part", "place") or noun.det != "each":
+            return 1
+        if noun.kind == "part":
+            return 2
+        return 4 if noun.value in ("wall", "corner") else 2
+
+    def _look(self, thing: Mention, noun: Noun) -> None:
+        thing.attributes += noun.attributes
+        thing.unshown += noun.unshown
+        thing.states += noun.states
+
+    def _adjective(self, said: Adjective) -> None:
+        """ "the sofa is red", "three of them chrome", "leave the middle free"."""
+        self.draft.style += said.styles if not self.predicate else []
+        if self.leaving or (self.predicate and self.subject is not None and self.subject.thing is None):
+            return
+        node = self.frontier[-1] if self.frontier else None
+        if node is None or not node.things:
+            if self.draft.things == []:
+                self.draft.room_attributes += said.attributes
+            return
+        for thing in (self.subject or node).things if self.predicate else node.things:
+            thing.attributes += said.attributes if not self.negating else []
+            thing.unshown += said.unshown if not self.negating else []
+            thing.states += said.states if not self.negating else []
+            thing.attributes += said.styles if False else []
+
+    def _mutual(self, kind: str) -> None:
+        """ "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""
+        nodes = [n for n in reversed(self.frontier) if n.things]
+        if not nodes:
+            return
+        node = next((n for n in nodes if any(t.many for t in n.things)), None)
+        things = node.things if node is not None else list(self.clause.members)
+        if self.predicate and self.subject is not None:
+            things = self.subject.things
+        if kind in ("in_rows", "in_row"):
+            for thing in things[-1:]:
+                bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
+        elif len(things) > 1:
+            for one, other in pairwise(things[-2:]):
+                bind(self.draft, Bond(relation_kind(kind), other, (one,)))
+        elif things and things[-1].many and kind != "around":
+            bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
+
+    # --- negation
+
+    def _negation(self, link: Link) -> None:
+        match link.value:
+            case "not":
+                self._not(link)
+            case "nothing":
+                self._nothing()
+            case "only":
+                self._only()
+
+    def _not(self, link: Link) -> None:
+        noun = self.peek()
+        if isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite:
+            self.excluding = True
+            return
+        text = link.text.lower()
+        if " be" in text or text in ("is not", "are not", "isnt", "arent", "not", "never"):
+            if self.subject is None:
+                self.subject = self._whole_subject()
+                self.predicate = self.subject is not None
+        self.negating = True
+
+    def _nothing(self) -> None:
+        after = self.peek()
+        if self._is_link(after, "prepositions", "except"):
+            self.draft.empty = True
+        elif self._is_link(after, "prepositions", "on"):
+            noun = self._next_noun(1)
+            if noun is not None and noun.kind == "place" and "wall" in noun.value:
+                self.draft.excluded.update(("picture", "poster", "mirror"))
+                self.at += 2
+                self.excluding = False
+            elif noun is not None and noun.kind == "thing":
+                link = after
+                self.at += 1
+                where = self._read_where(link)  # type: ignore[arg-type]
+                self._set_front(where)
+        elif after is None or self._is_link(after, "mark"):
+            self.draft.empty = True
+        elif self._is_link(after, "prepositions", "in"):
+            self.draft.empty = True
+
+    def _only(self) -> None:
+        noun = self._next_noun()
+        if noun is not None and noun.kind == "thing" and not self.clause.members and self.pending is None:
+            self.draft.empty = True
+
+    def _exclude_next(self) -> None:
+        self.excluding = True
+
+    def _exclude(self, noun: Noun) -> None:
+        self.draft.excluded.add(noun.value)
+        if noun.det == "no" and not self.excluding:
+            self.frontier = [*self.frontier]
+        self.pending = None
+
+    # --- of, for, as
+
+    def _of(self) -> None:
+        """ "shelves of bottles", "a vase of tulips", "the drawers of the cabinet"."""
+        noun = self._next_noun()
+        if noun is None:
+            return
+        index = self.chunks.index(noun, self.at)
+        head = self.frontier[-1].thing if self.frontier else None
+        if noun.kind != "thing" or head is None:
+            self.at = index + 1
+            if noun.kind == "people" and noun.count:
+                self._people(noun)
+            return
+        word = singular(head.text.rpartition(" ")[2].lower())
+        contents = noun.plural or noun.count is not None
+        if contents and (word in _BOXES or self.habits.is_in(head.noun, "shelves")):
+            self._open("inside")
+            return
+        if noun.definite and not is_small(head):
+            self.at = index + 1
+            return
+        self.at = index + 1
+        head.text = f"{head.text} of {noun.text}"
+
+    def _for(self) -> None:
+        noun = self._next_noun()
+        if noun is None:
+            return
+        index = self.chunks.index(noun, self.at)
+        thing = self.frontier[-1].thing if self.frontier else None
+        if noun.kind in ("people", "number") and noun.count and thing is not None:
+            if self.habits.is_in(thing.noun, "tables", "desks"):
+                thing.seats = noun.count
+            self.at = index + 1
+        elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
+            self.draft.people = noun.count
+            self.at = index + 1
+        elif noun.kind == "thing" and thing is not None and (noun.count or noun.plural) and not noun.definite:
+            self._open("hold")
+        elif noun.kind == "thing" and noun.named and not self.referents.named(noun):
+            kept, self.leaving = self.leaving, False
+            found = self._new(noun)
+            self.frontier = [Node([found], self.clause)]
+            self.clause.members.append(found)
+            self.at = index + 1
+            self.leaving = kept and False
+        else:
+            self.at = index + 1
+
+    def _as(self) -> None:
+        noun = self._next_noun()
+        if noun is not None and noun.kind in ("thing", "room", "abstract") and noun.count in (None, 1):
+            self.at = self.chunks.index(noun, self.at) + 1
+
+    # --- sizes
+
+    def _measured(self, size: Size) -> None:
+        """Read a size: of the thing just before or after it, or of the room."""
+        before = self.chunks[self.at - 2] if self.at >= 2 else None
+        if isinstance(before, Link) and before.sort in ("mark", "fillers") and before.value in ("open", "comma") and self.at >= 3:
+            before = self.chunks[self.at - 3]
+        if self._is_link(before, "prepositions", "of") and self.at >= 3:
+            before = self.chunks[self.at - 3]
+        following = self.peek()
+        single = len(size.lengths) == 1 and size.area is None
+        roomy = not single and size.area is None and min(length.metres for length in size.lengths) > _ROOMY
+        thing = self.frontier[-1].thing if self.frontier else None
+        ceiling = isinstance(following, Noun) and following.value == "ceiling"
+        if roomy and not self.draft.sizes:
+            self.draft.sizes.append(size)
+        elif isinstance(following, Link) and following.sort == "prepositions" and following.value in ("from", "far", "away"):
+            self.draft.unknown.append(f"{size.text} {following.text}")
+        elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
+            following.size = size
+        elif isinstance(before, Noun) and before.kind == "thing" and thing is not None and not ceiling:
+            thing.size = thing.size or size
+        elif isinstance(before, Noun) and before.kind == "room" or not self.draft.things:
+            self.draft.sizes.append(size)
+        elif thing is not None and single and size.area is None and not ceiling:
+            thing.size = thing.size or size
+        else:
+            self.draft.sizes.append(size)
+
+
+_ROOMISH = (
+    "club", "hall", "lab", "laboratory", "surgery", "cell", "cabin", "centre", "center", "aisle", "corridor", "store",
+    "shop", "salon", "van", "practice", "ward", "nook", "cinema", "closet", "lounge", "den", "lobby", "room", "studio",
+    "theatre", "theater", "court", "arena", "base", "station", "depot", "cafeteria", "cottage", "hut", "shed", "barn",
+    "container", "chalet", "bunker", "booth", "greenhouse", "office", "area", "corner", "space", "parlour", "sauna",
+    "spa", "kiosk", "stall", "garage", "attic", "basement", "cellar", "vault", "tent", "boat", "ship", "train", "bus",
+)  # fmt: skip
+"""Last words of the names of rooms."""
+_SEATS = ("seat", "place", "setting", "cover")
+_CONTAINERS = (
+    "rack", "shelf", "bookcase", "bookshelf", "basket", "bin", "crate", "box", "bucket", "bowl", "fridge",
+    "refrigerator", "wardrobe", "cupboard", "closet", "drawer", "stand", "case", "freezer", "container", "tub", "locker",
+    "hutch", "cabinet", "pantry", "unit", "vitrine", "chest", "trunk", "dishwasher", "oven", "microwave", "safe", "sack",
+    "bag", "jar", "tray", "holder",
+)  # fmt: skip
+"""Last words of the names of what holds things within itself rather than on top."""
+_BOXES = (
+    "crate", "box", "basket", "bin", "sack", "bag", "rack", "shelf", "shelving", "case", "bucket", "carton", "tray",
+    "drawer", "trolley", "cart", "bookcase", "cabinet", "unit", "chest", "bookshelf",
+)  # fmt: skip
+"""Last words of the names of containers whose many contents are things to be made."""

@@ -1,0 +1,66 @@
+"""The words that hold English sentences together, read from grammar.toml."""
+
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+from thinkblox.reading.tokens import Token, tokenise
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """What a phrase does in a sentence: `sort` is a section of grammar.toml, `value` a key of it."""
+
+    sort: str
+    value: str
+    length: int
+
+
+@dataclass(frozen=True)
+class Grammar:
+    """Every phrase of grammar.toml as a tuple of words, with all that it can be."""
+
+    phrases: dict[tuple[str, ...], list[tuple[str, str]]] = field(default_factory=dict)
+    prefixes: set[tuple[str, ...]] = field(default_factory=set)
+
+    def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
+        """The longest phrase of one of these sorts that begins at `start`."""
+        return next(iter(self.all_at(tokens, start, *sorts)), None)
+
+    def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
+        """Everything of these sorts that begins at `start`, the longest first."""
+        found: list[Function] = []
+        key: tuple[str, ...] = ()
+        for index in range(start, len(tokens)):
+            key = (*key, tokens[index].text)
+            for sort, value in self.phrases.get(key, ()):
+                if sort in sorts:
+                    found.append(Function(sort, value, len(key)))
+            if key not in self.prefixes:
+                break
+        return sorted(found, key=lambda function: -function.length)
+
+
+@lru_cache(maxsize=1)
+def grammar() -> Grammar:
+    """The grammar words, read once."""
+    data = tomllib.loads((Path(__file__).parent / "grammar.toml").read_text(encoding="utf-8"))
+    made = Grammar()
+    for sort, value, phrase in _phrases(data):
+        key = tuple(token.text for token in tokenise(phrase))
+        made.phrases.setdefault(key, []).append((sort, value))
+        made.prefixes.update(key[:end] for end in range(1, len(key)))
+    return made
+
+
+def _phrases(data: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, str, str]]:
+    for sort, section in data.items():
+        for value, phrases in section.items():
+            for phrase in phrases.split(","):
+                if sort == "numbers":
+                    number, _, words = phrase.strip().partition(" ")
+                    yield value, number, words
+                else:
+                    yield sort, value, phrase.strip()

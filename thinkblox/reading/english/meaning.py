@@ -1,0 +1,359 @@
+"""What a preposition and its noun mean: which relation, to what."""
+
+from dataclasses import dataclass
+
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Node, Where
+from thinkblox.reading.english.referents import Referents, is_small
+
+_OPENINGS = ("window", "door")
+_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
+_NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_to", "to": "next_to", "from": "on"}
+_SIDES = {"left": "left_of", "right": "right_of", "front": "in_front_of", "back": "behind"}
+_ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
+_CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
+
+
+@dataclass
+class Meaning:
+    """A relation and its anchors: things, or one place (and, for a corner, its walls).
+
+    Attributes:
+        both: at both of two sides, so that a number is that of one side where `each` side was said.
+        times: how many sides, walls or corners were named with "each".
+        told: the anchor was a pronoun, or what was mentioned before.
+    """
+
+    kind: str
+    anchors: tuple[Mention | str, ...]
+    each: bool = False
+    both: bool = False
+    times: int = 1
+    spread: int = 0
+    told: bool = False
+
+
+class Meanings:
+    """Finds what prepositional phrases mean; names things that they name for the first time."""
+
+    def __init__(self, referents: Referents, name: "Namer") -> None:
+        self.referents = referents
+        self.name = name
+
+    def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
+        """The relation that `where` gives to `subjects`; None when it says nothing about them.
+
+        Args:
+            where: the phrase.
+            subjects: what it is said of; empty where that comes later.
+            likely: what a pronoun would mean first.
+            noun: the noun of the subject to come.
+        """
+        said = where.noun
+        if said is None:
+            return self._elided(where.word, subjects, likely, noun)
+        match said.kind:
+            case "part":
+                return self._part(where, said, subjects, likely, noun)
+            case "place":
+                return self._place(where, said, subjects, likely, noun)
+            case "pronoun":
+                return self._pronoun(where, said, subjects, likely, noun)
+            case "number":
+                return self._number(where, said, subjects, noun)
+            case "thing":
+                return self._thing(where, said, subjects)
+        return None
+
+    # --- no anchor, or a pronoun
+
+    def _elided(self, word: str, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
+        """ "a mirror above", "with a mug inside"."""
+        kind = _NAMED.get(word, word)
+        if kind not in ("above", "under", "behind", "inside", "opposite", "next_to", "near", "between", "around", "outside"):
+            return None
+        if kind == "between":
+            return Meaning(kind, self.referents.several(subjects, kind), told=True)
+        found = self._single(kind, subjects, likely, noun)
+        return Meaning(kind, (found,), told=True) if found is not None else None
+
+    def _single(self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str) -> Mention | None:
+        subject = subjects[-1] if subjects else None
+        return self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun)
+
+    def _pronoun(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        kind = self._kind(where.word)
+        if where.word in ("of", "for", "as", "with", "to", "from"):
+            return None
+        if said.value in ("it", "one", "none", "half"):
+            if kind == "between":
+                return Meaning(kind, self.referents.several(subjects, kind), told=True)
+            if said.value == "one":
+                return self._one_of(kind, subjects)
+            found = self._single(kind, subjects, likely, noun)
+            return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
+        if said.value == "other":
+            return self._other(kind, subjects)
+        plural = [t for t in likely if t.many]
+        anchors = tuple(plural[:1]) if said.value == "each" and plural else self.referents.several(subjects, kind)
+        if said.value == "each" and not anchors:
+            anchors = tuple(likely[:1])
+        meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
+        return self._fitting(meaning, subjects, noun) if anchors else None
+
+    def _one_of(self, kind: str, subjects: list[Mention]) -> Meaning | None:
+        whole = self.referents.parted or next((t for t in self.referents.plural() if t not in subjects), None)
+        if whole is None:
+            return None
+        return self._fitting(Meaning(kind, (self.referents.part(whole, 1),), told=True), subjects)
+
+    def _other(self, kind: str, subjects: list[Mention]) -> Meaning | None:
+        whole = self.referents.parted
+        self.referents.parted = None
+        return self._fitting(Meaning(kind, (whole,), told=True), subjects) if whole is not None else None
+
+    def _number(self, where: Where, said: Noun, subjects: list[Mention], noun: str) -> Meaning | None:
+        """ "on the left one", "on the third", "on two of them"."""
+        found = self.name.some_of(said, besides=subjects)
+        if found is None:
+            return None
+        return self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
+
+    # --- parts of things
+
+    def _part(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        meaning = self._whole(where, said, subjects, likely, noun)
+        if meaning is None or not meaning.anchors:
+            return None
+        whole = meaning.anchors[0]
+        if isinstance(whole, str):
+            return meaning
+        both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
+        times = 2 if said.det == "each" else 1
+        each = meaning.each
+        match said.value:
+            case "left" | "right" | "front" | "back":
+                kind = _SIDES[said.value]
+            case "side":
+                kind = "around" if self._is_seat(subjects, whole, noun) else "next_to"
+            case "end":
+                kind = self._end(subjects, whole, noun)
+            case "long_side" | "short_side":
+                kind = f"at_{said.value}"
+            case "foot":
+                kind = "at_foot_of"
+            case "head":
+                kind = "at_short_side" if load_habits().is_in(whole.noun, "tables") else "next_to"
+            case "middle":
+                kind = self._middle(subjects, whole, noun)
+            case "inside" | "shelf":
+                kind = "inside"
+            case _:
+                kind = "on"
+        return Meaning(kind, meaning.anchors, each=each, both=both, times=times, told=meaning.told)
+
+    def _whole(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        """What the part is a part of: a thing, or else the room."""
+        whole = where.whole
+        if whole is not None:
+            inner = Where("on", whole)
+            if whole.kind in ("place", "room", "abstract", "people"):
+                return self._of_room(said, subjects)
+            return self.of(inner, subjects, likely, noun)
+        if said.owner:
+            found = self.referents.named(Noun("thing", said.owner, 0, 0, said.owner))
+            return Meaning("on", (found,), told=True) if found else None
+        plural = said.det == "my" and (self.referents.several(subjects, "on") if "their" in said.text.lower() else ())
+        if plural:
+            return Meaning("on", plural[:1], each=plural[0].many, told=True)
+        carried = said.value in ("top", "middle", "inside", "shelf")
+        kind = "on" if carried else "at_foot_of" if said.value == "foot" else ""
+        kind = "at_long_side" if said.value in ("long_side", "short_side") else kind
+        if said.value in ("middle", "side", "left", "right", "front", "back", "end") and not likely and said.det != "my":
+            first = not self.referents.topics or said.value == "middle"
+            if first or (said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the"):
+                return self._of_room(said, subjects)
+            if not subjects and not noun:
+                return self._of_room(said, subjects)
+        found = self._single(kind, subjects, likely, noun)
+        if found is None:
+            return self._of_room(said, subjects)
+        return Meaning("on", (found,), each=found.many and bool(likely), told=True)
+
+    def _of_room(self, said: Noun, subjects: list[Mention]) -> Meaning | None:
+        if said.value == "middle":
+            return Meaning("in_centre", ("centre",))
+        wall = _ROOM_SIDES.get(said.value)
+        if wall is None or (said.value == "front" and not subjects):
+            return None
+        return Meaning("against_wall", (wall,))
+
+    def _end(self, subjects: list[Mention], whole: Mention, noun: str) -> str:
+        habits = load_habits()
+        name = subjects[-1].noun if subjects else noun
+        if habits.is_in(whole.noun, "beds"):
+            return "at_foot_of"
+        if habits.is_in(name, "small") and habits.is_in(whole.noun, "surfaces"):
+            return "on"
+        return "at_short_side" if habits.is_in(whole.noun, "tables", "desks") else "next_to"
+
+    def _middle(self, subjects: list[Mention], whole: Mention, noun: str) -> str:
+        name = subjects[-1].noun if subjects else noun
+        habits = load_habits()
+        return "in_centre" if habits.is_in(name, "small", "fitted") or not habits.is_in(name, *_STANDING) else "in_centre"
+
+    def _is_seat(self, subjects: list[Mention], whole: Mention, noun: str) -> bool:
+        habits = load_habits()
+        name = subjects[-1].noun if subjects else noun
+        return habits.tie(name, whole.noun) in ("at", "around")
+
+    # --- places
+
+    def _place(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        name, *walls = said.value.split()
+        word = where.word
+        if name == "centre":
+            whole = where.whole
+            if said.text.lower().endswith(" of it"):
+                whole = Noun("pronoun", "it", 0, 0, "it")
+            if whole is not None and whole.kind in ("thing", "pronoun"):
+                meaning = self.of(Where("on", whole), subjects, likely, noun)
+                if meaning is not None and isinstance(meaning.anchors[0], Mention):
+                    return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
+            if likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
+                return Meaning("in_centre", (likely[0],), each=likely[0].many, told=True)
+            return Meaning("in_centre", ("centre",))
+        each = said.each
+        several = said.count if said.count and said.count > 1 else 0
+        if name == "corner":
+            return self._corner(word, said, walls, several)
+        if name in _OPENINGS:
+            return self._opening(word, name)
+        if name == "ceiling":
+            return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
+        if name == "floor":
+            return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
+        return self._wall(word, said, name, several, each=each)
+
+    def _corner(self, word: str, said: Noun, walls: list[str], several: int) -> Meaning | None:
+        if word == "far":
+            return Meaning("far", ("corner",))
+        if word not in _CORNERED:
+            return None
+        each = said.each or said.det in ("both", "all")
+        times = several or (2 if said.det == "both" else 4 if each else 1)
+        opposite = "opposite" in said.text.lower() and said.plural
+        spread = times if (each or several or opposite) else 0
+        if opposite and not several:
+            spread = 2
+        return Meaning("in_corner", tuple(walls) or ("corner",), times=times if each else 1, spread=spread)
+
+    def _opening(self, word: str, name: str) -> Meaning | None:
+        match word:
+            case "near" | "far" | "facing" | "opposite" | "left_of" | "right_of" | "above" | "outside":
+                return Meaning(word, (name,))
+            case "by" | "next_to" | "at" | "under" | "in_front_of" | "against" | "on" | "along" | "to" | "in":
+                return Meaning("next_to", (name,))
+            case "between" | "behind":
+                return Meaning("near", (name,))
+        return None
+
+    def _wall(self, word: str, said: Noun, name: str, several: int, *, each: bool) -> Meaning | None:
+        text = said.text.lower()
+        if name == "wall":
+            if "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
+                name = "opposite_wall"
+            elif said.count == 1 and text.startswith("one"):
+                name = "one_wall"
+        if word in ("facing", "opposite", "far"):
+            return Meaning(word, (name,))
+        times = several or (4 if name == "wall" and "side" not in text else 2) if each else 1
+        if each and name in ("left_wall", "right_wall"):
+            name, times = "wall", 2
+        spread = (several or times) if (each or several) else 0
+        if said.det == "both":
+            spread = 2
+        if "all" in text.split() or "four walls" in text:
+            spread = 4
+        kind = "on" if word == "on" else "against_wall" if word in _AT_WALL or word == "in_front_of" else ""
+        return Meaning(kind, (name,), times=times, spread=spread) if kind else None
+
+    # --- things
+
+    def _thing(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:
+        if where.word in ("of", "as"):
+            return None
+        if said.det == "no":
+            return None
+        anchors, told = self.name.anchors(said, subjects)
+        if not anchors:
+            return None
+        kind = self._kind(where.word)
+        if where.word == "between" and where.second is not None:
+            if where.second.kind == "place":
+                opening = where.second.value.split()[0]
+                return Meaning("next_to" if opening in _OPENINGS else "near", anchors, told=told)
+            second, _ = self.name.anchors(where.second, subjects)
+            anchors = (*anchors, *second)
+        each = said.each or where.word == "per"
+        meaning = Meaning(kind, anchors, each=each, told=told)
+        return self._fitting(meaning, subjects)
+
+    def _kind(self, word: str) -> str:
+        return _NAMED.get(word, word)
+
+    def _fitting(self, meaning: Meaning, subjects: list[Mention], noun: str = "") -> Meaning:
+        """The relation that a general word like "at", "in" or "per" stands for between these two."""
+        anchor = meaning.anchors[0]
+        if isinstance(anchor, str):
+            return meaning
+        habits = load_habits()
+        name = subjects[-1].noun if subjects else noun
+        usual = habits.tie(name, anchor.noun) if name else None
+        if meaning.kind == "at":
+            seated = "around" if habits.is_in(anchor.noun, "tables") else "at" if habits.is_in(name, "seats") else "next_to"
+            meaning.kind = usual if usual in ("at", "around") else seated if name else "at"
+        elif meaning.kind in ("per", "for"):
+            meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
+        elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
+            meaning.kind = "on"
+        elif meaning.kind == "on" and name and habits.is_in(anchor.noun, "shelves") and is_small_name(name):
+            meaning.kind = "inside"
+        return meaning
+
+
+class Namer:
+    """Names the things of noun phrases; the reader of clauses does it."""
+
+    def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
+        """The things that a noun phrase after a preposition means, and whether they were known."""
+        raise NotImplementedError
+
+    def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
+        """The part of some known things that a number means."""
+        raise NotImplementedError
+
+
+def is_small_name(name: str) -> bool:
+    """Whether a noun means what lies or stands on other things."""
+    return load_habits().is_in(name, "small")
+
+
+def likely_of(node: Node | None) -> list[Mention]:
+    """What a pronoun means first, said of a member of a list: the head of the list."""
+    head = node.frame.head if node is not None and node.frame is not None else None
+    return list(head.things) if head is not None else []
+
+
+_STANDING = ("tables", "seats")
+_OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")

@@ -1,0 +1,80 @@
+"""What the reader of clauses keeps in mind: the things spoken of last, open lists, relations that wait for a thing."""
+
+from dataclasses import dataclass, field
+
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Noun
+
+
+@dataclass(eq=False)
+class Frame:
+    """An open list: of what `head` has, or, without a head, of what the clause names.
+
+    Attributes:
+        kind: how the members stand to the head; "with" where the words do not say, "list" without a head.
+        each: said of every single head.
+        times: so many of each member, for groups that are no things themselves ("six workstations, each a desk").
+        closing: an "and" was read, so that the next member is the last.
+        told: the relation of a member to the head was said in words ("next to it").
+        members: what it lists.
+    """
+
+    head: "Node | None" = None
+    kind: str = "list"
+    each: bool = False
+    times: int = 1
+    closing: bool = False
+    told: bool = False
+    members: list[Mention] = field(default_factory=list)
+
+
+@dataclass(eq=False)
+class Node:
+    """Things, or a place, that what follows can be about.
+
+    Attributes:
+        things: one, or the several of a subject.
+        frame: the list it belongs to; None for an anchor.
+        known: it was named before.
+        each: "each desk".
+    """
+
+    things: list[Mention] = field(default_factory=list)
+    frame: Frame | None = None
+    known: bool = False
+    each: bool = False
+
+    @property
+    def thing(self) -> Mention | None:
+        """The last of its things."""
+        return self.things[-1] if self.things else None
+
+
+@dataclass(eq=False)
+class Front:
+    """A relation whose subject comes later: "on the desk stands a lamp"."""
+
+    where: "Where"
+    anchors: tuple[Mention | str, ...]
+    kind: str
+    each: bool = False
+
+
+@dataclass
+class Where:
+    """A preposition and what it is to.
+
+    Attributes:
+        word: the preposition, as the grammar calls it.
+        noun: what follows; None for "above", "on top".
+        whole: of what the noun is a part ("the foot of the bed"), if that is said.
+        second: the other of "between A and B".
+        end: the chunk after it.
+    """
+
+    word: str
+    noun: Noun | None
+    whole: Noun | None = None
+    second: Noun | None = None
+    end: int = 0
+    negated: bool = False

@@ -1,0 +1,175 @@
+"""What "it", "them", "the desk", "the other one" point at."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.things import are_alike
+from thinkblox.reading.draft import Bond, Draft, Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.plurals import singular
+
+_REACH = 200
+"""How many things back "the desk" can reach."""
+_MEMORY = 40
+"""How many things back a pronoun can reach."""
+_BY_HABIT = ("on", "above", "under", "at", "around", "opposite")
+"""Relations of which one can tell what has them to what."""
+
+
+class Referents:
+    """The things of a draft in the order in which they were spoken of.
+
+    Attributes:
+        spoken: everything that was spoken of, the latest last.
+        topics: what clauses were about, the latest last.
+        pairs: things that were just related or joined.
+        parted: what is left of several of which some were set apart.
+    """
+
+    def __init__(self, draft: Draft) -> None:
+        self.draft = draft
+        self.spoken: list[Mention] = []
+        self.topics: list[Mention] = []
+        self.pairs: list[tuple[Mention, Mention]] = []
+        self.parted: Mention | None = None
+        self.parts: dict[int, list[Mention]] = {}
+
+    def speak(self, thing: Mention) -> None:
+        """Remember that a thing was spoken of just now."""
+        self.spoken.append(thing)
+
+    def named(self, noun: Noun, besides: Sequence[Mention] = ()) -> Mention | None:
+        """The latest thing that "the <noun>" can mean, `besides` some; None when nothing like it was mentioned."""
+        recent = [t for t in reversed(self.draft.things[-_REACH:]) if t not in besides or t.many]
+        recent = [t for t in recent if t.asked]
+        word = singular(_last_word(noun.text))
+        said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
+        tests = (
+            lambda t: t.noun == noun.value and singular(_last_word(t.text)) == word,
+            lambda t: t.noun == noun.value,
+            lambda t: singular(_last_word(t.text)) == word,
+            lambda t: are_alike(t.noun, noun.value),
+        )
+        for things in (said, recent) if noun.attributes else (recent,):
+            for test in tests:
+                if (found := next(filter(test, things), None)) is not None:
+                    return found
+        return next((t for t in recent if t.group and t.group == word), None)
+
+    def every(self, noun: Noun) -> list[Mention]:
+        """All things that "each <noun>" or "the <nouns>" can mean."""
+        first = self.named(noun)
+        if first is None:
+            return []
+        word = singular(_last_word(noun.text))
+        same = [t for t in self.draft.things if t.noun == first.noun and t.asked]
+        return [t for t in same if singular(_last_word(t.text)) in (word, singular(_last_word(first.text)))] or [first]
+
+    def single(self, subject: Mention | None, kind: str, likely: Sequence[Mention] = (), noun: str = "") -> Mention | None:
+        """What "it" means as the anchor of a relation; `likely` comes before what was spoken of last."""
+        noun = noun or (subject.noun if subject is not None else "")
+        if kind == "opposite" and noun in load_habits().group("screens"):
+            noun = "tv_stand"
+        candidates = list(dict.fromkeys([*likely, *reversed(self.topics[-3:]), *self._recent()]))
+        candidates = [t for t in candidates if t is not subject and t in self.draft.things]
+        habits = load_habits()
+        sound = [t for t in candidates if fits(t, kind, noun)]
+        for thing in candidates[: len(likely)]:
+            if thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps", "wallpieces") or thing in sound:
+                return thing
+        if kind in _BY_HABIT and noun:
+            usual = [t for t in sound if habits.tie(noun, t.noun) == kind]
+            if usual:
+                return usual[0]
+        large = [t for t in sound if not is_small(t)]
+        if kind != "on" and not (subject is not None and is_small(subject)):
+            sound = large or sound
+        return next(iter(sound), None) or next(iter(candidates), None)
+
+    def several(self, subject: Sequence[Mention], kind: str) -> tuple[Mention, ...]:
+        """What "them" means: a plural thing, or two that were just related or joined."""
+        for thing in self._recent():
+            if thing in subject or any(thing is s.owner or thing.owner is s for s in subject):
+                continue
+            pair = next((p for p in reversed(self.pairs) if thing in p and not set(map(id, p)) & set(map(id, subject))), None)
+            if pair and (kind == "between" or not thing.many):
+                return pair
+            if thing.many and not (is_small(thing) and kind in ("between", "around")):
+                return (thing, *[p for p in self.parts.get(id(thing), ()) if p in self.draft.things])
+        standing = [t for t in self._recent() if not is_small(t) and t not in subject]
+        if kind == "between" and len(standing) > 1:
+            return (standing[1], standing[0])
+        return tuple(standing[:1])
+
+    def part(self, whole: Mention, count: int) -> Mention:
+        """Set so many of `whole` apart, with all that was said of it; the others stay `whole`."""
+        if whole.count is None:
+            whole.count = count + 1 if whole is not self.parted else count
+        if count >= whole.count:
+            self.parted = None
+            return whole
+        part = replace(
+            whole,
+            count=count,
+            least=None,
+            most=None,
+            plural=count > 1,
+            attributes=[*whole.attributes],
+            unshown=[*whole.unshown],
+            states=[*whole.states],
+            per=[*whole.per],
+        )
+        whole.count -= count
+        self.draft.things.insert(self.draft.things.index(whole), part)
+        self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]
+        for bond in self.draft.bonds:
+            if whole in bond.anchors and bond.subject is not part:
+                at = bond.anchors.index(whole)
+                bond.anchors = (*bond.anchors[:at], part, *bond.anchors[at:])
+        self.parted = whole
+        self.parts.setdefault(id(whole), []).append(part)
+        self.speak(part)
+        return part
+
+    def _recent(self) -> list[Mention]:
+        spoken = dict.fromkeys([*reversed(self.spoken[-_MEMORY:]), *reversed(self.draft.things[-_MEMORY:])])
+        kept = set(map(id, self.draft.things))
+        return [t for t in spoken if id(t) in kept]
+
+    def plural(self) -> Iterator[Mention]:
+        """Things that stand for several, the latest first."""
+        return (t for t in self._recent() if t.many)
+
+
+def is_small(thing: Mention) -> bool:
+    """Whether it lies or stands on other things."""
+    return load_habits().is_in(thing.noun, "small")
+
+
+def fits(thing: Mention, kind: str, noun: str = "") -> bool:
+    """Whether a thing can be the anchor of such a relation of a `noun`."""
+    habits = load_habits()
+    match kind:
+        case "on" | "inside":
+            carries = habits.is_in(thing.noun, "surfaces", "beds", "lounges", "tops", "seats", "covers", "storage")
+            return carries or (noun != "" and habits.tie(noun, thing.noun) == "on") or not habits.is_in(thing.noun, *_BARE)
+        case "at_foot_of":
+            return habits.is_in(thing.noun, "beds")
+        case "above" | "under":
+            return not is_small(thing)
+        case "at_long_side" | "at_short_side":
+            return habits.is_in(thing.noun, "tables", "desks", "counters", "worktops")
+    return True
+
+
+_BARE = ("lamps", "wallpieces", "ceiling", "plants", "small", "screens")
+
+
+def parts_of(bond: Bond) -> list[Mention]:
+    """The things that a bond is to."""
+    return [anchor for anchor in bond.anchors if isinstance(anchor, Mention)]
+
+
+def _last_word(text: str) -> str:
+    return text.rpartition(" ")[2].casefold()
