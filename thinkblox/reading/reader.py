@@ -11,7 +11,9 @@ from thinkblox.reading.assumptions import assume, stock
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.grammar import Walker
+from thinkblox.reading.english import read_english
 from thinkblox.reading.language import read_items
+from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
@@ -35,7 +37,7 @@ def read_brief(prompt: str) -> Brief:
     if len(prompt) > MAX_LENGTH:
         raise InputError(f"the prompt is {len(prompt)} characters long; at most {MAX_LENGTH} are read")
     lexicon, items = read_items(prompt)
-    draft = Walker(items).walk()
+    draft = read_english(lexicon, prompt) if lexicon.code == ENGLISH else Walker(items).walk()
     _finish(draft)
     return _brief(prompt, lexicon.code, draft)
 

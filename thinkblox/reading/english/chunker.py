@@ -71,6 +71,11 @@ class Chunker:
             return Link("mark", value, self.at, self.at + 1, token.shown) if value else None
         if token.text == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text in ("/", "o"):
             return Link("prepositions", "with", self.at, self.at + 2, "w/")
+        about = grammar().at(self.tokens, self.at, "quantifiers")
+        if about is not None and about.value == "about":
+            found = read_size(self.lexicon, self.tokens, self.at + about.length)
+            if found is not None:
+                return Measured(found[0], self.at, found[1])
         if token.kind == "number" or grammar().at(self.tokens, self.at, "count"):
             found = read_size(self.lexicon, self.tokens, self.at)
             if found is not None:

@@ -31,6 +31,7 @@ class Noun:
         room: another reading of the same words as a room ("bar").
         owner: the thing of which it is a part ("the bed's foot").
         named: the head is in the catalogue or another list of ours.
+        share: "half as many" is 0.5; 0 where it is not said of something else's number.
     """
 
     kind: NounKind
@@ -61,6 +62,7 @@ class Noun:
     room: str = ""
     owner: str = ""
     named: bool = True
+    share: float = 0.0
 
     @property
     def definite(self) -> bool:

@@ -21,6 +21,7 @@ _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far")
 _JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
+_SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to")
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
 
 
@@ -39,6 +40,7 @@ class Clauses(Namer):
         self.opening: Gap | None = None
         self.whole: Mention | None = None
         self.wanting_only = False
+        self._began = 0
 
     def _begin(self) -> None:
         """Begin a clause."""
@@ -56,6 +58,7 @@ class Clauses(Namer):
         self.each = False
         self.excepting = False
         self.existential = False
+        self.per_group = 0
 
     def read(self) -> Draft:
         """Read everything."""
@@ -211,6 +214,7 @@ class Clauses(Namer):
                 if (noun := self._next_noun()) is not None and noun.kind in ("room", "abstract", "place"):
                     self.at = self.chunks.index(noun) + 1
                 return
+        self._began = self.at - 1
         self._where(self._read_where(link))
 
     def _read_where(self, link: Link, word: str = "") -> Where:
@@ -250,6 +254,11 @@ class Clauses(Namer):
             if where.word == "in" and not self.draft.room:
                 self._room(where.noun)
             return
+        if self._qualifies_front():
+            anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+            self._place_node(Node(anchors, self.clause, known=True), where)
+            self.frontier = []
+            return
         if self._is_fronted():
             self._set_front(where)
             return
@@ -261,6 +270,13 @@ class Clauses(Namer):
                 self._set_front(where)
             return
         self._place_node(node, where)
+
+    def _qualifies_front(self) -> bool:
+        """Whether it says more of what was just named in front: "on the desk against the wall a laptop"."""
+        if not self.front or self.clause.members or self.frontier or self.separator or self.subject is not None:
+            return False
+        before = self.chunks[self._began - 1] if self._began > 0 else None
+        return isinstance(before, Noun) and before.kind == "thing" and isinstance(self.front[-1].anchors[0], Mention)
 
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know."""
@@ -419,14 +435,30 @@ class Clauses(Namer):
         """What a pronoun means first: the head of the list, then what the clause is about."""
         found: list[Mention] = []
         frame = node.frame
+        for bond in (b for t in node.things for b in self.draft.bonds_of(t)):
+            found += [a for a in bond.anchors if isinstance(a, Mention) and not bond.negated]
         if frame is not None and frame.head is not None:
             found += frame.head.things
+        if frame is not None and self._after_and(node):
+            found += self._anchor_before(node)
         if self.subject is not None and self.subject is not node:
             found += self.subject.things
         found += [m for m in self.clause.members if m not in node.things][-1:]
         for front in self.front:
             found += [a for a in front.anchors if isinstance(a, Mention)]
         return list(dict.fromkeys(t for t in found if t not in node.things))
+
+    def _after_and(self, node: Node) -> bool:
+        return node.frame is not None and len(node.frame.members) > 1 and node.frame.head is None
+
+    def _anchor_before(self, node: Node) -> list[Mention]:
+        """What the thing before it in the list was related to: "a lamp left of the laptop and a frame right of it"."""
+        if node.frame is None:
+            return []
+        before = [m for m in node.frame.members if m not in node.things][-1:]
+        said = [b for m in before for b in self.draft.bonds_of(m) if not b.implied]
+        anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention)]
+        return anchors if not (before and is_small(before[0]) and said and said[-1].kind == "on") else []
 
     # --- relations
 
@@ -436,7 +468,11 @@ class Clauses(Namer):
         for subject in subjects:
             if subject in anchors and len(anchors) == 1:
                 continue
+            if meaning.kind in ("in_front_of", "next_to", "near") and self._lies_on(subject, anchors):
+                continue
             self._multiply(subject, meaning)
+            if self._is_laid(subject, meaning, anchors) and not negated:
+                continue
             kind = relation_kind(meaning.kind)
             if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
                 kind = "next_to"
@@ -451,6 +487,28 @@ class Clauses(Namer):
                     self.referents.pairs.append((subject, anchor))
         if self.opening is not None and not subjects and isinstance(anchors[0], str) and anchors[0].endswith("_wall"):
             self.opening.wall = anchors[0]
+
+    def _lies_on(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:
+        """Whether it was said to lie on these, or for each of these: it is in front of them then."""
+        carriers = [a for b in self.draft.bonds_of(subject) if b.kind in ("on", "inside") for a in b.anchors]
+        return any(a in carriers or a in subject.per for a in anchors)
+
+    def _is_laid(self, subject: Mention, meaning: Meaning, anchors: tuple[Mention | str, ...]) -> bool:
+        """Lay "a plate at every seat" on the table of the seats, as many as there are seats."""
+        seats = [a for a in anchors if isinstance(a, Mention) and self.habits.is_in(a.noun, "seats", "chairs")]
+        if len(seats) != len(anchors) or meaning.kind not in ("at", "next_to", "around", "in_front_of", "per", "on"):
+            return False
+        if self.habits.is_in(subject.noun, "seats", "tables", "lamps") or not meaning.each:
+            return False
+        carried = is_small(subject) or subject.noun not in self._catalogue()
+        if not carried or (meaning.kind == "on" and meaning.told):
+            return False
+        tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
+        if not tables:
+            return False
+        subject.per += [s for s in seats if s not in subject.per]
+        bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
+        return True
 
     def _multiply(self, subject: Mention, meaning: Meaning) -> None:
         """One "on each side" are two; one "in each corner" four."""
@@ -470,7 +528,8 @@ class Clauses(Namer):
                 heads = [a for a in old.anchors if isinstance(a, Mention)]
                 if tuple(heads) != bond.anchors and not set(map(id, heads)) & set(map(id, bond.anchors)):
                     bond.subject.per += [h for h in heads if h not in bond.subject.per]
-                elif len(heads) == 1 and bond.anchors == tuple(heads):
+                elif set(map(id, bond.anchors)) <= set(map(id, heads)):
+                    bond.anchors = tuple(heads)
                     bond.each = bond.kind != "between"
 
     # --- nouns
@@ -618,14 +677,15 @@ class Clauses(Namer):
         """The things that a noun phrase points back to."""
         if noun.det == "each" and noun.every:
             return self._every(noun)
+        if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
+            found_all = self.referents.every(noun)
+            exact = [t for t in found_all if noun.count is not None and self.referents.total(t) == noun.count]
+            if found_all and (noun.count is None or sum(self.referents.total(t) for t in found_all) >= noun.count):
+                return exact[:1] or found_all
+            return []
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
             found = self.some_of(noun, besides=[])
             return [found] if found is not None else []
-        if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
-            found_all = self.referents.every(noun)
-            if found_all and (noun.count is None or sum(t.count or 1 for t in found_all) >= noun.count):
-                return found_all
-            return []
         bare = not noun.det and noun.count is None and not noun.plural and noun.named
         if not (noun.definite or (bare and self._is_repeated(noun))):
             return []
@@ -665,6 +725,7 @@ class Clauses(Namer):
         whole = self.referents.named(noun)
         if whole is None or not whole.count:
             return []
+        self.referents.settle(whole)
         if noun.counted:
             self.each_of = noun.every
             return [whole]
@@ -712,6 +773,7 @@ class Clauses(Namer):
         if noun.det == "other":
             self.referents.parted = None
             return whole
+        self.referents.settle(whole)
         count = self._how_many(noun, whole)
         part = self.referents.part(whole, count)
         if noun.side:
@@ -754,6 +816,8 @@ class Clauses(Namer):
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
         count = noun.count if noun.count is not None else (None if noun.plural else 1)
+        if noun.share:
+            count = self._share_of(noun)
         thing = Mention(noun.value, count, noun.vague, noun.plural, noun.rows, [*noun.attributes], noun.text)
         thing.least, thing.most = noun.least, noun.most
         thing.unshown, thing.states = [*noun.unshown], [*noun.states]
@@ -769,6 +833,19 @@ class Clauses(Namer):
             self.draft.empty, self.wanting_only = True, False
         self.referents.speak(thing)
         return thing
+
+    def _share_of(self, noun: Noun) -> int | None:
+        """ "half as many dryers", "as many glasses as there are stools"."""
+        other: Mention | None = None
+        for index in range(self.at, min(self.at + 8, len(self.chunks))):
+            if self._is_link(self.chunks[index], "prepositions", "as"):
+                said = next((c for c in self.chunks[index + 1 : index + 4] if isinstance(c, Noun)), None)
+                other = self.referents.named(said) if said is not None and said.kind == "thing" else None
+                if said is not None:
+                    del self.chunks[index : self.chunks.index(said, index) + 1]
+                break
+        other = other or next((t for t in self.referents.plural() if t.count), None)
+        return max(1, int(self.referents.total(other) * noun.share)) if other is not None else None
 
     def _take_known(self, noun: Noun, known: list[Mention]) -> None:
         """Speak again of things named before: as the subject, or as what a list names."""
@@ -792,6 +869,8 @@ class Clauses(Namer):
         self.frontier = [node]
         self._apply_front(known)
         self.each |= noun.each
+        word = singular(noun.text.rpartition(" ")[2].lower())
+        self.per_group = known[0].groups if noun.each and known[0].group == word else 0
 
     def _take(self, thing: Mention, noun: Noun) -> None:
         """Take a new thing into the list it belongs to."""
@@ -895,7 +974,7 @@ class Clauses(Namer):
             meaning = getattr(front, "meaning", None)
             if meaning is None:
                 continue
-            if listed and front.kind not in ("on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner"):
+            if listed and front.kind not in ("on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner", "at", "per", "around"):
                 continue
             fresh = replace(meaning)
             self._relate(things, fresh, negated=front.where.negated)
@@ -970,7 +1049,7 @@ class Clauses(Namer):
             thing.owner = head
         tie = self._tie(thing, frame, first=first)
         if tie is None:
-            tie = "next_to" if frame.each or frame.kind != "with" else None
+            tie = "next_to" if frame.each or frame.grouped or frame.kind != "with" else None
         thing.host = head
         if tie is None:
             thing.owner = None
@@ -981,7 +1060,7 @@ class Clauses(Namer):
         anchors = tuple(frame.head.things)
         if len(anchors) > 1 and any(a.noun != head.noun for a in anchors):
             anchors = (head,)
-        each = tie != "between" and (frame.each or self._shares(thing, head, tie, frame))
+        each = tie != "between" and not frame.grouped and (frame.each or self._shares(thing, head, tie, frame))
         if frame.kind in ("around", "next_to") and thing.count == 1:
             each = False
         bind(self.draft, Bond(relation_kind(tie), thing, anchors, each=each, implied=not told or self._is_told_next()))
@@ -1119,6 +1198,9 @@ class Clauses(Namer):
         if self.subject is None:
             return
         self.pending = Frame(self.subject, kind, each=self.each or self.subject.each)
+        if self.per_group:
+            self.pending.each, self.pending.times, self.per_group = False, self.per_group, 0
+            self.pending.grouped = True
         self.each = False
 
     def _have(self, kind: str) -> None:
@@ -1203,7 +1285,9 @@ class Clauses(Namer):
                 return
         nodes = [n for n in reversed(self.frontier) if any(t.many for t in n.things)]
         begins = not self.frontier and not self.clause.members
-        if begins or not nodes:
+        if not nodes and not begins and self._all_parts():
+            begins = False
+        elif begins or not nodes:
             found = [t for t in self.referents.several([], "each") if t.many]
             if begins and found:
                 self.frontier = [Node(found, self.clause, known=True, each=True)]
@@ -1217,6 +1301,18 @@ class Clauses(Namer):
         if nodes:
             del self.frontier[self.frontier.index(nodes[0]) + 1 :]
             self.each = True
+        elif parts := self._all_parts():
+            self.frontier = [Node(parts, self.clause, known=True, each=True)]
+            self.each = True
+
+    def _all_parts(self) -> list[Mention]:
+        """The parts of what was parted in this sentence."""
+        node = self.frontier[-1] if self.frontier else None
+        for whole, parts in self.referents.parts.items():
+            things = [t for t in self.draft.things if id(t) == whole or t in parts]
+            if node is not None and set(map(id, node.things)) & set(map(id, things)):
+                return things
+        return []
 
     def _trailing_each(self) -> None:
         """ "two bins with five balls each", "four chairs each"."""
@@ -1295,6 +1391,7 @@ class Clauses(Namer):
     def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
         """Set so many of `whole` apart and speak of them."""
         times = self._times_next()
+        self.referents.settle(whole)
         if times > 1 and whole.count is not None and count * times > whole.count and whole is not self.referents.parted:
             whole.count = count * times
         total = count * times

@@ -177,6 +177,8 @@ class Meanings:
         carried = said.value in ("top", "middle", "inside", "shelf")
         kind = "on" if carried else "at_foot_of" if said.value == "foot" else ""
         kind = "at_long_side" if said.value in ("long_side", "short_side") else kind
+        if said.value == "middle" and said.det != "my" and not (subjects and is_small(subjects[-1]) and likely):
+            return self._of_room(said, subjects)
         if said.value in ("middle", "side", "left", "right", "front", "back", "end") and not likely and said.det != "my":
             first = not self.referents.topics or said.value == "middle"
             if first or (said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the"):
@@ -230,7 +232,8 @@ class Meanings:
                 meaning = self.of(Where("on", whole), subjects, likely, noun)
                 if meaning is not None and isinstance(meaning.anchors[0], Mention):
                     return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
-            if likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
+            small = bool(subjects) and is_small(subjects[-1])
+            if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
                 return Meaning("in_centre", (likely[0],), each=likely[0].many, told=True)
             return Meaning("in_centre", ("centre",))
         each = said.each

@@ -16,6 +16,7 @@ class Frame:
         times: so many of each member, for groups that are no things themselves ("six workstations, each a desk").
         closing: an "and" was read, so that the next member is the last.
         told: the relation of a member to the head was said in words ("next to it").
+        grouped: said of every group of the head ("every island has a plant").
         members: what it lists.
     """
 
@@ -25,6 +26,7 @@ class Frame:
     times: int = 1
     closing: bool = False
     told: bool = False
+    grouped: bool = False
     members: list[Mention] = field(default_factory=list)
 
 

@@ -84,7 +84,7 @@ class PhraseReader:
 
     def _before(self, noun: Noun, at: int) -> int:
         while at < len(self.tokens):
-            step = self._determiner(noun, at) or self._quantity(noun, at) or self._measure(noun, at)
+            step = self._quantity(noun, at) or self._determiner(noun, at) or self._measure(noun, at)
             step = step or self._ordinal(noun, at) or self._partitive(noun, at) or self._size(noun, at)
             if not step:
                 return at
@@ -132,6 +132,10 @@ class PhraseReader:
         if noun.count is not None and not (noun.det == "a" and noun.vague):
             return 0
         quantifier = next(iter(grammar().all_at(self.tokens, at, "quantifiers")), None)
+        if quantifier is not None and quantifier.value == "relative":
+            noun.share = {"half": 0.5, "twice": 2.0}.get(self.tokens[at].text, 1.0)
+            noun.plural = True
+            return quantifier.length
         if self.tokens[at].text == "between" and (between := self._between(noun, at)):
             return between
         skip = quantifier.length if quantifier else 0
@@ -140,7 +144,7 @@ class PhraseReader:
             return 0 if quantifier else self._vague(noun, at)
         value, length = number
         prepositional = self.tokens[at].text in ("around", "about", "over", "under", "up") and value < 2
-        if quantifier and prepositional:
+        if quantifier and (prepositional or read_size(self.lexicon, self.tokens, at + skip) is not None):
             return 0
         if self._is_word_of_compound(at + skip, length):
             return 0
@@ -210,7 +214,7 @@ class PhraseReader:
         if found is None:
             return None
         thing = self.thing_at(at)
-        if thing is not None and thing.length > found.length:
+        if thing is not None and thing.length > found.length and (token.glued or not thing.entry.plural):
             return None
         value, length = int(found.value), found.length
         if value >= 20 and value % 10 == 0 and (unit := grammar().at(self.tokens, at + length, "count")):
@@ -291,7 +295,9 @@ class PhraseReader:
         if place is not None and place.length > part.length:
             return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
-            if self._starts_noun(after) or self._is_one(after):
+            if self._verb_follows(after):
+                pass
+            elif self._starts_noun(after) or self._is_one(after):
                 noun.side = part.value if part.value in ("left", "right", "middle") else ""
                 return False
         if part.value == "shelf" and not part.length > 1:
@@ -301,6 +307,13 @@ class PhraseReader:
         if noun.det == "no":
             return False
         return True
+
+    def _verb_follows(self, at: int) -> bool:
+        """Whether a verb and then another noun phrase come: "in the middle stand two tables"."""
+        verb = grammar().at(self.tokens, at, "verbs")
+        if verb is None:
+            return False
+        return grammar().at(self.tokens, at + verb.length, "determiners", "quantifiers", "count", "vague") is not None
 
     def _longest_part(self, at: int) -> Function | None:
         if at >= len(self.tokens):
@@ -331,13 +344,16 @@ class PhraseReader:
         return at
 
     def _unit(self, noun: Noun, at: int, units: _Units) -> int:
-        known = self._known(at, "object", "missing", "room", "place")
+        known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
         stop = grammar().at(self.tokens, at, *_STOPS)
         if not units.nouns and (length := self._side(noun, at)):
             return length
         if known is not None and self._is_better(known, stop, units):
             if known.entry.sort == "place" and units.nouns:
-                return 0
+                if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
+                    return 0
+                units.nouns.append(_Unit(self.tokens[at].shown))
+                return 1
             last = at + known.length - 1
             units.nouns.append(_Unit(self._text(at, at + known.length), known, self.tokens[last].owner))
             return known.length
@@ -352,6 +368,18 @@ class PhraseReader:
         if stop is not None:
             return self._despite(noun, at, stop, units)
         return self._open(noun, at, units)
+
+    def _without_verb(self, noun: Noun, at: int, known: Known | None) -> Known | None:
+        """Part "a tall plant | stands near the door" from "two plant stands"."""
+        if known is None or known.length < 2 or not known.entry.plural:
+            return known
+        if noun.count not in (None, 1) or (noun.count is None and noun.det not in ("a", "each", "another")):
+            return known
+        if grammar().at(self.tokens, at + known.length - 1, "verbs") is None:
+            return known
+        shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
+        entry = shorter.entry("object", "missing", "room", "place")
+        return Known(entry, shorter.length) if entry is not None else known
 
     def _forget(self, noun: Noun) -> None:
         noun.attributes.clear()
@@ -381,6 +409,8 @@ class PhraseReader:
     def _despite(self, noun: Noun, at: int, stop: Function, units: _Units) -> int:
         """Take a verb for a noun or adjective where a noun has to come: "the stand", "a hanging lamp"."""
         if stop.sort not in ("verbs", "participles") or units.nouns or not (noun.det or noun.count is not None):
+            return 0
+        if noun.det in ("other", "both", "all", "half", "none"):
             return 0
         if self._starts_noun(at + stop.length):
             units.adjectives += 1

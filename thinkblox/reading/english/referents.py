@@ -104,10 +104,12 @@ class Referents:
 
     def part(self, whole: Mention, count: int) -> Mention:
         """Set so many of `whole` apart, with all that was said of it; the others stay `whole`."""
+        self.settle(whole)
         if whole.count is None:
             whole.count = count + 1 if whole is not self.parted else count
         if count >= whole.count:
             self.parted = None
+            self.speak(whole)
             return whole
         part = replace(
             whole,
@@ -131,6 +133,23 @@ class Referents:
         self.parts.setdefault(id(whole), []).append(part)
         self.speak(part)
         return part
+
+    def total(self, thing: Mention) -> int:
+        """How many there are of it, shares of others multiplied out; 1 where nobody said."""
+        count = thing.count or 1
+        for bond in self.draft.bonds_of(thing):
+            anchors = parts_of(bond)
+            if bond.each and anchors and thing not in anchors:
+                return count * sum(self.total(anchor) for anchor in anchors)
+        return count
+
+    def settle(self, thing: Mention) -> None:
+        """Give a thing that is so many for each of others its number."""
+        each = [b for b in self.draft.bonds_of(thing) if b.each and parts_of(b) and thing not in parts_of(b)]
+        if each and thing.count is not None:
+            thing.count = self.total(thing)
+            for bond in each:
+                bond.each = False
 
     def _recent(self) -> list[Mention]:
         spoken = dict.fromkeys([*reversed(self.spoken[-_MEMORY:]), *reversed(self.draft.things[-_MEMORY:])])
