@@ -34,7 +34,7 @@ def judge_brief(annotation: Annotation, brief: Brief) -> tuple[JudgedRow, ...]:
     Whether a demanded relation would hold in a room is not asked here, only whether the brief has it: of these kinds of
     objects, of a kind of relation that asks for it, and for as many.
     """
-    reading = _Reading(brief, annotation.categories)
+    reading = _Reading(brief, annotation)
     rows = [reading.count(row) for row in annotation.counts]
     rows += [reading.object_relation(row) for row in annotation.object_relations]
     rows += [reading.element_relation(row) for row in annotation.element_relations]
@@ -50,12 +50,12 @@ def _table() -> dict[str, Any]:
 class _Reading:
     """A brief as seen from the demands: which request is for which demanded category."""
 
-    def __init__(self, brief: Brief, categories: Iterable[str]) -> None:
+    def __init__(self, brief: Brief, annotation: Annotation) -> None:
         self._brief = brief
         self._vocabulary: Vocabulary = load_vocabulary()
         self._names = {r.key: names_of(r.category, r.phrase) for r in brief.requests}
         self._counts = {r.key: r.count for r in brief.requests}
-        self._of = match(self._names, categories, self._vocabulary)
+        self._of = match(self._names, annotation, self._vocabulary)
 
     def count(self, row: Count) -> JudgedRow:
         keys = self._of[row.category]

@@ -22,6 +22,14 @@ def failure_lines(judgement: Judgement) -> Iterable[str]:
         yield f"{judgement.id} {_label(row)}: {row.demand} | {row.says}"
 
 
+def verdict_line(judgement: Judgement) -> str:
+    """One line on a prompt: how long its room took, how many demands are met, and whether its report says otherwise."""
+    judged = [row for row in judgement.rows if row.met is not None]
+    met = sum(row.met is True for row in judged)
+    mark = f"; {opinions(judgement)}" if judgement.disagrees else ""
+    return f"{judgement.id} in {judgement.seconds:.1f} s: {met} of {len(judged)} demands met{mark}"
+
+
 def as_json(evaluation: Evaluation) -> bytes:
     """All rows, the met ones too, with the tables."""
     shown = [{"title": t.title, "header": t.header, "rows": t.rows} for t in tables(evaluation)]
@@ -47,11 +55,12 @@ def _disagreements(evaluation: Evaluation) -> list[str]:
     differing = [judgement for judgement in evaluation.judgements if judgement.disagrees]
     if not differing:
         return []
-    lines = [f"- {_cell(j.id)}: {_opinions(j)}" for j in differing]
+    lines = [f"- {_cell(j.id)}: {opinions(j)}" for j in differing]
     return ["## Where the report and the judge disagree", "\n".join(lines)]
 
 
-def _opinions(judgement: Judgement) -> str:
+def opinions(judgement: Judgement) -> str:
+    """In what the room's report and the judge differ."""
     if judgement.complete:
         return f'the report says "all as asked", the judge finds {len(judgement.failures)} demands not met'
     return 'the report does not say "all as asked", the judge finds nothing amiss'
