@@ -12,6 +12,10 @@ _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "
 """Relations that all of a list can share, and what kind of things then do."""
 
 
+_BESIDE = ("left_of", "right_of", "in_front_of", "behind", "next_to", "near", "between", "facing", "in_centre")
+"""Relations that say where on its surface a thing lies."""
+
+
 def place_bond(kind: str, place: str) -> tuple[RelationKind, tuple[str, ...]] | None:
     """The relation and places that "<kind> the <place>" means; None when it says nothing ("on the ceiling")."""
     name, *walls = place.split()
@@ -46,7 +50,7 @@ def bind(draft: Draft, bond: Bond) -> None:
         else:
             bond = _turned(bond, anchor)
     if bond.subject.owner is not None and not bond.implied:
-        bond.each |= any(_is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds)
+        bond.each |= bond.kind != "between" and any(_is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds)
         draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
     draft.bonds.append(bond)
 
@@ -78,6 +82,8 @@ def _neighbours(bond: Bond) -> list[Bond]:
 
 def _is_sharper(bond: Bond, old: Bond) -> bool:
     """Whether `bond` says better what `old` only supposed ("a bed with a lamp next to it")."""
+    if old.kind in ("on", "inside") and bond.kind in _BESIDE and bond.anchors != old.anchors:
+        return False
     return old.implied and old.subject is bond.subject and bond.kind not in ("facing", "in_rows")
 
 

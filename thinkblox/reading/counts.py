@@ -46,12 +46,16 @@ def _anchors_first(things: list[Mention], bonds: dict[int, list[Bond]]) -> list[
             continue
         entered.add(id(thing))
         anchors = [a for bond in bonds.get(id(thing), []) for a in bond.anchors if isinstance(a, Mention)]
+        anchors += thing.per
         stack += [thing, *(anchor for anchor in anchors if id(anchor) not in entered)]
     return list(order.values())
 
 
 def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
-    shares = next((bond for bond in bonds if bond.each and thing.asked), None)
+    if thing.per:
+        thing.count = (thing.count or facts_of(thing.noun).each) * sum(other.count or 1 for other in thing.per)
+        return
+    shares = next((bond for bond in bonds if bond.each and thing.asked and bond.anchors != (thing,)), None)
     anchors = shares.anchors if shares else ()
     if shares and any(isinstance(a, str) and a == "corner" for a in anchors):
         thing.count = (thing.count or 1) * _CORNERS

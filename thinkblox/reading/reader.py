@@ -1,9 +1,9 @@
 """Puts the stages of reading together: items, grammar, senses, counts, assumptions, and a Brief of them."""
 
 import math
-from typing import Literal
+from typing import Literal, get_args
 
-from thinkblox.brief import Brief, OpeningRequest, Relation, Request
+from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.rooms import room_types
 from thinkblox.knowledge.things import are_alike
@@ -22,6 +22,7 @@ MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
 _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagonal", "triangular", "trapezoidal")
 """Shapes of a floor that we do not make."""
+_PLACES = get_args(Place)
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
@@ -106,6 +107,8 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         missing=tuple(dict.fromkeys(draft.missing)),
         unknown=tuple(dict.fromkeys([*(f"{shape} room" for shape in others), *draft.unknown])),
         empty=draft.empty,
+        excluded=tuple(sorted(draft.excluded)),
+        free=tuple(dict.fromkeys(place for place in draft.free if place in _PLACES)),
     )
 
 
@@ -127,6 +130,10 @@ def _request(thing: Mention, keys: dict[int, str]) -> Request:
         attributes=tuple(dict.fromkeys(thing.attributes)),
         phrase=thing.text,
         size=object_size(thing.noun, thing.size),
+        least=thing.least if thing.least is None else min(thing.least, thing.count or 1),
+        most=thing.most if thing.most is None else max(thing.most, thing.count or 1),
+        unshown=tuple(dict.fromkeys(thing.unshown)),
+        states=tuple(dict.fromkeys(thing.states)),
     )
 
 
@@ -138,6 +145,8 @@ def _relation(bond: Bond, keys: dict[int, str]) -> Relation:
         each=bond.each,
         asked=bond.asked,
         rows=bond.rows,
+        spread=bond.spread,
+        negated=bond.negated,
     )
 
 

@@ -110,6 +110,8 @@ class Chunker:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""
         if noun.kind == "pronoun":
             return self._is_pronoun(noun, link)
+        if noun.share:
+            return True
         if noun.det or noun.count is not None:
             return noun.kind != "number" or noun.end - noun.start >= link.length
         first = self._phrases.thing_at(self.at)

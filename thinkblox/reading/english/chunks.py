@@ -31,6 +31,8 @@ class Noun:
         room: another reading of the same words as a room ("bar").
         owner: the thing of which it is a part ("the bed's foot").
         named: the head is in the catalogue or another list of ours.
+        material: what the same words say as an adjective ("glass").
+        within: it names a part of the thing ("the oven handle").
         share: "half as many" is 0.5; 0 where it is not said of something else's number.
     """
 
@@ -63,6 +65,8 @@ class Noun:
     owner: str = ""
     named: bool = True
     share: float = 0.0
+    material: str = ""
+    within: bool = False
 
     @property
     def definite(self) -> bool:

@@ -8,8 +8,9 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, Noun, Stray
-from thinkblox.reading.english.meaning import Meaning, Meanings, Namer
-from thinkblox.reading.english.nodes import Frame, Front, Node, Where
+from thinkblox.reading.english.meaning import Meanings, Namer
+from thinkblox.reading.english.nodes import Frame, Front, Meaning, Node, Where
+from thinkblox.reading.english.phrase import PARTS_OF_THINGS
 from thinkblox.reading.english.plurals import singular
 from thinkblox.reading.english.referents import Referents, is_small
 from thinkblox.reading.sizes import Size
@@ -41,6 +42,9 @@ class Clauses(Namer):
         self.whole: Mention | None = None
         self.wanting_only = False
         self._began = 0
+        self.fresh: set[int] = set()
+        self.said = ""
+        self.verb = ""
 
     def _begin(self) -> None:
         """Begin a clause."""
@@ -141,6 +145,10 @@ class Clauses(Namer):
         self.whole = last if kind in ("colon", "dash") and last is not None and last.many else None
         if kind == "colon" and last is not None and last.many and not self.predicate and last.count is None:
             last.general = True
+        self.said = self.verb if kind == "semicolon" else ""
+        self.verb = ""
+        if kind == "stop":
+            self.referents.parted = None
         if things and not self.excluding:
             self.referents.topics.append(things[0])
         elif self.subject is not None and self.subject.thing is not None:
@@ -168,8 +176,10 @@ class Clauses(Namer):
 
     def _separate(self, kind: str) -> None:
         self.negating = False
-        if self.separator == "comma" and kind == "and":
+        if self.separator in ("comma", "comma_and") and kind == "and":
             kind = "comma_and"
+        elif self.separator in ("and", "comma_and") and kind == "comma":
+            kind = self.separator
         if kind == "and" and self.excluding and self._next_is_excluded():
             return
         self.excluding = False
@@ -254,6 +264,10 @@ class Clauses(Namer):
             if where.word == "in" and not self.draft.room:
                 self._room(where.noun)
             return
+        if where.negated and where.noun is not None and where.noun.kind == "thing" and where.noun.det in ("a", ""):
+            if not self.referents.named(where.noun):
+                self.draft.excluded.add(where.noun.value)
+                return
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
             self._place_node(Node(anchors, self.clause, known=True), where)
@@ -289,6 +303,8 @@ class Clauses(Namer):
         self._relate(subjects, meaning, negated=where.negated)
         if where.negated:
             return
+        if meaning.kind in ("on", "inside") and not meaning.told:
+            self._place_carrier(subjects, meaning)
         if node in self.frontier:
             del self.frontier[self.frontier.index(node) + 1 :]
         else:
@@ -301,23 +317,35 @@ class Clauses(Namer):
         elif anchors and where.noun is not None and where.noun.kind == "thing":
             self.frontier.append(Node(anchors, None, known=True))
 
+    def _place_carrier(self, subjects: list[Mention], meaning: Meaning) -> None:
+        """ "In the middle a vase on a table": it is the table that stands in the middle."""
+        carrier = meaning.anchors[0]
+        if not isinstance(carrier, Mention) or is_small(carrier):
+            return
+        for bond in self.draft.bonds:
+            if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
+                bond.subject = carrier
+        for front in self.front:
+            if front.anchors and isinstance(front.anchors[0], str) and front.kind != "on":
+                if not any(b.kind == front.kind for b in self.draft.bonds_of(carrier)):
+                    self._relate([carrier], replace(front.meaning), negated=front.where.negated)
+
     def _set_front(self, where: Where) -> None:
         noun = self._noun_ahead()
         likely = [self.referents.topics[-1]] if self.referents.topics and not self.clause.members else []
         if self.frontier and self.frontier[-1].things and not likely:
-            likely = [n.things[-1] for n in reversed(self.frontier) if n.things and n.frame is not None][:1]
+            outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
+            likely = [n.things[-1] for n in (outer or self.frontier[-1:])]
         if where.noun is not None and where.noun.kind in ("part", "place"):
             likely = likely if where.noun.det in ("my", "each", "either", "") and where.noun.kind == "part" else []
         meaning = self.meanings.of(where, [], likely, noun)
-        if self.separator not in ("and", "comma", "comma_and"):
-            self.front = list(self.front)
-        else:
-            self.front = []
+        if self.separator in ("and", "comma", "comma_and"):
+            small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
+            self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
-            self.front.append(Front(where, meaning.anchors, meaning.kind, meaning.each))
-            self.front[-1].meaning = meaning  # type: ignore[attr-defined]
+            self.front.append(Front(where, meaning))
         self.frontier = []
-        self.clause = Frame()
+        self.clause = Frame(times=self.clause.times)
         self.subject = None
         self.separator = ""
         self.pending = None
@@ -348,7 +376,7 @@ class Clauses(Namer):
             return following is not None and following.kind == "thing" and not self._is_link(after, "x")
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(1)
-            led = self.chunks[self.at - 3] if self.at >= 3 else None
+            led = self.chunks[self._began - 1] if self._began else None
             return isinstance(following, Noun) and following.kind == "thing" and self._is_link(led, "mark", "comma")
         return False
 
@@ -405,6 +433,8 @@ class Clauses(Namer):
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
             return subject
+        if where.noun is not None and where.noun.kind == "part" and where.noun.value == "middle" and not is_small(thing):
+            return inner
         if self._is_pronominal(where) and where.noun is not None:
             return subject if not is_small(thing) and is_small(subject.things[-1]) else inner
         return inner
@@ -417,16 +447,20 @@ class Clauses(Namer):
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = "against_wall" if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value else kind
-        group = _JOINED.get(kind)
-        if group is None or not self.habits.is_in(thing.noun, group) and thing.noun in self._catalogue():
+        group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
+        if group is None or not self._belongs(thing.noun, group):
             return node
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         free: list[Mention] = []
         for member in reversed(frame.members):
-            if member in taken or (member is not thing and not self.habits.is_in(member.noun, group)):
+            if (member in taken and member is not thing) or (member is not thing and not self._belongs(member.noun, group)):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _belongs(self, noun: str, group: str) -> bool:
+        """Whether a noun belongs to a group of things; what nobody knows counts as small."""
+        return self.habits.is_in(noun, group) or (group == "small" and noun not in self._catalogue())
 
     def _catalogue(self) -> set[str]:
         return set(self.habits.known())
@@ -457,7 +491,7 @@ class Clauses(Namer):
             return []
         before = [m for m in node.frame.members if m not in node.things][-1:]
         said = [b for m in before for b in self.draft.bonds_of(m) if not b.implied]
-        anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention)]
+        anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention) and id(a) not in self.fresh]
         return anchors if not (before and is_small(before[0]) and said and said[-1].kind == "on") else []
 
     # --- relations
@@ -477,6 +511,9 @@ class Clauses(Namer):
             if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
                 kind = "next_to"
             bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+            if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
+                self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
+                bind(self.draft, lying)
             if negated:
                 self.draft.bonds.append(bond)
                 continue
@@ -490,7 +527,8 @@ class Clauses(Namer):
 
     def _lies_on(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:
         """Whether it was said to lie on these, or for each of these: it is in front of them then."""
-        carriers = [a for b in self.draft.bonds_of(subject) if b.kind in ("on", "inside") for a in b.anchors]
+        said = [b for b in self.draft.bonds_of(subject) if b.kind in ("on", "inside") and not b.implied]
+        carriers = [a for b in said for a in b.anchors]
         return any(a in carriers or a in subject.per for a in anchors)
 
     def _is_laid(self, subject: Mention, meaning: Meaning, anchors: tuple[Mention | str, ...]) -> bool:
@@ -631,9 +669,16 @@ class Clauses(Namer):
         if noun.det == "no" or (self.excluding and not self.excepting):
             self._exclude(noun)
             return
-        if self._is_existential_break():
-            self._begin()
-        elif self.separator and self._is_new_clause(noun):
+        word = noun.text.rpartition(" ")[2].lower()
+        if noun.definite and word in PARTS_OF_THINGS and self._is_link(self.peek(), "prepositions", "of"):
+            whole = self._next_noun(1)
+            if whole is not None and whole.kind == "thing":
+                self.at = self.chunks.index(whole, self.at) + 1
+                noun = whole
+        if self._is_adjective(noun):
+            self._adjective(Adjective(noun.start, noun.end, noun.text, [noun.material]))
+            return
+        if self.separator and self._is_new_clause(noun):
             kept = self.separator
             topic = self.clause.members[:1] or (self.subject.things[:1] if self.subject else [])
             self.referents.topics += topic
@@ -646,8 +691,11 @@ class Clauses(Namer):
         thing = self._new(noun)
         self._take(thing, noun)
 
-    def _is_existential_break(self) -> bool:
-        return False
+    def _is_adjective(self, noun: Noun) -> bool:
+        """Whether a noun without an article says what something is made of: "the second is glass"."""
+        last = self.chunks[self.at - 2] if self.at >= 2 else None
+        bare = not noun.det and noun.count is None and not noun.plural and noun.material != ""
+        return bare and self._is_link(last, "verbs", "be") and self.predicate
 
     def _is_new_clause(self, noun: Noun) -> bool:
         """Whether a verb of its own follows the noun: ", and two guitars hang on the wall"."""
@@ -745,6 +793,10 @@ class Clauses(Namer):
             for thing in known:
                 self.referents.speak(thing)
             return tuple(known), True
+        if not noun.det and noun.plural and noun.count is None and not noun.attributes:
+            every = [t for t in self.referents.every(noun) if t not in besides and t.noun == noun.value]
+            if every:
+                return tuple(every), True
         if noun.det in ("a", "") and not noun.plural and noun.count in (None, 1):
             found = self.referents.named(noun, besides)
             modest = found is not None and set(noun.attributes) <= set(found.attributes) and not noun.unshown
@@ -752,6 +804,8 @@ class Clauses(Namer):
                 self.referents.speak(found)
                 return (found,), True
         thing = self._new(noun)
+        if not noun.definite:
+            self.fresh.add(id(thing))
         return (thing,), False
 
     def _seats(self) -> list[Mention]:
@@ -804,7 +858,7 @@ class Clauses(Namer):
 
     def _whole(self, besides: Sequence[Mention]) -> Mention | None:
         """The several things that a number now parts."""
-        if self.referents.parted is not None:
+        if self.referents.parted is not None and self.referents.parted not in besides:
             return self.referents.parted
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
@@ -971,13 +1025,9 @@ class Clauses(Namer):
                 continue
             if listed and self._is_told_next():
                 continue
-            meaning = getattr(front, "meaning", None)
-            if meaning is None:
-                continue
             if listed and front.kind not in ("on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner", "at", "per", "around"):
                 continue
-            fresh = replace(meaning)
-            self._relate(things, fresh, negated=front.where.negated)
+            self._relate(things, replace(front.meaning), negated=front.where.negated)
 
     # --- lists of what things have
 
@@ -987,13 +1037,25 @@ class Clauses(Namer):
         noun = self._next_noun()
         if noun is not None and noun.kind == "abstract" and kind == "with":
             return
+        if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
+            self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
+        if noun is not None and self._is_feature(noun) and kind == "with":
+            node = next((n for n in reversed(self.frontier) if n.things), None)
+            if node is not None:
+                node.things[-1].unshown.append(f"with {noun.text}")
+                self.at = self.chunks.index(noun, self.at) + 1
+                return
         head = self._head_for(noun, kind)
         if head is None:
             if self.draft.things or self.front:
                 self.pending = Frame(None, "list")
                 self.pending = None
             return
-        frame = Frame(head, kind, each=self.each or head.each)
+        thing = head.thing
+        if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
+            self._dissolve(thing)
+            return
+        frame = Frame(head, kind, each=self.each or head.each or (head.frame is not None and head.frame.times > 1))
         self.each = False
         if head in self.frontier:
             del self.frontier[self.frontier.index(head) + 1 :]
@@ -1001,6 +1063,10 @@ class Clauses(Namer):
             self.frontier.append(head)
         self.pending = frame
         self.separator = ""
+
+    def _is_feature(self, noun: Noun) -> bool:
+        """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
+        return singular(noun.text.rpartition(" ")[2].lower()) in _FEATURES and not self.each
 
     def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
         nodes = [node for node in reversed(self.frontier) if node.things]
@@ -1108,9 +1174,11 @@ class Clauses(Namer):
                 if usual:
                     return str(usual)
                 surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges") or head.noun not in self._catalogue()
-                laid = small and surfaces and thing.noun != "tv"
+                contains = self._contains(head, shelves=shelves)
+                seats = first and self.habits.is_in(head.noun, "seats")
+                laid = small and (surfaces or contains or seats) and thing.noun != "tv"
                 if laid:
-                    return "inside" if self._contains(head, shelves=shelves) else "on"
+                    return "inside" if contains else "on"
                 return "next_to" if frame.each else None
         return frame.kind if frame.kind != "list" else None
 
@@ -1169,6 +1237,7 @@ class Clauses(Namer):
 
     def _predicate(self, link: Link) -> None:
         self.predicate = True
+        self.verb = link.value
         if self.subject is not None:
             self.frontier = [self.subject]
         self.separator = ""
@@ -1260,6 +1329,9 @@ class Clauses(Namer):
                 self._resume(list(self.referents.several([], "")), noun)
             case "one" | "other" | "half" | "none":
                 count = noun.count or 1
+                if noun.value == "one" and (before := self._one_before()) is not None:
+                    self._take(self._copy_of(before), noun)
+                    return
                 whole = self._whole([])
                 if whole is None:
                     return
@@ -1267,12 +1339,30 @@ class Clauses(Namer):
                     self._resume([whole], noun)
                     self.negating = True
                     return
+                if noun.value == "other" and noun.text.lower() == "another":
+                    self._part_of(whole, 1, noun)
+                    return
                 if noun.value == "other":
                     self.referents.parted = None
                     self._resume([whole], noun)
                     return
                 count = max(1, (whole.count or 2) // 2) if noun.value == "half" else count
                 self._part_of(whole, count)
+
+    def _one_before(self) -> Mention | None:
+        """The single thing that "one" repeats: "one bin on its left and one on its right"."""
+        if self.referents.parted is not None or not self.clause.members:
+            return None
+        last = self.clause.members[-1]
+        return last if last.count == 1 and last.text.lower().startswith("one ") else None
+
+    def _copy_of(self, thing: Mention) -> Mention:
+        """Another of the same kind."""
+        copy = Mention(thing.noun, 1, attributes=[*thing.attributes], unshown=[*thing.unshown], text=thing.text)
+        copy.states, copy.size = [*thing.states], thing.size
+        self.draft.things.append(copy)
+        self.referents.speak(copy)
+        return copy
 
     def _spoken_of(self) -> list[Mention]:
         return [t for t in (*self.referents.topics[-1:],) if not t.many]
@@ -1365,6 +1455,10 @@ class Clauses(Namer):
             if part is not None:
                 self._look(part, noun)
                 self._resume([part], noun)
+                if self.said in ("hold", "carry", "have") and self._is_link(self.peek(), "mark", "comma"):
+                    self.at += 1
+                    self.subject = self.frontier[0]
+                    self._open_of_subject("with" if self.said == "have" else self.said)
             return
         self._part_of(whole, self._how_many(noun, whole), noun)
 
@@ -1391,6 +1485,10 @@ class Clauses(Namer):
     def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
         """Set so many of `whole` apart and speak of them."""
         times = self._times_next()
+        if whole.count is not None and count * times == whole.count and whole is not self.referents.parted:
+            self._resume([whole], noun or Noun("number", "", 0, 0))
+            whole._told = True  # type: ignore[attr-defined]
+            return
         self.referents.settle(whole)
         if times > 1 and whole.count is not None and count * times > whole.count and whole is not self.referents.parted:
             whole.count = count * times
@@ -1426,7 +1524,7 @@ class Clauses(Namer):
         """How many sides are named next, where a number is that of each: "three on each long side"."""
         link = self.peek()
         noun = self._next_noun(1) if self._is_link(link, "prepositions") else None
-        if noun is None or noun.kind not in ("part", "place") or noun.det != "each":
+        if noun is None or noun.kind not in ("part", "place") or noun.det not in ("each", "either", "both"):
             return 1
         if noun.kind == "part":
             return 2
@@ -1536,6 +1634,11 @@ class Clauses(Namer):
         if noun is None:
             return
         index = self.chunks.index(noun, self.at)
+        if not self.frontier and not self.clause.members and noun.kind == "thing":
+            known, _ = self.anchors(noun, [])
+            self.whole = known[0] if known else None
+            self.at = index + 1
+            return
         head = self.frontier[-1].thing if self.frontier else None
         if noun.kind != "thing" or head is None:
             self.at = index + 1
@@ -1568,7 +1671,7 @@ class Clauses(Namer):
             self.at = index + 1
         elif noun.kind == "thing" and thing is not None and (noun.count or noun.plural) and not noun.definite:
             self._open("hold")
-        elif noun.kind == "thing" and noun.named and not self.referents.named(noun):
+        elif noun.kind == "thing" and not self.referents.named(noun) and (noun.named or noun.det == "the"):
             kept, self.leaving = self.leaving, False
             found = self._new(noun)
             self.frontier = [Node([found], self.clause)]
@@ -1621,12 +1724,17 @@ _ROOMISH = (
     "spa", "kiosk", "stall", "garage", "attic", "basement", "cellar", "vault", "tent", "boat", "ship", "train", "bus",
 )  # fmt: skip
 """Last words of the names of rooms."""
+_FEATURES = (
+    "drawer", "door", "leg", "wheel", "handle", "castor", "caster", "compartment", "burner", "tier", "armrest", "arm",
+    "lid", "back", "backrest", "headboard", "footrest", "knob", "frame", "top", "pattern", "stripe", "pane",
+)  # fmt: skip
+"""Parts that things come with, rather than things of their own."""
 _SEATS = ("seat", "place", "setting", "cover")
 _CONTAINERS = (
     "rack", "shelf", "bookcase", "bookshelf", "basket", "bin", "crate", "box", "bucket", "bowl", "fridge",
     "refrigerator", "wardrobe", "cupboard", "closet", "drawer", "stand", "case", "freezer", "container", "tub", "locker",
     "hutch", "cabinet", "pantry", "unit", "vitrine", "chest", "trunk", "dishwasher", "oven", "microwave", "safe", "sack",
-    "bag", "jar", "tray", "holder",
+    "bag", "jar", "holder",
 )  # fmt: skip
 """Last words of the names of what holds things within itself rather than on top."""
 _BOXES = (

@@ -1,38 +1,17 @@
 """What a preposition and its noun mean: which relation, to what."""
 
-from dataclasses import dataclass
-
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.nodes import Node, Where
+from thinkblox.reading.english.nodes import Meaning, Node, Where
 from thinkblox.reading.english.referents import Referents, is_small
 
 _OPENINGS = ("window", "door")
 _AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
-_NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_to", "to": "next_to", "from": "on"}
+_NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_to", "to": "next_to", "from": "on", "on_top": "on"}
 _SIDES = {"left": "left_of", "right": "right_of", "front": "in_front_of", "back": "behind"}
 _ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
-
-
-@dataclass
-class Meaning:
-    """A relation and its anchors: things, or one place (and, for a corner, its walls).
-
-    Attributes:
-        both: at both of two sides, so that a number is that of one side where `each` side was said.
-        times: how many sides, walls or corners were named with "each".
-        told: the anchor was a pronoun, or what was mentioned before.
-    """
-
-    kind: str
-    anchors: tuple[Mention | str, ...]
-    each: bool = False
-    both: bool = False
-    times: int = 1
-    spread: int = 0
-    told: bool = False
 
 
 class Meanings:
@@ -52,6 +31,8 @@ class Meanings:
             noun: the noun of the subject to come.
         """
         said = where.noun
+        if where.word == "halfway":
+            return Meaning("in_centre", ("centre",))
         if said is None:
             return self._elided(where.word, subjects, likely, noun)
         match said.kind:
@@ -95,15 +76,16 @@ class Meanings:
             if said.value == "one":
                 return self._one_of(kind, subjects)
             found = self._single(kind, subjects, likely, noun)
-            return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
+            told = Meaning(kind, (found,), told=True) if found is not None else None
+            return self._fitting(told, subjects, noun, where.word) if told is not None else None
         if said.value == "other":
             return self._other(kind, subjects)
         plural = [t for t in likely if t.many]
-        anchors = tuple(plural[:1]) if said.value == "each" and plural else self.referents.several(subjects, kind)
+        anchors = tuple(plural[:1]) if plural and kind != "between" else self.referents.several(subjects, kind)
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
-        return self._fitting(meaning, subjects, noun) if anchors else None
+        return self._fitting(meaning, subjects, noun, where.word) if anchors else None
 
     def _one_of(self, kind: str, subjects: list[Mention]) -> Meaning | None:
         whole = self.referents.parted or next((t for t in self.referents.plural() if t not in subjects), None)
@@ -152,7 +134,7 @@ class Meanings:
                 kind = "at_short_side" if load_habits().is_in(whole.noun, "tables") else "next_to"
             case "middle":
                 kind = self._middle(subjects, whole, noun)
-            case "inside" | "shelf":
+            case "inside" | "in_shelf":
                 kind = "inside"
             case _:
                 kind = "on"
@@ -174,7 +156,7 @@ class Meanings:
         plural = said.det == "my" and (self.referents.several(subjects, "on") if "their" in said.text.lower() else ())
         if plural:
             return Meaning("on", plural[:1], each=plural[0].many, told=True)
-        carried = said.value in ("top", "middle", "inside", "shelf")
+        carried = said.value in ("top", "middle", "inside", "in_shelf")
         kind = "on" if carried else "at_foot_of" if said.value == "foot" else ""
         kind = "at_long_side" if said.value in ("long_side", "short_side") else kind
         if said.value == "middle" and said.det != "my" and not (subjects and is_small(subjects[-1]) and likely):
@@ -288,7 +270,7 @@ class Meanings:
             spread = 2
         if "all" in text.split() or "four walls" in text:
             spread = 4
-        kind = "on" if word == "on" else "against_wall" if word in _AT_WALL or word == "in_front_of" else ""
+        kind = "on" if word in ("on", "on_top") else "against_wall" if word in _AT_WALL or word == "in_front_of" else ""
         return Meaning(kind, (name,), times=times, spread=spread) if kind else None
 
     # --- things
@@ -310,12 +292,12 @@ class Meanings:
             anchors = (*anchors, *second)
         each = said.each or where.word == "per"
         meaning = Meaning(kind, anchors, each=each, told=told)
-        return self._fitting(meaning, subjects)
+        return self._fitting(meaning, subjects, word=where.word)
 
     def _kind(self, word: str) -> str:
         return _NAMED.get(word, word)
 
-    def _fitting(self, meaning: Meaning, subjects: list[Mention], noun: str = "") -> Meaning:
+    def _fitting(self, meaning: Meaning, subjects: list[Mention], noun: str = "", word: str = "") -> Meaning:
         """The relation that a general word like "at", "in" or "per" stands for between these two."""
         anchor = meaning.anchors[0]
         if isinstance(anchor, str):
@@ -330,7 +312,7 @@ class Meanings:
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
             meaning.kind = "on"
-        elif meaning.kind == "on" and name and habits.is_in(anchor.noun, "shelves") and is_small_name(name):
+        elif word == "on" and meaning.kind == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name):
             meaning.kind = "inside"
         return meaning
 
@@ -349,7 +331,7 @@ class Namer:
 
 def is_small_name(name: str) -> bool:
     """Whether a noun means what lies or stands on other things."""
-    return load_habits().is_in(name, "small")
+    return load_habits().is_in(name, "small") or name not in load_habits().known()
 
 
 def likely_of(node: Node | None) -> list[Mention]:

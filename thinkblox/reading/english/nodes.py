@@ -52,16 +52,6 @@ class Node:
         return self.things[-1] if self.things else None
 
 
-@dataclass(eq=False)
-class Front:
-    """A relation whose subject comes later: "on the desk stands a lamp"."""
-
-    where: "Where"
-    anchors: tuple[Mention | str, ...]
-    kind: str
-    each: bool = False
-
-
 @dataclass
 class Where:
     """A preposition and what it is to.
@@ -80,3 +70,40 @@ class Where:
     second: Noun | None = None
     end: int = 0
     negated: bool = False
+
+
+@dataclass
+class Meaning:
+    """A relation and its anchors: things, or one place (and, for a corner, its walls).
+
+    Attributes:
+        both: at both of two sides, so that a number is that of one side where `each` side was said.
+        times: how many sides, walls or corners were named with "each".
+        told: the anchor was a pronoun, or what was mentioned before.
+    """
+
+    kind: str
+    anchors: tuple[Mention | str, ...]
+    each: bool = False
+    both: bool = False
+    times: int = 1
+    spread: int = 0
+    told: bool = False
+
+
+@dataclass(eq=False)
+class Front:
+    """A relation whose subject comes later: "on the desk stands a lamp"."""
+
+    where: Where
+    meaning: Meaning
+
+    @property
+    def kind(self) -> str:
+        """The relation."""
+        return self.meaning.kind
+
+    @property
+    def anchors(self) -> tuple[Mention | str, ...]:
+        """What it is to."""
+        return self.meaning.anchors

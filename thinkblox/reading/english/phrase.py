@@ -110,7 +110,7 @@ class PhraseReader:
 
     def _every(self, noun: Noun, at: int) -> None:
         """Read "every second chair", "every two loungers"."""
-        if noun.det != "each" or at >= len(self.tokens):
+        if noun.det != "each" or at >= len(self.tokens) or self.tokens[at - 1].text not in ("each", "every"):
             return
         if self.tokens[at].text in ("second", "other"):
             noun.every, noun.counted = 2, False
@@ -300,7 +300,7 @@ class PhraseReader:
             elif self._starts_noun(after) or self._is_one(after):
                 noun.side = part.value if part.value in ("left", "right", "middle") else ""
                 return False
-        if part.value == "shelf" and not part.length > 1:
+        if part.value == "in_shelf" and part.length < 2:
             return False
         noun.kind, noun.value, noun.end = "part", part.value, after
         noun.plural = self.tokens[after - 1].text.endswith("s")
@@ -558,12 +558,17 @@ class PhraseReader:
             if unit.owner and unit.known is not None and unit.known.entry.sort == "object":
                 noun.owner = unit.known.entry.value
         last = nouns[-1]
+        if len(nouns) > 1 and last.text.lower() in PARTS_OF_THINGS and (whole := nouns[-2].known) is not None:
+            if whole.entry.sort == "object":
+                self._known_head(noun, whole)
+                noun.within = True
+                return
         named = [unit for unit in nouns if not unit.owner] or [last]
         if last.known is not None:
             self._known_head(noun, last.known)
             self._modifiers(noun, named[:-1])
             return
-        words = [word for unit in named for word in unit.text.lower().split()]
+        words = list(dict.fromkeys(word for unit in named for word in unit.text.lower().split()))
         if self._people_or_abstract(noun, words):
             return
         noun.kind, noun.named = "thing", False
@@ -582,6 +587,7 @@ class PhraseReader:
             noun.named = False
         if entry.attribute:
             noun.attributes.append(entry.attribute)
+        noun.material = next((other.value for other in known.others if other.sort == "attribute"), "")
         noun.room = next((other.value for other in known.others if other.sort == "room"), "")
 
     def _modifiers(self, noun: Noun, units: list[_Unit]) -> None:
@@ -672,6 +678,12 @@ class PhraseReader:
         return found
 
 
+PARTS_OF_THINGS = (
+    "handle", "handles", "lid", "door", "doors", "drawer", "drawers", "leg", "legs", "rim", "edge", "base", "armrest",
+    "armrests", "backrest", "wheels", "wheel", "castors", "knob", "knobs", "hook", "hooks", "frame", "compartment",
+    "compartments", "burner", "burners", "tier", "tiers", "pages", "cushioned seat", "headrest", "footrest",
+)  # fmt: skip
+"""Words for parts that things come with."""
 _HEADS = (
     "machine",
     "rack",

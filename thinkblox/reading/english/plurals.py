@@ -9,6 +9,7 @@ _IRREGULAR = {
     "horseshoes": "horseshoe", "toes": "toe", "hoes": "hoe", "movies": "movie", "cookies": "cookie", "ties": "tie",
     "pies": "pie", "selfies": "selfie", "zombies": "zombie", "brownies": "brownie", "smoothies": "smoothie",
     "gas": "gas", "bus": "bus", "lens": "lens", "canvas": "canvas", "atlas": "atlas", "iris": "iris", "trellis": "trellis",
+    "thermos": "thermos", "chaos": "chaos", "rhinoceros": "rhinoceros", "albatross": "albatross",
     "cactus": "cactus", "christmas": "christmas", "glasses": "glass", "vases": "vase", "cases": "case",
     "bookcases": "bookcase", "suitcases": "suitcase", "briefcases": "briefcase", "bases": "base", "horses": "horse",
     "houses": "house", "dollhouses": "dollhouse", "purses": "purse", "hoses": "hose", "roses": "rose", "noses": "nose",

@@ -82,6 +82,12 @@ class Referents:
             usual = [t for t in sound if habits.tie(noun, t.noun) == kind]
             if usual:
                 return usual[0]
+        if kind in ("in_front_of", "behind", "facing") and habits.is_in(noun, "seats"):
+            seated = [t for t in sound if habits.tie(noun, t.noun) in ("at", "around")]
+            if seated:
+                return seated[0]
+        if kind == "under":
+            sound = [t for t in sound if not habits.is_in(t.noun, "wallpieces")] or sound
         large = [t for t in sound if not is_small(t)]
         if kind != "on" and not (subject is not None and is_small(subject)):
             sound = large or sound
@@ -90,6 +96,9 @@ class Referents:
     def several(self, subject: Sequence[Mention], kind: str) -> tuple[Mention, ...]:
         """What "them" means: a plural thing, or two that were just related or joined."""
         for thing in self._recent():
+            family = self.family(thing)
+            if len(family) > 1 and kind == "each" and not set(map(id, family)) & set(map(id, subject)):
+                return tuple(family)
             if thing in subject or any(thing is s.owner or thing.owner is s for s in subject):
                 continue
             pair = next((p for p in reversed(self.pairs) if thing in p and not set(map(id, p)) & set(map(id, subject))), None)
@@ -101,6 +110,14 @@ class Referents:
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
         return tuple(standing[:1])
+
+    def family(self, thing: Mention) -> list[Mention]:
+        """All the parts of the several that a thing was set apart from, or that were set apart from it."""
+        for whole, parts in self.parts.items():
+            things = [t for t in self.draft.things if id(t) == whole or t in parts]
+            if thing in things:
+                return things
+        return [thing]
 
     def part(self, whole: Mention, count: int) -> Mention:
         """Set so many of `whole` apart, with all that was said of it; the others stay `whole`."""
