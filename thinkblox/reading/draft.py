@@ -66,6 +66,7 @@ class Bond:
     asked: bool = True
     rows: int = 0
     implied: bool = False
+    distributed: bool = False
     negated: bool = False
     spread: int = 0
 

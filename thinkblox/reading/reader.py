@@ -4,7 +4,9 @@ import math
 from typing import Literal, get_args
 
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
+from thinkblox.assets import CATALOGUE
 from thinkblox.errors import InputError
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_types
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import assume, stock
@@ -22,6 +24,8 @@ MAX_LENGTH = 20_000
 """Longest prompt that is read [characters]."""
 _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagonal", "triangular", "trapezoidal")
 """Shapes of a floor that we do not make."""
+_TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
+"""Groups of things on which others lie, and not in them."""
 _PLACES = get_args(Place)
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
@@ -52,11 +56,26 @@ def _finish(draft: Draft) -> None:
     limit_things(draft)
     _drop_general(draft)
     choose_senses(draft)
+    _settle_carriers(draft)
     assume(draft)
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     stock(draft)
     _fit_tables(draft)
+
+
+def _settle_carriers(draft: Draft) -> None:
+    """What has no inside carries on top, and furniture "on" a wall stands against it."""
+    for bond in draft.bonds:
+        anchor = bond.anchors[0] if bond.anchors else None
+        if bond.kind == "inside" and isinstance(anchor, Mention) and load_habits().is_in(anchor.noun, *_TOPS):
+            bond.kind = "on"
+        elif bond.kind == "on" and isinstance(anchor, str) and anchor.endswith("wall") and _stands(bond.subject.noun):
+            bond.kind = "against_wall"
+
+
+def _stands(noun: str) -> bool:
+    return noun in CATALOGUE and CATALOGUE[noun].mount == "floor"
 
 
 def _drop_impossible_sizes(draft: Draft) -> None:

@@ -112,6 +112,8 @@ class Chunker:
             return self._is_pronoun(noun, link)
         if noun.share:
             return True
+        if link.length > 1 and link.sort in ("verbs", "participles") and self.tokens[self.at].text in ("that", "which"):
+            return False
         if noun.det or noun.count is not None:
             return noun.kind != "number" or noun.end - noun.start >= link.length
         first = self._phrases.thing_at(self.at)

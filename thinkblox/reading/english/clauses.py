@@ -22,6 +22,7 @@ _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 _BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far")
 _JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
+_SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 _SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to")
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
 
@@ -143,7 +144,7 @@ class Clauses(Namer):
         front = self.front if kind == "colon" and not things else []
         last = self.frontier[-1].thing if self.frontier else None
         self.whole = last if kind in ("colon", "dash") and last is not None and last.many else None
-        if kind == "colon" and last is not None and last.many and not self.predicate and last.count is None:
+        if kind == "colon" and last is not None and last.many and not self.predicate:
             last.general = True
         self.said = self.verb if kind == "semicolon" else ""
         self.verb = ""
@@ -243,7 +244,7 @@ class Clauses(Namer):
             if whole is not None:
                 where.whole = whole
                 self.at = self.chunks.index(whole, self.at) + 1
-        if link.value == "between" and self._is_link(self.peek(), "joins", "and") and not chunk.many:
+        if link.value == "between" and self._is_link(self.peek(), "joins", "and") and chunk.kind != "pronoun" and not chunk.many:
             second = self._next_noun(1)
             if second is not None and second.kind in ("thing", "place", "pronoun"):
                 where.second = second
@@ -257,8 +258,15 @@ class Clauses(Namer):
     def _where(self, where: Where) -> None:
         """Say where something is: of what was named, or of what comes."""
         self.negating = False
+        if where.word == "halfway":
+            where.noun = None
         if where.noun is not None and where.noun.kind in ("people", "abstract", "room") and where.noun.kind != "room":
             self._beyond(where)
+            return
+        if where.noun is not None and where.noun.kind == "number" and where.noun.rows:
+            things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
+            if things:
+                bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(where.noun.rows, 0)))
             return
         if where.noun is not None and where.noun.kind == "room":
             if where.word == "in" and not self.draft.room:
@@ -268,6 +276,10 @@ class Clauses(Namer):
             if not self.referents.named(where.noun):
                 self.draft.excluded.add(where.noun.value)
                 return
+        if self.opening is not None and not self.frontier and where.noun is not None and where.noun.kind == "place":
+            if where.noun.value.endswith("_wall"):
+                self.opening.wall = where.noun.value
+            return
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
             self._place_node(Node(anchors, self.clause, known=True), where)
@@ -312,8 +324,11 @@ class Clauses(Namer):
         if node.frame is not None and node.frame.head is not None:
             node.frame.told |= any(t in meaning.anchors for t in node.frame.head.things)
         anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
+        if anchors and self.each and not meaning.told and where.noun is not None and where.noun.det == "a":
+            anchors[0].count = sum(self.referents.total(t) for t in subjects)
+            self.each = False
         if anchors and where.noun is not None and where.noun.kind in ("thing", "number") and not meaning.told:
-            self.frontier.append(Node(anchors, None, known=meaning.told))
+            self.frontier.append(Node(anchors, None, known=where.noun.definite))
         elif anchors and where.noun is not None and where.noun.kind == "thing":
             self.frontier.append(Node(anchors, None, known=True))
 
@@ -336,6 +351,11 @@ class Clauses(Namer):
         if self.frontier and self.frontier[-1].things and not likely:
             outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
             likely = [n.things[-1] for n in (outer or self.frontier[-1:])]
+        sides = ("left", "right", "side", "front", "back")
+        side = where.noun is not None and where.noun.kind == "part" and where.noun.value in sides
+        before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]
+        if before and (side or where.word in _SIDEWARD or where.word == "on"):
+            likely = before if side or where.word != "on" else [*likely, *before]
         if where.noun is not None and where.noun.kind in ("part", "place"):
             likely = likely if where.noun.det in ("my", "each", "either", "") and where.noun.kind == "part" else []
         meaning = self.meanings.of(where, [], likely, noun)
@@ -393,6 +413,13 @@ class Clauses(Namer):
         if inner.frame is None:
             return self._past_anchor(nodes, where)
         head = inner.frame.head
+        if head is not None and head.things and where.word == "between" and self._is_pronominal(where):
+            if self._belongs(inner.things[-1].noun, "small") and not head.things[-1].many:
+                return head
+        if head is not None and head.things and self._is_pronominal(where) and where.word in _BY_OWNER:
+            lying = [b for b in self.draft.bonds_of(inner.things[-1]) if b.implied and b.kind in ("on", "inside")]
+            if lying and noun is not None and noun.kind == "pronoun" and self._behind_its_carrier(head, where):
+                return head
         if head is not None and head.things and not self._is_pronominal(where):
             thing = inner.things[-1]
             place = noun is not None and noun.kind == "place" and not (noun.value == "centre" and where.whole is None)
@@ -404,6 +431,11 @@ class Clauses(Namer):
                 if self.habits.is_in(thing.noun, "small", "seats", "lamps"):
                     return self._node_of(head, nodes)
         return self._joined(inner, where)
+
+    def _behind_its_carrier(self, head: Node, where: Where) -> bool:
+        """Whether "it" is something before the shelves: "a counter, shelves with bottles behind it"."""
+        before = [m for m in self.clause.members if m not in head.things]
+        return where.word in ("behind", "in_front_of", "opposite") and bool(before)
 
     def _node_of(self, head: Node, nodes: list[Node]) -> Node:
         return head if head.frame is not None or head not in nodes else head
@@ -477,7 +509,10 @@ class Clauses(Namer):
             found += self._anchor_before(node)
         if self.subject is not None and self.subject is not node:
             found += self.subject.things
-        found += [m for m in self.clause.members if m not in node.things][-1:]
+        for member in [m for m in self.clause.members if m not in node.things][-1:]:
+            lying = [b for b in self.draft.bonds_of(member) if b.kind in ("on", "inside") and not b.negated]
+            found += [a for b in lying for a in b.anchors if isinstance(a, Mention) and a in self.clause.members]
+            found.append(member)
         for front in self.front:
             found += [a for a in front.anchors if isinstance(a, Mention)]
         return list(dict.fromkeys(t for t in found if t not in node.things))
@@ -564,6 +599,8 @@ class Clauses(Namer):
         for old in self.draft.bonds:
             if old.implied and old.each and old.subject is bond.subject and not bond.each:
                 heads = [a for a in old.anchors if isinstance(a, Mention)]
+                if not old.distributed and bond.anchors != old.anchors:
+                    continue
                 if tuple(heads) != bond.anchors and not set(map(id, heads)) & set(map(id, bond.anchors)):
                     bond.subject.per += [h for h in heads if h not in bond.subject.per]
                 elif set(map(id, bond.anchors)) <= set(map(id, heads)):
@@ -669,6 +706,8 @@ class Clauses(Namer):
         if noun.det == "no" or (self.excluding and not self.excepting):
             self._exclude(noun)
             return
+        if self._is_capacity(noun):
+            return
         word = noun.text.rpartition(" ")[2].lower()
         if noun.definite and word in PARTS_OF_THINGS and self._is_link(self.peek(), "prepositions", "of"):
             whole = self._next_noun(1)
@@ -690,6 +729,17 @@ class Clauses(Namer):
             return
         thing = self._new(noun)
         self._take(thing, noun)
+
+    def _is_capacity(self, noun: Noun) -> bool:
+        """Whether "(3 seats)" only says how large the sofa before it is."""
+        last = self.chunks[self.at - 2] if self.at >= 2 else None
+        thing = self.frontier[-1].thing if self.frontier else None
+        if not self._is_link(last, "mark", "open") or thing is None or not noun.count:
+            return False
+        if noun.text.lower().split()[-1] not in ("seats", "seat", "seater"):
+            return False
+        thing.attributes.append(f"{noun.count}-seat")
+        return True
 
     def _is_adjective(self, noun: Noun) -> bool:
         """Whether a noun without an article says what something is made of: "the second is glass"."""
@@ -766,7 +816,9 @@ class Clauses(Namer):
 
     def _is_repeated(self, noun: Noun) -> bool:
         first = self.referents.named(noun)
-        return first is not None and first not in self.clause.members and first.noun == noun.value and not noun.attributes
+        if first is None or first in self.clause.members or first.many:
+            return False
+        return first.noun == noun.value and not noun.attributes and not noun.owner and not noun.unshown
 
     def _every(self, noun: Noun) -> list[Mention]:
         """ "every second chair", "every two loungers": so many of them, or groups of so many."""
@@ -874,6 +926,7 @@ class Clauses(Namer):
             count = self._share_of(noun)
         thing = Mention(noun.value, count, noun.vague, noun.plural, noun.rows, [*noun.attributes], noun.text)
         thing.least, thing.most = noun.least, noun.most
+        thing.vague |= noun.share > 0
         thing.unshown, thing.states = [*noun.unshown], [*noun.states]
         thing.seats, thing.size = noun.seats, noun.size
         thing.groups, thing.group = noun.groups, noun.group
@@ -972,7 +1025,7 @@ class Clauses(Namer):
             return False
         if self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each:
             return False
-        if tie is None:
+        if tie is None or (tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members):
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
@@ -1006,7 +1059,7 @@ class Clauses(Namer):
             if whole is not None and whole.kind == "thing":
                 return self.referents.named(whole) in frame.head.things
         if noun.kind == "place" and noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
-            return False if not frame.each else None
+            return None if frame.each and noun.value.split()[0] == "wall" else False
         return None
 
     def _is_mine(self, noun: Noun, index: int) -> bool:
@@ -1047,9 +1100,14 @@ class Clauses(Namer):
                 return
         head = self._head_for(noun, kind)
         if head is None:
-            if self.draft.things or self.front:
-                self.pending = Frame(None, "list")
-                self.pending = None
+            return
+        if kind == "inside" and noun is not None and self._is_described(noun, head):
+            head.things[-1].attributes.append("filled")
+            self.at = self.chunks.index(noun, self.at) + 1
+            return
+        if noun is not None and noun.kind == "part" and noun.det == "my" and kind == "with":
+            self.at = self.chunks.index(noun, self.at) + 1
+            self.frontier = self.frontier[: self.frontier.index(head) + 1] if head in self.frontier else [head]
             return
         thing = head.thing
         if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
@@ -1063,6 +1121,13 @@ class Clauses(Namer):
             self.frontier.append(head)
         self.pending = frame
         self.separator = ""
+
+    def _is_described(self, noun: Noun, head: Node) -> bool:
+        """Whether "a bookcase full of books" only describes it, where "shelves filled with jars" asks for jars."""
+        thing = head.things[-1]
+        if noun.kind != "thing" or noun.count is not None:
+            return noun.kind in ("abstract", "people")
+        return self.habits.is_in(noun.value, "fills_shelves") and self.habits.is_in(thing.noun, "takes_books")
 
     def _is_feature(self, noun: Noun) -> bool:
         """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
@@ -1129,7 +1194,9 @@ class Clauses(Namer):
         each = tie != "between" and not frame.grouped and (frame.each or self._shares(thing, head, tie, frame))
         if frame.kind in ("around", "next_to") and thing.count == 1:
             each = False
-        bind(self.draft, Bond(relation_kind(tie), thing, anchors, each=each, implied=not told or self._is_told_next()))
+        implied = not told or self._is_told_next()
+        bond = Bond(relation_kind(tie), thing, anchors, each=each, implied=implied, distributed=frame.each)
+        bind(self.draft, bond)
 
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""
@@ -1154,7 +1221,8 @@ class Clauses(Namer):
             return None
         first = first or not frame.members
         usual = self.habits.tie(thing.noun, head.noun)
-        small = self.habits.is_in(thing.noun, "small", "fitted") or thing.noun not in self._catalogue()
+        small = self._belongs(thing.noun, "small")
+        small |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
         shelves = self.habits.is_in(head.noun, "shelves", "containers") if "containers" in self._groups() else self.habits.is_in(head.noun, "shelves")
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
@@ -1175,8 +1243,9 @@ class Clauses(Namer):
                     return str(usual)
                 surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges") or head.noun not in self._catalogue()
                 contains = self._contains(head, shelves=shelves)
-                seats = first and self.habits.is_in(head.noun, "seats")
-                laid = small and (surfaces or contains or seats) and thing.noun != "tv"
+                seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
+                flat = singular(head.text.rpartition(" ")[2].lower()) in _FLAT
+                laid = small and (surfaces or contains or seats or flat) and thing.noun != "tv"
                 if laid:
                     return "inside" if contains else "on"
                 return "next_to" if frame.each else None
@@ -1258,10 +1327,20 @@ class Clauses(Namer):
                 self._have_shared()
             case "serve":
                 self._as()
+            case "seat":
+                self._seat()
             case "hang":
                 if self._is_link(self.peek(), "prepositions", "from") and (n := self._next_noun(1)) and n.kind == "thing":
                     self.at += 1
                     self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
+
+    def _seat(self) -> None:
+        """ "a table that seats ten"."""
+        noun = self._next_noun()
+        thing = self.subject.thing if self.subject is not None else None
+        if noun is not None and noun.count and noun.kind in ("number", "people") and thing is not None:
+            thing.seats = noun.count
+            self.at = self.chunks.index(noun, self.at) + 1
 
     def _open_of_subject(self, kind: str) -> None:
         if self.subject is None:
@@ -1327,6 +1406,11 @@ class Clauses(Namer):
                 self._resume([found] if found is not None else [], noun)
             case "them":
                 self._resume(list(self.referents.several([], "")), noun)
+            case "all":
+                things = [t for t in self.clause.members if t in self.draft.things]
+                if things:
+                    self.frontier = [Node(things, self.clause, known=True)]
+                    self.separator = ""
             case "one" | "other" | "half" | "none":
                 count = noun.count or 1
                 if noun.value == "one" and (before := self._one_before()) is not None:
@@ -1471,7 +1555,7 @@ class Clauses(Namer):
         ends = after is None or self._is_link(after, "mark") or self._is_link(after, "fillers")
         if ends and noun.count and self.separator and self.frontier:
             thing = self.frontier[-1].thing
-            if thing is not None and thing.many and (thing.count is None or thing.vague):
+            if thing is not None and (thing.count is None or thing.vague):
                 thing.count, thing.vague = noun.count, False
             return True
         return False
@@ -1485,6 +1569,10 @@ class Clauses(Namer):
     def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
         """Set so many of `whole` apart and speak of them."""
         times = self._times_next()
+        if self._is_more(whole, noun):
+            part = self._copy(whole, count * times)
+            self._speak_of_part(part, noun)
+            return
         if whole.count is not None and count * times == whole.count and whole is not self.referents.parted:
             self._resume([whole], noun or Noun("number", "", 0, 0))
             whole._told = True  # type: ignore[attr-defined]
@@ -1502,6 +1590,17 @@ class Clauses(Namer):
             part = self._copy(whole, total)
         else:
             part = self.referents.part(whole, min(total, whole.count or total))
+        self._speak_of_part(part, noun)
+
+    def _is_more(self, whole: Mention, noun: Noun | None) -> bool:
+        """Whether a number adds to what was placed: "two chairs on each side and one at each end"."""
+        if self.separator != "and" or whole is self.referents.parted or whole is self.whole:
+            return False
+        if noun is not None and (noun.of_known or noun.attributes or noun.unshown):
+            return False
+        return any(not bond.implied for bond in self.draft.bonds_of(whole)) and self._is_link(self.peek(), "prepositions")
+
+    def _speak_of_part(self, part: Mention, noun: Noun | None) -> None:
         if noun is not None:
             self._look(part, noun)
         part._told = True  # type: ignore[attr-defined]
@@ -1724,6 +1823,8 @@ _ROOMISH = (
     "spa", "kiosk", "stall", "garage", "attic", "basement", "cellar", "vault", "tent", "boat", "ship", "train", "bus",
 )  # fmt: skip
 """Last words of the names of rooms."""
+_FLAT = ("tray", "plate", "board", "saucer", "mat", "cart", "trolley", "platter", "cushion", "pouf", "rug", "blanket")
+"""Last words of the names of what carries things though it is small itself."""
 _FEATURES = (
     "drawer", "door", "leg", "wheel", "handle", "castor", "caster", "compartment", "burner", "tier", "armrest", "arm",
     "lid", "back", "backrest", "headboard", "footrest", "knob", "frame", "top", "pattern", "stripe", "pane",

@@ -81,7 +81,7 @@ class Meanings:
         if said.value == "other":
             return self._other(kind, subjects)
         plural = [t for t in likely if t.many]
-        anchors = tuple(plural[:1]) if plural and kind != "between" else self.referents.several(subjects, kind)
+        anchors = tuple(plural[:1]) if plural and (kind != "between" or likely[:1] == plural[:1]) else self.referents.several(subjects, kind)
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
@@ -159,18 +159,20 @@ class Meanings:
         carried = said.value in ("top", "middle", "inside", "in_shelf")
         kind = "on" if carried else "at_foot_of" if said.value == "foot" else ""
         kind = "at_long_side" if said.value in ("long_side", "short_side") else kind
-        if said.value == "middle" and said.det != "my" and not (subjects and is_small(subjects[-1]) and likely):
+        if said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the":
+            return self._of_room(said, subjects)
+        alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        if said.value == "middle" and said.det != "my" and not (alone and likely):
             return self._of_room(said, subjects)
         if said.value in ("middle", "side", "left", "right", "front", "back", "end") and not likely and said.det != "my":
-            first = not self.referents.topics or said.value == "middle"
-            if first or (said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the"):
+            if not self.referents.topics or (subjects and where.word in ("on", "at") and said.value in _ROOM_SIDES):
                 return self._of_room(said, subjects)
             if not subjects and not noun:
                 return self._of_room(said, subjects)
         found = self._single(kind, subjects, likely, noun)
         if found is None:
             return self._of_room(said, subjects)
-        return Meaning("on", (found,), each=found.many and bool(likely), told=True)
+        return Meaning("on", (found,), each=found.many and carried and found in likely, told=True)
 
     def _of_room(self, said: Noun, subjects: list[Mention]) -> Meaning | None:
         if said.value == "middle":
@@ -183,6 +185,8 @@ class Meanings:
     def _end(self, subjects: list[Mention], whole: Mention, noun: str) -> str:
         habits = load_habits()
         name = subjects[-1].noun if subjects else noun
+        if habits.is_in(name, "wallpieces", "screens"):
+            return "near"
         if habits.is_in(whole.noun, "beds"):
             return "at_foot_of"
         if habits.is_in(name, "small") and habits.is_in(whole.noun, "surfaces"):
@@ -214,7 +218,7 @@ class Meanings:
                 meaning = self.of(Where("on", whole), subjects, likely, noun)
                 if meaning is not None and isinstance(meaning.anchors[0], Mention):
                     return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
-            small = bool(subjects) and is_small(subjects[-1])
+            small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
             if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
                 return Meaning("in_centre", (likely[0],), each=likely[0].many, told=True)
             return Meaning("in_centre", ("centre",))
@@ -312,7 +316,7 @@ class Meanings:
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
             meaning.kind = "on"
-        elif word == "on" and meaning.kind == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name):
+        elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"
         return meaning
 
@@ -327,6 +331,11 @@ class Namer:
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number means."""
         raise NotImplementedError
+
+
+def _is_open(shelves: Mention) -> bool:
+    """Whether "on" them means on their shelves, rather than on top."""
+    return not load_habits().is_in(shelves.noun, "takes_books")
 
 
 def is_small_name(name: str) -> bool:

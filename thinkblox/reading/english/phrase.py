@@ -49,12 +49,14 @@ class PhraseReader:
     def __init__(self, lexicon: Lexicon, tokens: Sequence[Token]) -> None:
         self.lexicon = lexicon
         self.tokens = list(tokens)
+        self.group = False
         self._seen: dict[tuple[int, tuple[str, ...]], Known | None] = {}
 
     def read(self, start: int, *, after_preposition: bool = False) -> Noun | None:
         """The noun phrase that begins at `start`, or None."""
         noun = Noun("abstract", "", start, start)
         at = self._before(noun, start)
+        self.group = noun.det in ("all", "both", "other", "half", "none")
         if self._part(noun, at, after_preposition=after_preposition):
             return self._finished(noun)
         units = _Units()
@@ -139,6 +141,8 @@ class PhraseReader:
         if self.tokens[at].text == "between" and (between := self._between(noun, at)):
             return between
         skip = quantifier.length if quantifier else 0
+        if read_size(self.lexicon, self.tokens, at) is not None:
+            return 0
         number = self._number(at + skip)
         if number is None:
             return 0 if quantifier else self._vague(noun, at)
@@ -295,7 +299,7 @@ class PhraseReader:
         if place is not None and place.length > part.length:
             return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
-            if self._verb_follows(after):
+            if self._verb_follows(after) or self._adjective_ends(after):
                 pass
             elif self._starts_noun(after) or self._is_one(after):
                 noun.side = part.value if part.value in ("left", "right", "middle") else ""
@@ -307,6 +311,11 @@ class PhraseReader:
         if noun.det == "no":
             return False
         return True
+
+    def _adjective_ends(self, at: int) -> bool:
+        """Whether only an adjective comes: "leave the middle free for ..."."""
+        state = grammar().at(self.tokens, at, "states")
+        return state is not None and not self._starts_noun(at + state.length)
 
     def _verb_follows(self, at: int) -> bool:
         """Whether a verb and then another noun phrase come: "in the middle stand two tables"."""
@@ -344,6 +353,8 @@ class PhraseReader:
         return at
 
     def _unit(self, noun: Noun, at: int, units: _Units) -> int:
+        if self.tokens[at].text == "x":
+            return 0
         known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
         stop = grammar().at(self.tokens, at, *_STOPS)
         if not units.nouns and (length := self._side(noun, at)):
@@ -392,7 +403,7 @@ class PhraseReader:
         if known.length < stop.length:
             return False
         if stop.sort in ("verbs", "participles"):
-            return not units.nouns
+            return not units.nouns and not self.group
         return stop.sort not in ("prepositions", "joins", "inverses", "determiners", "negations")
 
     def _side(self, noun: Noun, at: int) -> int:
@@ -535,13 +546,16 @@ class PhraseReader:
             if not (known and known.length == thing.length and self._starts_noun(at + thing.length)):
                 return 0
         if known is not None and known.length >= longest:
+            state = state if state is not None and state.length == known.length else None
             for entry in (known.entry, *known.others):
+                if entry.sort == "attribute" and state is not None:
+                    noun.states.append(self._text(at, at + known.length).lower())
+                    state = None
+                    break
                 if entry.sort == "attribute":
                     noun.attributes.append(entry.value)
                 elif entry.sort == "style":
                     noun.styles.append(entry.value)
-            if state is not None and state.length == known.length and known.entry.sort == "attribute":
-                noun.states.append(self._text(at, at + known.length).lower())
             return known.length
         if state is not None and state.length >= (evaluative.length if evaluative else 0):
             noun.states.append(self._text(at, at + state.length).lower())
@@ -598,6 +612,9 @@ class PhraseReader:
                 noun.unshown.append(unit.text.lower())
 
     def _people_or_abstract(self, noun: Noun, words: list[str]) -> bool:
+        if words[-1] in ("rows", "row", "lines", "columns") and len(words) == 1:
+            noun.kind, noun.rows, noun.count = "number", noun.count or -1, None
+            return True
         for end in (len(words), 1):
             key = tuple(words[-end:])
             found = dict(grammar().phrases.get(key, ()))
@@ -628,7 +645,7 @@ class PhraseReader:
             if noun.count is None or pronoun.value in ("one", "other", "them") or pronoun.length > 1:
                 noun.kind, noun.value, noun.end = "pronoun", pronoun.value, noun.start + pronoun.length
                 return self._finished(noun)
-        if noun.count is not None or (noun.rows and noun.count) or noun.of_known:
+        if noun.count is not None or noun.rows or noun.of_known:
             noun.kind, noun.end = "number", longest
             return self._finished(noun)
         if noun.det in ("other", "half") and units.adjectives:

@@ -75,6 +75,10 @@ class Referents:
         candidates = [t for t in candidates if t is not subject and t in self.draft.things]
         habits = load_habits()
         sound = [t for t in candidates if fits(t, kind, noun)]
+        if kind in _BY_HABIT and noun:
+            usual = [t for t in sound if t in likely and habits.tie(noun, t.noun) == kind]
+            if usual:
+                return usual[0]
         for thing in candidates[: len(likely)]:
             if thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps", "wallpieces") or thing in sound:
                 return thing
@@ -140,6 +144,7 @@ class Referents:
             per=[*whole.per],
         )
         whole.count -= count
+        whole.plural = whole.count > 1
         self.draft.things.insert(self.draft.things.index(whole), part)
         self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]
         for bond in self.draft.bonds:
