@@ -76,7 +76,7 @@ class Chunker:
             found = read_size(self.lexicon, self.tokens, self.at + about.length)
             if found is not None:
                 return Measured(found[0], self.at, found[1])
-        if token.kind == "number" or grammar().at(self.tokens, self.at, "count"):
+        if token.kind == "number" or token.text in ("nan", "inf", "infinity") or grammar().at(self.tokens, self.at, "count"):
             found = read_size(self.lexicon, self.tokens, self.at)
             if found is not None:
                 return Measured(found[0], self.at, found[1])
@@ -87,6 +87,11 @@ class Chunker:
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
         if noun is not None and (link is None or self._is_noun(noun, link)):
             return noun
+        last = self.made[-1] if self.made else None
+        state = grammar().at(self.tokens, self.at, "states")
+        if state is not None and isinstance(last, Link) and last.value in ("be", "leave"):
+            if link is None or state.length >= link.length:
+                return self._phrases.adjective(self.at)
         if link is not None:
             text = " ".join(token.shown for token in self.tokens[self.at : self.at + link.length])
             return Link(link.sort, link.value, self.at, self.at + link.length, text)

@@ -46,6 +46,7 @@ class Clauses(Namer):
         self.fresh: set[int] = set()
         self.said = ""
         self.verb = ""
+        self.ordinals: dict[int, dict[int, Mention]] = {}
 
     def _begin(self) -> None:
         """Begin a clause."""
@@ -150,6 +151,7 @@ class Clauses(Namer):
         self.verb = ""
         if kind == "stop":
             self.referents.parted = None
+            self.fresh.clear()
         if things and not self.excluding:
             self.referents.topics.append(things[0])
         elif self.subject is not None and self.subject.thing is not None:
@@ -383,7 +385,10 @@ class Clauses(Namer):
 
     def _is_fronted(self) -> bool:
         """Whether what was just read says where something is that comes only now."""
-        after = self.peek()
+        ahead = 0
+        while self._is_link(self.peek(ahead), "prepositions") and isinstance(self.peek(ahead + 1), Noun):
+            ahead += 2
+        after = self.peek(ahead)
         begins = not self.frontier and self.subject is None
         if begins and not self.clause.members:
             return True
@@ -392,10 +397,10 @@ class Clauses(Namer):
         if isinstance(after, Noun) and after.kind in ("thing",) and not after.definite:
             return True
         if self._is_link(after, "verbs", "be", "stand", "hang"):
-            following = self._next_noun(1)
-            return following is not None and following.kind == "thing" and not self._is_link(after, "x")
+            following = self._next_noun(ahead + 1)
+            return following is not None and following.kind == "thing"
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
-            following = self.peek(1)
+            following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None
             return isinstance(following, Noun) and following.kind == "thing" and self._is_link(led, "mark", "comma")
         return False
@@ -418,7 +423,8 @@ class Clauses(Namer):
                 return head
         if head is not None and head.things and self._is_pronominal(where) and where.word in _BY_OWNER:
             lying = [b for b in self.draft.bonds_of(inner.things[-1]) if b.implied and b.kind in ("on", "inside")]
-            if lying and noun is not None and noun.kind == "pronoun" and self._behind_its_carrier(head, where):
+            within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
+            if lying and noun is not None and noun.kind == "pronoun" and (within or self._behind_its_carrier(head, where)):
                 return head
         if head is not None and head.things and not self._is_pronominal(where):
             thing = inner.things[-1]
@@ -873,6 +879,8 @@ class Clauses(Namer):
             parts = [*self.referents.parts.get(id(whole), ())] if whole else []
         if whole is None:
             return None
+        if noun.ordinal:
+            return self._ordinal(noun, whole)
         told = [t for t in [*parts, whole] if noun.side and noun.side in getattr(t, "_sides", ())]
         if told:
             return told[0]
@@ -884,6 +892,20 @@ class Clauses(Namer):
         part = self.referents.part(whole, count)
         if noun.side:
             self._set_side(part, whole, noun.side)
+        return part
+
+    def _ordinal(self, noun: Noun, whole: Mention) -> Mention:
+        """The first, second, ... of several."""
+        family = self.referents.family(whole)
+        whole = next((t for t in family if t.many), whole)
+        order = self.ordinals.setdefault(id(family[0]) if len(family) > 1 else id(whole), {})
+        for known in self.ordinals.values():
+            if noun.ordinal in known and known[noun.ordinal] in family:
+                return known[noun.ordinal]
+        taken = [t for known in self.ordinals.values() for t in known.values()]
+        free = [t for t in family if t not in taken and not t.many]
+        part = self.referents.part(whole, 1) if whole.many else (free[-1] if free else whole)
+        order[noun.ordinal] = part
         return part
 
     def _how_many(self, noun: Noun, whole: Mention) -> int:
@@ -914,16 +936,23 @@ class Clauses(Namer):
             return self.referents.parted
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
+        family = next((f for t in reversed(self.draft.things) if len(f := self.referents.family(t)) > 1), [])
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
         near += self.clause.members[::-1]
         many = [t for t in near if t.many and t not in besides]
-        return next(iter(many), None) or next((t for t in self.referents.plural() if t not in besides), None)
+        found = next(iter(many), None) or next((t for t in self.referents.plural() if t not in besides), None)
+        return found or next((t for t in reversed(family) if t not in besides), None)
 
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
         count = noun.count if noun.count is not None else (None if noun.plural else 1)
         if noun.share:
             count = self._share_of(noun)
+        if "corner" in noun.attributes and not noun.value.startswith("corner"):
+            noun.attributes.remove("corner")
+            cornered = True
+        else:
+            cornered = False
         thing = Mention(noun.value, count, noun.vague, noun.plural, noun.rows, [*noun.attributes], noun.text)
         thing.least, thing.most = noun.least, noun.most
         thing.vague |= noun.share > 0
@@ -934,6 +963,8 @@ class Clauses(Namer):
         word = singular(noun.text.rpartition(" ")[2].lower())
         if word in _GROUPS:
             self.groups[word] = thing
+        if cornered:
+            self.draft.bonds.append(Bond("in_corner", thing, ("corner",)))
         if noun.rows:
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
         if self.wanting_only:
@@ -1053,14 +1084,19 @@ class Clauses(Namer):
         if noun.kind == "pronoun" or (noun.kind == "part" and self._is_mine(noun, index)):
             return True
         if noun.kind == "thing" and noun.definite:
-            return self.referents.named(noun) in frame.head.things
+            return self._is_of(frame, noun)
         if noun.kind == "part":
             whole = self._next_noun(index + 3)
             if whole is not None and whole.kind == "thing":
-                return self.referents.named(whole) in frame.head.things
+                return self._is_of(frame, whole)
         if noun.kind == "place" and noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
             return None if frame.each and noun.value.split()[0] == "wall" else False
         return None
+
+    def _is_of(self, frame: Frame, noun: Noun) -> bool | None:
+        if frame.head is not None and self.referents.named(noun) in frame.head.things:
+            return True
+        return None if frame.each else False
 
     def _is_mine(self, noun: Noun, index: int) -> bool:
         after = self.peek(index + 2)

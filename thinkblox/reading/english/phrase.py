@@ -359,6 +359,9 @@ class PhraseReader:
         stop = grammar().at(self.tokens, at, *_STOPS)
         if not units.nouns and (length := self._side(noun, at)):
             return length
+        if self.tokens[at].glued and (known is None or not self._covers(at, known.length)):
+            if length := self._glued(noun, at, units):
+                return length
         if known is not None and self._is_better(known, stop, units):
             if known.entry.sort == "place" and units.nouns:
                 if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
@@ -368,8 +371,6 @@ class PhraseReader:
             last = at + known.length - 1
             units.nouns.append(_Unit(self._text(at, at + known.length), known, self.tokens[last].owner))
             return known.length
-        if length := self._glued(noun, at, units):
-            return length
         if not units.nouns and (length := self._adjective(noun, at)):
             if stop is None or length > stop.length or self._continues(noun, at + length):
                 units.adjectives += 1
@@ -379,6 +380,10 @@ class PhraseReader:
         if stop is not None:
             return self._despite(noun, at, stop, units)
         return self._open(noun, at, units)
+
+    def _covers(self, at: int, length: int) -> bool:
+        """Whether a phrase covers all that hyphens join at `at`."""
+        return not self.tokens[at + length - 1].glued
 
     def _without_verb(self, noun: Noun, at: int, known: Known | None) -> Known | None:
         """Part "a tall plant | stands near the door" from "two plant stands"."""
