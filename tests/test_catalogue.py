@@ -117,7 +117,7 @@ def test_a_registered_category_may_turn_into_another() -> None:
         ({"name": "telescope\n"}, "snake_case"),
         ({"words": "telescope, Fish Tank"}, "'fish tank' means 'aquarium' already"),
         ({"words": "lamp"}, "'lamp' means 'any_lamp' already"),
-        ({"words": "scope|knives"}, "'knives' means 'cutlery' already"),
+        ({"words": "scope|knives"}, "'knives' means 'knife' already"),
         ({"habits": ("on desc",)}, "names 'desc'"),
         ({"habits": ("on desk if teevee",)}, "names 'teevee'"),
         ({"senses": ("glob if room:library",)}, "names 'glob'"),
