@@ -128,7 +128,7 @@ def _scissor_head(finish: Finish, x: Range, y: float, z: float) -> list[Part]:
             [(x[0], 0.0), (cross, s * 0.24 * y), (x[1], s * 0.1 * y), (cross, -s * 0.1 * y)],
             (low, low + 0.4 * z),
         )
-        for s, low in ((1, 0.1 * z), (-1, 0.5 * z))
+        for s, low in ((1, 0.0), (-1, 0.4 * z))
     ]
     wide = (0.32 * (x[1] - x[0]), 0.24 * y)
     rings = [
@@ -161,7 +161,7 @@ kitchen_knife = lying_tool(_knife_head, share=0.38, slim=0.55, grip=DARK_PLASTIC
 spatula = lying_tool(_blade_head, share=0.42, slim=0.3, grip=DARK_PLASTIC)
 ladle = lying_tool(_ladle_head, share=0.5, slim=0.2, thick=0.3)
 hammer = lying_tool(_hammer_head, share=0.88, slim=0.26, thick=0.8, grip=BEECH, metal=IRON)
-screwdriver = lying_tool(_shaft_head, share=0.45, slim=1.0, grip=Finish(BRIGHT[0], "plastic"))
+screwdriver = lying_tool(_shaft_head, share=0.42, slim=1.0, grip=Finish(BRIGHT[0], "plastic"))
 wrench = lying_tool(_jaw_head, share=0.78, slim=0.42)
 saw = lying_tool(_saw_head, share=0.26, slim=0.9, grip=BEECH)
 paintbrush = lying_tool(_bristle_head, share=0.5, slim=0.3, grip=BEECH)

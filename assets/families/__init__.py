@@ -20,7 +20,8 @@ from thinkblox.assets.facts import Facts
 from thinkblox.errors import InputError
 
 FAMILIES = (
-    "beds storage tables seats appliances electronics lamps plants small kitchenware bathroom walls games textiles"
+    "beds storage tables seats appliances electronics lamps plants small kitchenware workshop "
+    "bathroom walls games textiles"
 ).split()
 """The files, in the order in which their categories are listed."""
 _FIELDS = frozenset(field.name for field in fields(Category)) - {"name", "generator"} | {"make"}
