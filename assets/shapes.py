@@ -219,3 +219,8 @@ def top_surface(
         headroom=headroom,
         round=round,
     )
+
+
+def gusset(finish: Finish, corner: Vec2, a: Vec2, b: Vec2, width: float) -> Part:
+    """Return a triangular wedge over three points (x, z), `width` across [m]."""
+    return prism(finish, [corner, a, b], (-width / 2, width / 2), axis=1)
