@@ -20,7 +20,7 @@ from thinkblox.assets.facts import Facts
 from thinkblox.errors import InputError
 
 FAMILIES = (
-    "beds storage tables seats appliances electronics lamps plants small kitchenware workshop trolleys "
+    "beds storage tables seats appliances electronics lamps plants small kitchenware workshop trolleys belongings "
     "bathroom walls games textiles"
 ).split()
 """The files, in the order in which their categories are listed."""
