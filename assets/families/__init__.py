@@ -20,7 +20,8 @@ from thinkblox.assets.facts import Facts
 from thinkblox.errors import InputError
 
 FAMILIES = (
-    "beds storage tables seats appliances electronics lamps plants small kitchenware workshop trolleys belongings "
+    "beds storage tables seats appliances electronics lamps plants small "
+    "kitchenware workshop trolleys belongings nursery leisure laboratory "
     "bathroom walls fixtures games textiles"
 ).split()
 """The files, in the order in which their categories are listed."""
