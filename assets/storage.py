@@ -138,6 +138,13 @@ def china_cabinet(spec: Spec) -> Build:
     return cabinet(spec, [[Cell("door", 1.0), Cell("glass", 1.7, 2)]] * count, plinth=0.06, finish=spec.wood)
 
 
+def display_cabinet(spec: Spec) -> Build:
+    """Return a cabinet of glazed doors from the plinth to the top, its shelves seen."""
+    count = max(1, round(spec.size[1] / 0.5))
+    rows = max(1, round(spec.size[2] / 0.42))
+    return cabinet(spec, [[Cell("glass", 1.0, rows - 1)]] * count, plinth=0.06, finish=spec.wood)
+
+
 def filing_cabinet(spec: Spec) -> Build:
     """Return steel drawers, one for every third of a metre."""
     rows = max(2, round(spec.size[2] / 0.34))

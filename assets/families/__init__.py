@@ -22,7 +22,7 @@ from thinkblox.errors import InputError
 FAMILIES = (
     "beds storage tables seats appliances electronics lamps plants small "
     "kitchenware workshop trolleys belongings nursery leisure laboratory "
-    "bathroom walls fixtures games textiles"
+    "shopfittings bathroom walls fixtures games textiles"
 ).split()
 """The files, in the order in which their categories are listed."""
 _FIELDS = frozenset(field.name for field in fields(Category)) - {"name", "generator"} | {"make"}
