@@ -1,5 +1,7 @@
 """Screens, computers and shop devices."""
 
+from math import cos, pi, sin
+
 from thinkblox.assets.palette import (
     BLACK_GLASS,
     BLACK_PLASTIC,
@@ -253,5 +255,119 @@ def microphone_stand(spec: Spec) -> Build:
         disc(IRON, (0, 0), foot, (0, 0.02)),
         disc(STEEL, (0, 0), 0.01, (0.02, z - 0.1)),
         rod(BLACK_PLASTIC, (0, 0, z - 0.14), (0.1, 0, z - 0.02), 0.022),
+    ]
+    return Build(body=body)
+
+
+def remote_control(spec: Spec) -> Build:
+    """Return a remote control with rows of buttons."""
+    x, y, z = spec.size
+    shell = spec.main(spec.choice((BLACK_PLASTIC, DARK_PLASTIC)))
+    body: list[Part] = [cushion(shell, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.9 * z), radius=0.3 * z)]
+    for row in range(5):
+        body += [
+            box(
+                GREY_PLASTIC,
+                around((row - 1.5) * 0.14 * x, 0.07 * x),
+                around((k - 1) * 0.28 * y, 0.16 * y),
+                (0.86 * z, z),
+            )
+            for k in range(3)
+        ]
+    body.append(
+        box(
+            Finish((0.75, 0.18, 0.16), "plastic"),
+            around(-0.42 * x, 0.05 * x),
+            around(-0.28 * y, 0.14 * y),
+            (0.86 * z, z),
+        )
+    )
+    return Build(body=body)
+
+
+def record_player(spec: Spec) -> Build:
+    """Return a record player with its arm on a record."""
+    x, y, z = spec.size
+    low, wide = 0.72 * z, 0.8 * min(x, 0.84 * y)
+    at = -0.1 * y
+    plate = around(0, wide), around(at, wide)
+    body: list[Part] = [
+        box(spec.wood, (-x / 2, x / 2), (-y / 2, y / 2), (0.12 * z, low)),
+        *(
+            disc(BLACK_PLASTIC, (sx * 0.4 * x, sy * 0.42 * y), 0.05 * x, (0, 0.12 * z))
+            for sx in (-1, 1)
+            for sy in (-1, 1)
+        ),
+        cylinder(STEEL, *plate, (low, low + 0.08 * z)),
+        cylinder(BLACK_PLASTIC, around(0, 0.98 * wide), around(at, 0.98 * wide), (low + 0.08 * z, low + 0.12 * z)),
+        cylinder(
+            Finish((0.80, 0.30, 0.24), "paper"),
+            around(0, 0.3 * wide),
+            around(at, 0.3 * wide),
+            (low + 0.12 * z, low + 0.13 * z),
+        ),
+        disc(STEEL, (-0.36 * x, 0.42 * y), 0.05 * y, (low, z)),
+        rod(STEEL, (-0.36 * x, 0.42 * y, 0.95 * z), (0.12 * x, 0.2 * y, low + 0.18 * z), 0.006),
+    ]
+    return Build(body=body)
+
+
+def radio(spec: Spec) -> Build:
+    """Return a table radio with a dial, knobs and a handle."""
+    x, y, z = spec.size
+    shell, high = spec.main(spec.choice((spec.style.wood, Finish(spec.style.accent.colour, "plastic")))), 0.84 * z
+    face = (0.47 * x, x / 2)
+    body: list[Part] = [
+        cushion(shell, (-x / 2, 0.48 * x), (-y / 2, y / 2), (0, high), radius=0.1 * min(x, z)),
+        box(Finish((0.78, 0.72, 0.60), "fabric"), face, (-0.44 * y, 0.08 * y), (0.12 * z, 0.72 * z)),
+        box(PAPER, face, (0.14 * y, 0.44 * y), (0.5 * z, 0.7 * z)),
+        *(cylinder(STEEL, face, around(v * y, 0.12 * y), around(0.28 * z, 0.12 * y), axis=0) for v in (0.2, 0.37)),
+        *(box(STEEL, around(0, 0.1 * x), around(s * 0.36 * y, 0.03 * y), (0.8 * high, 0.98 * z)) for s in (-1, 1)),
+        box(STEEL, around(0, 0.1 * x), around(0, 0.75 * y), (0.93 * z, z)),
+    ]
+    return Build(body=body)
+
+
+def tripod(spec: Spec) -> Build:
+    """Return a camera on a tripod, its lens to the front; a telescope is a long tube instead."""
+    x, y, z = spec.size
+    black, radius, head = spec.main(BLACK_PLASTIC), min(x, y) / 2, 0.8 * z
+    body: list[Part] = [disc(IRON, (0, 0), 0.02, (0.62 * z, head))]
+    for k in range(3):
+        a = 2 * pi * k / 3 + pi
+        foot = (0.97 * radius * cos(a), 0.97 * radius * sin(a))
+        body += [
+            rod(IRON, (foot[0], foot[1], 0.008 * z), (0.02 * cos(a), 0.02 * sin(a), 0.72 * z), 0.014),
+            disc(IRON, foot, 0.022, (0, 0.02 * z)),
+        ]
+    if spec.category == "telescope":
+        tube_finish = spec.main(WHITE_PLASTIC)
+        body += [
+            rod(tube_finish, (-0.4 * x, 0, 0.74 * z), (x / 2 - 0.03 * x, 0, 0.97 * z), 0.05, end_radius=0.06),
+            rod(black, (-x / 2, 0, 0.72 * z), (-0.38 * x, 0, 0.755 * z), 0.026),
+        ]
+        return Build(body=body)
+    body += [
+        cushion(black, around(-0.02 * x, 0.12), around(0, 0.2), (head, z - 0.02), radius=0.01),
+        box(black, around(-0.02 * x, 0.06), around(0, 0.08), (z - 0.03, z)),
+        cylinder(black, (-0.02 * x + 0.06, -0.02 * x + 0.2), around(0, 0.1), around((head + z) / 2, 0.1), axis=0),
+        cylinder(
+            BLACK_GLASS, (-0.02 * x + 0.2, -0.02 * x + 0.204), around(0, 0.08), around((head + z) / 2, 0.08), axis=0
+        ),
+    ]
+    return Build(body=body)
+
+
+def camera(spec: Spec) -> Build:
+    """Return a camera, its lens to the front."""
+    x, y, z = spec.size
+    black, high = spec.main(BLACK_PLASTIC), 0.8 * z
+    size = 0.72 * high
+    body: list[Part] = [
+        cushion(black, (-x / 2, 0.05 * x), (-y / 2, y / 2), (0, high), radius=0.08 * z),
+        box(black, (-0.4 * x, 0.0), around(0, 0.3 * y), (0.7 * z, z)),
+        cylinder(DARK_PLASTIC, (0.04 * x, 0.48 * x), around(0, size), around(0.48 * high, size), axis=0),
+        cylinder(BLACK_GLASS, (0.48 * x, x / 2), around(0, 0.8 * size), around(0.48 * high, 0.8 * size), axis=0),
+        disc(STEEL, (-0.22 * x, -0.36 * y), 0.06 * y, (0.78 * z, 0.86 * z)),
     ]
     return Build(body=body)

@@ -68,13 +68,13 @@ def profile(finish: Finish, centre: Vec2, rings: Sequence[Vec2], *, sides: int =
 
     With `round`, the outline bends smoothly through the rings.
     """
-    fine = _rounded(rings) if round else list(rings)
+    fine = rounded_rings(rings) if round else list(rings)
     pairs = pairwise(fine)
     return [frustum(finish, centre, (a[0], b[0]), a[1], b[1], sides=sides) for a, b in pairs]
 
 
-def _rounded(rings: Sequence[Vec2]) -> list[Vec2]:
-    """Rings and one more between each two, on a Catmull-Rom curve."""
+def rounded_rings(rings: Sequence[Vec2]) -> list[Vec2]:
+    """Return rings (z, radius) and one more between each two, on a Catmull-Rom curve [m]."""
     ends = [rings[0], *rings, rings[-1]]
     fine: list[Vec2] = [rings[0]]
     for before, a, b, after in zip(ends, ends[1:], ends[2:], ends[3:], strict=False):
@@ -219,3 +219,8 @@ def top_surface(
         headroom=headroom,
         round=round,
     )
+
+
+def gusset(finish: Finish, corner: Vec2, a: Vec2, b: Vec2, width: float) -> Part:
+    """Return a triangular wedge over three points (x, z), `width` across [m]."""
+    return prism(finish, [corner, a, b], (-width / 2, width / 2), axis=1)

@@ -1,10 +1,26 @@
 """Counters, lecterns, hearths and other fixtures of rooms where people are served or gather."""
 
-from thinkblox.assets.palette import BLACK_PLASTIC, BRASS, CONCRETE, IRON, LEAVES, MARBLE, SOIL, STEEL
-from thinkblox.assets.part import Build, Finish, Part, turned
+from itertools import pairwise
+from math import cos, pi, sin
+
+from thinkblox.assets.palette import (
+    BLACK_PLASTIC,
+    BRASS,
+    CONCRETE,
+    GLASS,
+    IRON,
+    LEAVES,
+    MARBLE,
+    PAPER,
+    SCREEN,
+    SOIL,
+    STEEL,
+)
+from thinkblox.assets.part import Build, Finish, Part, hull, turned
 from thinkblox.assets.plants import kept_inside, leaf
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, prism, rod, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, frustum, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.tubes import arc, tube
 
 
 def counter(spec: Spec) -> Build:
@@ -201,3 +217,157 @@ def dentist_chair(spec: Spec) -> Build:
         box(BLACK_PLASTIC, around(-0.2 * x, 0.05), around(0, 0.05), (z - 0.02, z)),
     ]
     return Build(body=body)
+
+
+def display_case(spec: Spec) -> Build:
+    """Return a glass case on a plinth, with a cloth on which things are shown."""
+    x, y, z = spec.size
+    wood, low = spec.wood, 0.6 * z
+    pane = 0.008
+    cloth = Finish(spec.style.accent.colour, "fabric")
+    area = (around(0, x - 0.06), around(0, y - 0.06))
+    body = [
+        box(wood, around(0, x - 0.04), around(0, y - 0.04), (0.06, low - 0.03)),
+        box(IRON, around(0, x - 0.1), around(0, y - 0.1), (0, 0.06)),
+        box(wood, (-x / 2, x / 2), (-y / 2, y / 2), (low - 0.03, low)),
+        box(cloth, *area, (low, low + 0.01)),
+        *(
+            box(GLASS, around(0, x - 0.02), (s * (y / 2 - 0.01), s * (y / 2 - 0.01 - pane)), (low, z - pane))
+            for s in (-1, 1)
+        ),
+        *(
+            box(GLASS, (s * (x / 2 - 0.01), s * (x / 2 - 0.01 - pane)), around(0, y - 0.02 - 2 * pane), (low, z - pane))
+            for s in (-1, 1)
+        ),
+        box(GLASS, around(0, x - 0.02), around(0, y - 0.02), (z - pane, z)),
+    ]
+    inside = top_surface("cloth", *area, low + 0.01, headroom=z - low - 0.02 - pane)
+    return Build(body=body, surfaces=[inside])
+
+
+def mannequin(spec: Spec) -> Build:
+    """Return a shop's figure without a face, or a tailor's bust on a stand."""
+    x, y, z = spec.size
+    skin = spec.main(Finish((0.88, 0.84, 0.78), "plastic"))
+    bust = spec.category == "dress_form"
+    hip, neck = 0.52 * z, (0.97 if bust else 0.84) * z
+    trunk = (neck - hip) / 0.32
+    rings = ((0.0, 0.66), (0.05, 0.72), (0.14, 0.5), (0.24, 0.7), (0.3, 0.62), (0.32, 0.24))
+    wide = 0.5 * y if not bust else 0.66 * y
+    points = [
+        [(0.36 * x * r * cos(k * pi / 10), wide * r * sin(k * pi / 10), hip + h * trunk) for k in range(20)]
+        for h, r in rings
+    ]
+    body: list[Part] = [hull(skin, [*a, *b], smooth=True) for a, b in pairwise(points)]
+    foot = disc(IRON, (0, 0), 0.48 * min(x, y), (0, 0.02 * z))
+    if bust:
+        body += [
+            foot,
+            disc(IRON, (0, 0), 0.016, (0.02 * z, hip)),
+            disc(spec.style.wood, (0, 0), 0.04, (neck - 0.01 * z, z)),
+        ]
+        return Build(body=body)
+    body += [
+        foot,
+        disc(IRON, (-0.3 * x, 0), 0.01, (0.02 * z, hip)),
+        rod(skin, (0, 0, neck - 0.02 * z), (0, 0, 0.9 * z), 0.045),
+        ellipsoid(skin, around(0.02 * x, 0.44 * x), around(0, 0.3 * y), (0.87 * z, z)),
+    ]
+    for s in (-1, 1):
+        knee, ankle = (0.04 * x, s * 0.15 * y, 0.28 * z), (0.0, s * 0.14 * y, 0.05 * z)
+        elbow = (-0.02 * x, s * 0.42 * y, 0.64 * z)
+        body += [
+            rod(skin, (0, s * 0.16 * y, hip + 0.03 * z), knee, 0.085, end_radius=0.055),
+            rod(skin, knee, ankle, 0.055, end_radius=0.035),
+            rod(skin, (0, s * 0.33 * y, neck - 0.05 * z), elbow, 0.048, end_radius=0.04),
+            rod(skin, elbow, (0.1 * x, s * 0.46 * y, 0.47 * z), 0.04, end_radius=0.026),
+            cushion(skin, (-0.1 * x, 0.4 * x), around(s * 0.14 * y, 0.14 * y), (0.02 * z, 0.06 * z), radius=0.02),
+        ]
+    return Build(body=body)
+
+
+def stanchion(spec: Spec) -> Build:
+    """Return two posts with a rope between them."""
+    x, y, z = spec.size
+    metal, radius = spec.main(BRASS), x / 2
+    rope = Finish((0.55, 0.10, 0.14), "fabric")
+    body: list[Part] = []
+    for s in (-1, 1):
+        at = (0.0, s * (y / 2 - radius))
+        body += [
+            disc(metal, at, radius, (0, 0.03 * z)),
+            disc(metal, at, 0.026, (0.03 * z, 0.96 * z)),
+            disc(metal, at, 0.045, (0.96 * z, z)),
+        ]
+    bow = arc((0.0, 0.0, 0.9 * z), (y / 2 - radius, 0.24 * z), (180.0, 360.0), axis=0, steps=10)
+    return Build(body=body + tube(rope, bow, 0.02))
+
+
+def popcorn_machine(spec: Spec) -> Build:
+    """Return a popcorn machine: a lit glass cabinet, half full, on a painted base."""
+    x, y, z = spec.size
+    paint = spec.main(Finish((0.74, 0.16, 0.14), "metal"))
+    low, high = 0.2 * z, 0.86 * z
+    pane = 0.012
+    body: list[Part] = [
+        box(paint, (-x / 2, x / 2), (-y / 2, y / 2), (0, low)),
+        box(paint, (-x / 2, x / 2), (-y / 2, y / 2), (high, z - 0.03 * z)),
+        cushion(BRASS, around(0, 0.7 * x), around(0, 0.7 * y), (z - 0.05 * z, z), radius=0.02),
+        *(box(GLASS, around(0, 0.96 * x), (s * 0.48 * y, s * (0.48 * y - pane)), (low, high)) for s in (-1, 1)),
+        *(box(GLASS, (s * 0.48 * x, s * (0.48 * x - pane)), around(0, 0.9 * y), (low, high)) for s in (-1, 1)),
+        cushion(
+            Finish((0.96, 0.89, 0.66), "fabric"),
+            around(0, 0.86 * x),
+            around(0, 0.86 * y),
+            (low, low + 0.18 * z),
+            radius=0.05,
+        ),
+        frustum(STEEL, (0, 0), (0.66 * z, 0.8 * z), 0.16 * y, 0.2 * y),
+        disc(STEEL, (0, 0), 0.02, (0.8 * z, high)),
+    ]
+    return Build(body=body)
+
+
+def terminal(spec: Spec) -> Build:
+    """Return a machine with a screen, keys and a slot: for cash, or for games with a lit top."""
+    x, y, z = spec.size
+    paint = spec.main(Finish(spec.choice(((0.20, 0.34, 0.52), (0.60, 0.16, 0.18), (0.24, 0.26, 0.28))), "metal"))
+    side = [
+        (-x / 2, 0.0),
+        (0.4 * x, 0.0),
+        (0.4 * x, 0.52 * z),
+        (x / 2, 0.56 * z),
+        (x / 2, 0.6 * z),
+        (0.22 * x, 0.66 * z),
+    ]
+    side_up = [(-x / 2, 0.0), (0.22 * x, 0.0), (0.22 * x, 0.66 * z), (0.12 * x, 0.9 * z), (-x / 2, 0.9 * z)]
+    glass = [(0.215 * x, 0.68 * z), (0.225 * x, 0.68 * z), (0.135 * x, 0.88 * z), (0.125 * x, 0.88 * z)]
+    body: list[Part] = [
+        prism(paint, side, (-y / 2, y / 2), axis=1),
+        prism(paint, side_up, (-y / 2, y / 2), axis=1),
+        prism(SCREEN, glass, around(0, 0.76 * y), axis=1),
+        box(Finish((1.0, 0.86, 0.45), "light"), (-x / 2, 0.14 * x), (-y / 2, y / 2), (0.9 * z, z)),
+        *(
+            box(STEEL, around(0.38 * x, 0.08 * x), around((k - 1) * 0.2 * y, 0.1 * y), (0.6 * z, 0.625 * z))
+            for k in range(3)
+        ),
+        box(BLACK_PLASTIC, (0.4 * x, 0.402 * x), around(0, 0.5 * y), around(0.42 * z, 0.04 * z), collide=False),
+    ]
+    return Build(body=body)
+
+
+def letter_tray(spec: Spec) -> Build:
+    """Return trays on each other, open to the front, with paper in them."""
+    x, y, z = spec.size
+    shell, count = spec.main(spec.choice((BLACK_PLASTIC, STEEL))), max(1, round(z / 0.09))
+    step, wall = z / count, 0.004
+    build = Build()
+    for k in range(count):
+        low = k * step
+        build.body += [
+            box(shell, (-x / 2, x / 2), (-y / 2, y / 2), (low, low + wall)),
+            *(box(shell, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - wall)), (low + wall, low + step)) for s in (-1, 1)),
+            box(shell, (-x / 2, -x / 2 + wall), around(0, y - 2 * wall), (low + wall, low + 0.6 * step)),
+            box(PAPER, around(0, 0.9 * x), around(0, 0.86 * y), (low + wall, low + 0.3 * step)),
+        ]
+    return build

@@ -1,11 +1,13 @@
 """Cabinets of every room, as rows of cells for the carcass generator."""
 
+from math import cos, pi, sin
+
 from msgspec import structs
 
-from thinkblox.assets.carcasses import BOARD, Cell, cabinet, door, face_of
+from thinkblox.assets.carcasses import BOARD, GAP, Cell, cabinet, door, face_of
 from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
-from thinkblox.assets.part import Build, Finish, MovingParts, Range, moved
-from thinkblox.assets.shapes import around, box, top_surface
+from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range, moved
+from thinkblox.assets.shapes import around, box, cylinder, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Joint
 
@@ -134,6 +136,13 @@ def china_cabinet(spec: Spec) -> Build:
     """Return glazed doors above wooden ones."""
     count = max(2, round(spec.size[1] / 0.5))
     return cabinet(spec, [[Cell("door", 1.0), Cell("glass", 1.7, 2)]] * count, plinth=0.06, finish=spec.wood)
+
+
+def display_cabinet(spec: Spec) -> Build:
+    """Return a cabinet of glazed doors from the plinth to the top, its shelves seen."""
+    count = max(1, round(spec.size[1] / 0.5))
+    rows = max(1, round(spec.size[2] / 0.42))
+    return cabinet(spec, [[Cell("glass", 1.0, rows - 1)]] * count, plinth=0.06, finish=spec.wood)
 
 
 def filing_cabinet(spec: Spec) -> Build:
@@ -268,6 +277,58 @@ def toy_box(spec: Spec) -> Build:
     joint = Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-x / 2, 0.0, z), lower=0.0, upper=80.0)
     build.moving = [MovingParts("lid", (lid,), joint)]
     build.surfaces = [top_surface("lid", (-x / 2, x / 2), (-y / 2, y / 2), z)]
+    return build
+
+
+def trunk(spec: Spec) -> Build:
+    """Return a wooden chest with a vaulted lid that opens, and iron bands."""
+    x, y, z = spec.size
+    finish, rim = spec.wood, 0.66 * z
+    build = Build(
+        body=[
+            box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.02)),
+            *(box(finish, (-x / 2, x / 2), (s * (y / 2 - BOARD), s * y / 2), (0.02, rim)) for s in (-1, 1)),
+            *(
+                box(finish, (s * x / 2, s * (x / 2 - BOARD)), (-y / 2 + BOARD, y / 2 - BOARD), (0.02, rim))
+                for s in (-1, 1)
+            ),
+            *(box(IRON, around(x / 2, 0.004), around(s * 0.3 * y, 0.05), (0, rim), collide=False) for s in (-1, 1)),
+        ]
+    )
+    vault = [(-x / 2, rim + GAP), (x / 2, rim + GAP)]
+    vault += [(0.5 * x * cos(k * pi / 8), rim + GAP + (z - rim - GAP) * sin(k * pi / 8) ** 0.7) for k in range(1, 8)]
+    lid: list[Part] = [prism(finish, vault, (-y / 2, y / 2), axis=1, smooth=True)]
+    lid.append(box(IRON, around(x / 2, 0.012), around(0, 0.09), (rim + GAP, rim + 0.06)))
+    joint = Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-x / 2, 0.0, rim + GAP), lower=0.0, upper=80.0)
+    build.moving = [MovingParts("lid", tuple(lid), joint)]
+    top = 0.22 * x
+    build.surfaces = [top_surface("lid", (-top, top), (-y / 2 + 0.02, y / 2 - 0.02), z)]
+    return build
+
+
+def luggage_rack(spec: Spec) -> Build:
+    """Return a folding rack with a cloth between its bars for a suitcase."""
+    x, y, z = spec.size
+    bar = 0.03
+    build = Build()
+    for s in (-1, 1):
+        at = s * (y / 2 - bar)
+        build.body += [
+            rod(
+                spec.wood,
+                (-a * (x / 2 - bar), at - a * 0.01, 0.015),
+                (a * (x / 2 - bar), at - a * 0.01, z - bar),
+                0.014,
+            )
+            for a in (-1, 1)
+        ]
+        build.body.append(
+            box(spec.wood, (s * (x / 2 - bar) - 0.02, s * (x / 2 - bar) + 0.02), (-y / 2, y / 2), (z - bar, z))
+        )
+        build.body.append(cylinder(spec.wood, around(s * (x / 2 - bar), 0.03), (-y / 2, y / 2), (0, 0.03), axis=1))
+    cloth = Finish((0.25, 0.21, 0.19), "fabric")
+    build.body.append(box(cloth, around(0, x - 4 * bar), around(0, 0.64 * y), (z - 0.006, z)))
+    build.surfaces = [top_surface("cloth", around(0, x - 4 * bar), around(0, 0.6 * y), z)]
     return build
 
 

@@ -3,7 +3,20 @@
 from math import cos, pi, sin
 
 from thinkblox.assets.part import Build, Finish, Part, Range, hull, moved, turned
-from thinkblox.assets.shapes import around, box, cushion, disc, ellipsoid, leg, pad, prism, round_leg, top_surface
+from thinkblox.assets.shapes import (
+    around,
+    box,
+    cushion,
+    disc,
+    ellipsoid,
+    leg,
+    oval,
+    pad,
+    prism,
+    rod,
+    round_leg,
+    top_surface,
+)
 from thinkblox.assets.spec import Spec
 
 FOOT = 0.12
@@ -96,6 +109,85 @@ def _corner_sofa(spec: Spec) -> Build:
         top_surface("chaise", (ahead[0] + 0.05, ahead[1] - 0.05), (span[0] + 0.05, span[1] - 0.05), seat)
     )
     return build
+
+
+def recliner(spec: Spec) -> Build:
+    """Return a padded armchair that is tilted back, its footrest out."""
+    x, y, z = spec.size
+    depth = 0.78 * x
+    cover = spec.fabric if spec.has("fabric") or spec.words else Finish((0.40, 0.26, 0.18), "leather")
+    build = _seating(spec, (-x / 2, -x / 2 + depth), (-y / 2, y / 2), z, 1, cover)
+    seat, ahead = min(0.44, 0.52 * z), -x / 2 + depth
+    wide = 0.62 * y
+    rest = cushion(cover, (ahead + 0.01, x / 2), around(0, wide), (seat - 0.13, seat - 0.02), radius=0.04)
+    build.body += [
+        turned(rest, 1, 9.0, (ahead, 0.0, seat)),
+        *(
+            rod(
+                Finish((0.3, 0.3, 0.32), "metal"),
+                (ahead - 0.06, s * 0.3 * wide, 0.2),
+                (x / 2 - 0.1, s * 0.3 * wide, seat - 0.16),
+                0.015,
+            )
+            for s in (-1, 1)
+        ),
+        rod(spec.style.wood, (ahead - 0.3, y / 2 - 0.01, 0.36), (ahead - 0.38, y / 2 - 0.01, 0.47), 0.012),
+    ]
+    return build
+
+
+def chaise(spec: Spec) -> Build:
+    """Return a long seat to lie on, raised at its back end at -x, with one arm."""
+    x, y, z = spec.size
+    cover, seat = spec.fabric, 0.5 * z
+    back = cushion(cover, (-x / 2 + 0.02, -x / 2 + 0.2), around(0, y - 0.02), (seat - 0.1, z), radius=0.06)
+    arm = (-x / 2 + 0.1, -0.1 * x)
+    build = Build(
+        body=[
+            cushion(cover, (-x / 2, x / 2), (-y / 2, y / 2), (FOOT, seat), radius=0.06),
+            turned(back, 1, -14.0, (-x / 2 + 0.12, 0.0, seat)),
+            cushion(cover, arm, (y / 2 - 0.14, y / 2), (seat - 0.08, 0.5 * (seat + z)), radius=0.05),
+            *_sofa_feet(spec, (-x / 2, x / 2), (-y / 2, y / 2)),
+        ]
+    )
+    build.surfaces = [top_surface("seat", (-0.2 * x, 0.46 * x), (-0.42 * y, 0.4 * y - 0.1), seat)]
+    return build
+
+
+def floor_cushion(spec: Spec) -> Build:
+    """Return a thick cushion to sit on the floor on."""
+    x, y, z = spec.size
+    cover = spec.main(spec.choice((spec.style.accent, spec.style.fabric)))
+    shape = [cushion(cover, (-x / 2, x / 2), (-y / 2, y / 2), (0, z), radius=0.45 * z)]
+    if spec.has("round", "circular"):
+        shape = [prism(cover, oval(x, y), (0.2 * z, 0.8 * z)), pad(cover, around(0, x), around(0, y), (0, z), edge=0.2)]
+    return Build(body=shape, surfaces=[top_surface("top", around(0, 0.6 * x), around(0, 0.6 * y), z)])
+
+
+def salon_chair(spec: Spec) -> Build:
+    """Return a barber's or stylist's chair: arms, a footrest, and a column on a round foot."""
+    x, y, z = spec.size
+    cover, chrome = spec.main(Finish((0.13, 0.13, 0.14), "leather")), Finish((0.80, 0.81, 0.83), "metal")
+    seat = 0.54 * z
+    back = cushion(cover, (-0.34 * x, -0.22 * x), around(0, 0.74 * y), (seat - 0.02, z), radius=0.04)
+    body: list[Part] = [
+        disc(chrome, (-0.06 * x, 0), min(0.42 * x, 0.48 * y), (0, 0.04 * z)),
+        disc(chrome, (-0.06 * x, 0), 0.05, (0.04 * z, seat - 0.12)),
+        cushion(cover, (-0.34 * x, 0.24 * x), around(0, 0.76 * y), (seat - 0.12, seat), radius=0.04),
+        turned(back, 1, -7.0, (-0.28 * x, 0.0, seat)),
+        *(
+            cushion(cover, (-0.3 * x, 0.2 * x), around(s * 0.46 * y, 0.08 * y), (seat + 0.16, seat + 0.21), radius=0.02)
+            for s in (-1, 1)
+        ),
+        *(
+            box(chrome, (-0.1 * x, 0.02 * x), around(s * 0.44 * y, 0.03 * y), (seat - 0.1, seat + 0.16))
+            for s in (-1, 1)
+        ),
+        box(chrome, (-0.1 * x, 0.02 * x), around(0, 0.9 * y), (seat - 0.13, seat - 0.1)),
+        *(rod(chrome, (0.12 * x, s * 0.2 * y, seat - 0.1), (0.42 * x, s * 0.2 * y, 0.2 * z), 0.014) for s in (-1, 1)),
+        box(chrome, (0.34 * x, x / 2), around(0, 0.6 * y), (0.17 * z, 0.2 * z)),
+    ]
+    return Build(body=body, surfaces=[top_surface("seat", (-0.18 * x, 0.2 * x), around(0, 0.62 * y), seat)])
 
 
 def _lounge_chair(spec: Spec) -> Build:

@@ -19,7 +19,11 @@ from thinkblox.assets.category import Category, Generator
 from thinkblox.assets.facts import Facts
 from thinkblox.errors import InputError
 
-FAMILIES = "beds storage tables seats appliances electronics lamps plants small bathroom walls games textiles".split()
+FAMILIES = (
+    "beds storage tables seats appliances electronics lamps plants small "
+    "kitchenware workshop trolleys belongings nursery leisure laboratory "
+    "shopfittings bathroom walls fixtures games textiles"
+).split()
 """The files, in the order in which their categories are listed."""
 _FIELDS = frozenset(field.name for field in fields(Category)) - {"name", "generator"} | {"make"}
 
