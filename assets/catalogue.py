@@ -8,19 +8,23 @@ from typing import get_args
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Facts
 from thinkblox.assets.families import categories, general_words
+from thinkblox.assets.plain import plain_categories
 from thinkblox.brief import Place
 from thinkblox.errors import InputError
 
 _NAME = re.compile(r"[a-z][a-z0-9]*(?:_[a-z][a-z0-9]*)*")
 _UNKNOWN = Facts()
-_rows = {category.name: category for category in categories()}
-_built_in = frozenset(_rows)
-_revisions = [0]
-
-CATALOGUE: Mapping[str, Category] = MappingProxyType(_rows)
-"""Every category by name."""
 GENERAL_WORDS: Mapping[str, Facts] = MappingProxyType(general_words())
 """What is known of the words that are no categories themselves, such as "any_table"."""
+
+
+def _all_categories() -> Iterator[Category]:
+    """Those with a shape of their own, then the plain ones, which take no word from the others."""
+    shaped = {category.name: category for category in categories()}
+    known = {**shaped, **GENERAL_WORDS}
+    taken = {phrase for kind in known.values() for phrase in phrases(kind)} | {kind.noun for kind in shaped.values()}
+    yield from shaped.values()
+    yield from plain_categories(taken, known)
 
 
 def facts_of(name: str) -> Facts:
@@ -80,3 +84,11 @@ def _named(kind: Facts) -> Iterator[str]:
     yield from (sense.partition(" if ")[0] for sense in kind.senses)
     if kind.companion is not None:
         yield kind.companion.category
+
+
+_rows = {category.name: category for category in _all_categories()}
+_built_in = frozenset(_rows)
+_revisions = [0]
+
+CATALOGUE: Mapping[str, Category] = MappingProxyType(_rows)
+"""Every category by name."""

@@ -33,6 +33,7 @@ class Category(Facts):
         large: people walk to it: it needs walkable access.
         flat: a rug or mat, that is walked on.
         low, high: sizes that can be made, as shares of the smallest and largest of its sizes.
+        plain: it is a plain stand-in: size, mass and colours are its own, and its shape is only a hint.
     """
 
     name: str
@@ -51,6 +52,7 @@ class Category(Facts):
     flat: bool = False
     low: float = 0.5
     high: float = 2.0
+    plain: bool = False
 
     @property
     def size_range(self) -> tuple[Vec3, Vec3]:

@@ -12,10 +12,11 @@ from thinkblox.errors import InputError
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3, from_json, to_json
 
-CASES: list[tuple[str, int, tuple[str, ...]]] = [(name, seed, ()) for name in CATALOGUE for seed in range(3)]
-CASES += [(name, 1, (word,)) for name, category in CATALOGUE.items() for word in category.variants]
+SHAPED = {name: category for name, category in CATALOGUE.items() if not category.plain}
+CASES: list[tuple[str, int, tuple[str, ...]]] = [(name, seed, ()) for name in SHAPED for seed in range(3)]
+CASES += [(name, 1, (word,)) for name, category in SHAPED.items() for word in category.variants]
 GENERAL: list[tuple[str, int, tuple[str, ...]]] = [
-    (name, *how) for name in CATALOGUE for how in ((2, ("round", "red")), (4, ("small", "low")))
+    (name, *how) for name in SHAPED for how in ((2, ("round", "red")), (4, ("small", "low")))
 ]
 
 
@@ -78,7 +79,7 @@ def test_numbers_are_plausible(name: str, seed: int, words: tuple[str, ...]) -> 
     assert from_json(to_json(asset), Asset) == asset
 
 
-@pytest.mark.parametrize("name", CATALOGUE)
+@pytest.mark.parametrize("name", SHAPED)
 def test_only_rugs_and_mats_are_walked_on(name: str) -> None:
     category = CATALOGUE[name]
     assert make_asset(name, seed=0).collides is not category.flat

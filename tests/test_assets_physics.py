@@ -9,8 +9,9 @@ import pytest
 from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.scene.asset import Asset, Link, Shape
 
-FREE = [name for name in CATALOGUE if make_asset(name, seed=0).free]
-JOINTED = [name for name in CATALOGUE if len(make_asset(name, seed=0).links) > 1]
+SHAPED = [name for name, category in CATALOGUE.items() if not category.plain]
+FREE = [name for name in SHAPED if make_asset(name, seed=0).free]
+JOINTED = [name for name in SHAPED if len(make_asset(name, seed=0).links) > 1]
 _FILL = {"box": 1.0, "cylinder": np.pi / 4, "capsule": 0.7, "sphere": np.pi / 6, "ellipsoid": np.pi / 6, "hull": 0.6}
 
 

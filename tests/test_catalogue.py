@@ -33,10 +33,10 @@ from thinkblox.scene.asset import Asset
 from thinkblox.value import from_json, to_json
 
 ROOT = Path(__file__).parent.parent
-ASKED = "A bedroom with a bed, a desk and a sextant on the desk."
+ASKED = "A bedroom with a bed, a desk and an orrery on the desk."
 
 
-def sextant(spec: Spec) -> Build:
+def orrery(spec: Spec) -> Build:
     x, y, z = spec.size
     foot = box(spec.wood, (-x / 2, x / 2), (-y / 2, y / 2), (0.0, 0.2 * z))
     tube = box(spec.wood, (-x / 2, x / 2), (-y / 6, y / 6), (0.2 * z, z))
@@ -45,13 +45,13 @@ def sextant(spec: Spec) -> Build:
 
 def kind(**more: object) -> Category:
     fields: dict[str, object] = {
-        "name": "sextant",
-        "noun": "sextant",
-        "generator": sextant,
+        "name": "orrery",
+        "noun": "orrery",
+        "generator": orrery,
         "size": (0.3, 0.2, 0.4),
         "mass": 2.0,
         "mount": "surface",
-        "words": "sextant, spyglass|spyglasses",
+        "words": "orrery, tellurion|tellurions",
         "groups": ("small",),
         "habits": ("on @desks", "on @surfaces", "near window"),
     }
@@ -62,49 +62,49 @@ def kind(**more: object) -> Category:
 def registered() -> Iterator[None]:
     register(kind(rooms={"bedroom": "2 : on dresser"}))
     yield
-    unregister("sextant")
+    unregister("orrery")
 
 
-def test_without_it_a_sextant_is_missing() -> None:
-    assert read_brief(ASKED).missing == ("a sextant",)
+def test_without_it_an_orrery_is_missing() -> None:
+    assert read_brief(ASKED).missing == ("an orrery",)
 
 
 @pytest.mark.usefixtures("registered")
 def test_a_registered_category_is_read_planned_made_and_placed() -> None:
     room = generate_room(ASKED, seed=0)
     assert room.report.complete
-    placed = room.scene["sextant_1"]
+    placed = room.scene["orrery_1"]
     assert placed.support == "desk_1"
-    assert room.scene.asset_of(placed).provenance.startswith("procedural:sextant:")
+    assert room.scene.asset_of(placed).provenance.startswith("procedural:orrery:")
 
 
 @pytest.mark.usefixtures("registered")
 def test_its_words_habits_groups_and_rooms_are_known_at_once() -> None:
-    assert [r.category for r in read_brief("A study with three spyglasses.").requests][:1] == ["sextant"]
-    assert load_habits().tie("sextant", "desk") == "on"
-    assert "sextant" in load_habits().group("small")
-    assert {r.category: r.count for r in read_brief("A bedroom.").requests}["sextant"] == 2
+    assert [r.category for r in read_brief("A study with three tellurions.").requests][:1] == ["orrery"]
+    assert load_habits().tie("orrery", "desk") == "on"
+    assert "orrery" in load_habits().group("small")
+    assert {r.category: r.count for r in read_brief("A bedroom.").requests}["orrery"] == 2
 
 
 def test_taken_away_again_it_is_forgotten() -> None:
     register(kind())
-    made = make_asset("sextant", seed=1)
-    unregister("sextant")
-    assert read_brief(ASKED).missing == ("a sextant",)
-    with pytest.raises(InputError, match="sextant"):
+    made = make_asset("orrery", seed=1)
+    unregister("orrery")
+    assert read_brief(ASKED).missing == ("an orrery",)
+    with pytest.raises(InputError, match="orrery"):
         fit_asset(made, made.size)
     register(kind(mass=4.0))
-    heavier = make_asset("sextant", seed=1)
-    unregister("sextant")
+    heavier = make_asset("orrery", seed=1)
+    unregister("orrery")
     assert heavier.mass == pytest.approx(2 * made.mass, rel=0.01)
 
 
 def test_a_registered_category_may_turn_into_another() -> None:
     register(kind(senses=("globe if room:library",)))
     try:
-        assert "globe" in {r.category for r in read_brief("A library with a sextant.").requests}
+        assert "globe" in {r.category for r in read_brief("A library with an orrery.").requests}
     finally:
-        unregister("sextant")
+        unregister("orrery")
 
 
 @pytest.mark.parametrize(
@@ -112,12 +112,12 @@ def test_a_registered_category_may_turn_into_another() -> None:
     [
         ({"name": "bed"}, "exists already"),
         ({"name": "any_lamp"}, "exists already"),
-        ({"name": "Sextant"}, "snake_case"),
-        ({"name": "sex_ tant"}, "snake_case"),
-        ({"name": "sextant\n"}, "snake_case"),
-        ({"words": "sextant, Fish Tank"}, "'fish tank' means 'aquarium' already"),
+        ({"name": "Orrery"}, "snake_case"),
+        ({"name": "or rery"}, "snake_case"),
+        ({"name": "orrery\n"}, "snake_case"),
+        ({"words": "orrery, Fish Tank"}, "'fish tank' means 'aquarium' already"),
         ({"words": "lamp"}, "'lamp' means 'any_lamp' already"),
-        ({"words": "scope|knives"}, "'knives' means 'knife' already"),
+        ({"words": "scope|knives"}, "'knives' means 'cutlery' already"),
         ({"habits": ("on desc",)}, "names 'desc'"),
         ({"habits": ("on desk if teevee",)}, "names 'teevee'"),
         ({"senses": ("glob if room:library",)}, "names 'glob'"),
@@ -126,7 +126,7 @@ def test_a_registered_category_may_turn_into_another() -> None:
 def test_what_cannot_be_registered_is_refused(more: dict[str, object], message: str) -> None:
     with pytest.raises(InputError, match=message):
         register(kind(**more))
-    assert "sextant" not in CATALOGUE
+    assert "orrery" not in CATALOGUE
 
 
 @pytest.mark.parametrize(
@@ -151,7 +151,7 @@ def test_a_room_that_is_not_known_is_refused_with_those_that_are() -> None:
         with pytest.raises(InputError, match=r"no type of room 'bedrom'; there are .*bedroom"):
             room_types()
     finally:
-        unregister("sextant")
+        unregister("orrery")
 
 
 def test_what_was_not_registered_cannot_be_taken_away() -> None:

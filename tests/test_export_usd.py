@@ -170,7 +170,7 @@ def test_opened_joints_bring_their_links_where_the_model_does(stage: Any) -> Non
 
 def test_the_catalogue_can_be_exported() -> None:
     scene = Scene(room=rectangle(30.0, 30.0))
-    for number, category in enumerate(list(CATALOGUE)[::7]):
+    for number, category in enumerate([name for name, kind in CATALOGUE.items() if not kind.plain][::7]):
         asset = make_asset(category, seed=number)
         height = {"wall": 1.0, "ceiling": 2.6 - asset.size[2]}.get(asset.mount, 0.0)
         placement = put(asset, 2.5 + 4.0 * (number % 7), 2.5 + 4.0 * (number // 7), height)

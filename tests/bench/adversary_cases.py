@@ -197,8 +197,8 @@ def _on_surface(genes: Genes, under: Placement, base: Asset, kind: Asset, id: st
 
 
 def _small() -> list[str]:
-    return sorted(name for name, category in CATALOGUE.items() if category.mount == "surface")
+    return sorted(name for name, category in CATALOGUE.items() if category.mount == "surface" and not category.plain)
 
 
 def _standing() -> list[str]:
-    return sorted(name for name, category in CATALOGUE.items() if category.mount == "floor")
+    return sorted(name for name, category in CATALOGUE.items() if category.mount == "floor" and not category.plain)

@@ -49,7 +49,7 @@ def main() -> int:
     render_preview(scene).save(out / "preview.png", optimize=True)
     render_top(scene).save(out / "top.png", optimize=True)
     overview().save(out / "rooms.png", optimize=True)
-    assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE)]
+    assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE) if not CATALOGUE[name].plain]
     contact_sheet(assets, columns=14, size=110).save(out / "catalogue.png", optimize=True)
     return 0
 

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from operator import itemgetter
 from typing import cast
 
 from thinkblox.assets import Facts, revision
@@ -59,14 +60,20 @@ def load_habits() -> Habits:
 @lru_cache(maxsize=1)
 def _collected(revision: int) -> Habits:
     known = things()
-    groups = {group: _members(known, group) for group in GROUPS}
-    return Habits(groups, {name: tuple(_habit(line, groups) for line in kind.habits) for name, kind in known.items()})
+    groups = _groups(known)
+    read: dict[str, Habit] = {}
+    for line in {line for kind in known.values() for line in kind.habits}:
+        read[line] = _habit(line, groups)
+    return Habits(groups, {name: tuple(read[line] for line in kind.habits) for name, kind in known.items()})
 
 
-def _members(known: Mapping[str, Facts], group: str) -> tuple[str, ...]:
-    """The members of a group in their places, those without one last."""
-    members = [name for name, kind in known.items() if kind.is_in(group)]
-    return tuple(sorted(members, key=lambda name: known[name].places[group]))
+def _groups(known: Mapping[str, Facts]) -> dict[str, tuple[str, ...]]:
+    """The members of every group in their places, those without one last."""
+    members: dict[str, list[tuple[int, str]]] = {group: [] for group in GROUPS}
+    for name, kind in known.items():
+        for group, place in kind.places.items():
+            members[group].append((place, name))
+    return {group: tuple(name for _, name in sorted(found, key=itemgetter(0))) for group, found in members.items()}
 
 
 def _habit(line: str, groups: dict[str, tuple[str, ...]]) -> Habit:

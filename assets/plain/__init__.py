@@ -1,0 +1,130 @@
+"""Plain stand-ins: a table of things that have no shape of their own, and the few solids that they are made of.
+
+A line of the table reads ``name; depth width height; mass; shape main accent; place; more words``: lengths along the
+front, across and up [m], the mass [kg], one of SHAPES with two finishes, one of KEEPING, and English words besides the
+name. "name|plural" where the plural is irregular, "name|" where there is none. What a category of the catalogue has a
+word for is not taken from here.
+"""
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from copy import copy
+from functools import lru_cache, partial
+from pathlib import Path
+
+from thinkblox.assets.category import Category, Generator
+from thinkblox.assets.part import Build
+from thinkblox.assets.plain import pieces, solids
+from thinkblox.assets.plain.finishes import finish_called
+from thinkblox.assets.plain.places import KEEPING, Front
+from thinkblox.errors import InputError
+
+Solid = Callable[..., Build]
+SHAPES: Mapping[str, Solid] = {
+    solid.__name__: solid
+    for module in (solids, pieces)
+    for solid in vars(module).values()
+    if callable(solid) and getattr(solid, "__module__", "") == module.__name__ and not solid.__name__.startswith("_")
+}
+"""The solids by the name that the table gives them."""
+_ROUND = frozenset("can ball dome bowl bucket bottle cone pillar post fountain tuft heap pendant tripod".split())
+_TWO = frozenset("slab roll soft cloth stack crate stick tool stand platform rack frame cage mat strings".split())
+_SOFT = frozenset("soft cloth heap hung mat".split())
+_COLUMNS = 6
+"""Columns of a line, the words not counted where there are none."""
+
+
+def plain_categories(taken: Collection[str], names: Collection[str]) -> Iterator[Category]:
+    """The categories of the table, without the phrases in `taken` and the categories in `names`.
+
+    A line whose every word is taken gives no category; one whose name is taken is called by its first free word.
+
+    Raises:
+        InputError: a line that cannot be read.
+    """
+    seen, used = set(taken), set(names)
+    for where, columns in table_lines():
+        free = [word for word in words_of_line(columns) if not seen.intersection(word.split("|"))]
+        if not free:
+            continue
+        seen.update(form for word in free for form in word.split("|"))
+        name = free[0].partition("|")[0].replace(" ", "_")
+        if name not in used:
+            used.add(name)
+            yield _category(where, columns, name, ", ".join(free))
+
+
+def table_lines() -> Iterator[tuple[str, list[str]]]:
+    """The columns of each line of the table, with where it stands."""
+    for path in sorted(Path(__file__).parent.glob("*.txt")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if line and not line.startswith("#"):
+                yield f"{path.name}, line {number}", [column.strip() for column in line.split(";")]
+
+
+def words_of_line(columns: list[str]) -> list[str]:
+    """Every English phrase of a line as "singular|plural", its name first."""
+    more = columns[5].split(",") if len(columns) >= _COLUMNS else []
+    name = columns[0].replace("_", " ")
+    return list(dict.fromkeys([name, *(word.strip() for word in more if word.strip())]))
+
+
+def _category(where: str, columns: list[str], name: str, words: str) -> Category:
+    try:
+        depth, width, height = map(float, columns[1].split())
+        made = {
+            "name": name,
+            "noun": name.replace("_", " "),
+            "size": (depth, width, height),
+            "mass": float(columns[2]),
+            "generator": plain_generator(*columns[3].split()),
+            "words": words,
+        }
+        kind = _kind(columns[3].partition(" ")[0], columns[4], abs(depth - width) < 1e-9)
+    except (ValueError, TypeError, KeyError, InputError) as error:
+        raise InputError(f"the table of plain things, {where}: {'; '.join(columns)!r}: {error}") from error
+    category = copy(kind)
+    vars(category).update(made)
+    return category
+
+
+@lru_cache(maxsize=1024)
+def _kind(shape: str, place: str, square: bool) -> Category:
+    """What all things of one shape that are kept alike share: checked once, since checks of each would take long."""
+    kept = KEEPING[place]
+    kind = Category(
+        name="",
+        noun="",
+        generator=plain_generator(shape, "grey"),
+        size=(1.0, 1.0, 1.0),
+        mass=1.0,
+        mount=kept.mount,
+        front=front_of(shape, square=square),
+        friction=0.7 if shape in _SOFT else 0.5,
+        clearance=kept.clearance,
+        variation=0.04,
+        large=kept.large,
+        flat=kept.flat,
+        low=0.4,
+        high=2.5,
+        plain=True,
+        groups=kept.groups,
+        habits=kept.habits,
+        hanging=kept.hanging,
+    )
+    _ = kind.places  # worked out once for all of them
+    return kind
+
+
+@lru_cache(maxsize=2048)
+def plain_generator(shape: str, main: str, accent: str = "") -> Generator:
+    """What makes a solid of SHAPES in two finishes, given by their words; raises InputError for another name."""
+    if shape not in SHAPES:
+        raise InputError(f"no plain shape {shape!r}; there are {', '.join(sorted(SHAPES))}")
+    return partial(SHAPES[shape], main=finish_called(main), accent=finish_called(accent or main))
+
+
+def front_of(shape: str, *, square: bool) -> Front:
+    """How many ways round a solid of this shape looks the same; `square` where it is as deep as wide."""
+    if shape in _ROUND and square:
+        return "any"
+    return "two" if shape in _TWO or shape in _ROUND else "one"
