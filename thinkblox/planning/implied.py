@@ -5,7 +5,7 @@ from msgspec.structs import replace
 from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.plan import Tie
 from thinkblox.planning.asked import rows_for, share
-from thinkblox.planning.members import Member, Members
+from thinkblox.planning.members import Member, Members, carries
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _WITHOUT_PLACE = ("facing", "opposite")
@@ -33,11 +33,12 @@ def imply(members: Members, windows: bool) -> None:
 
 def _stay_on_floor(members: Members, member: Member) -> None:
     """Small things that may stand on the floor do so beside furniture, in a corner or by a window."""
-    floor = any(habit.kind != "on" for habit in load_habits().of(member.category))
-    if member.mount != "surface" or not floor or any(tie.kind == "on" for tie in member.ties):
+    outside = any(tie.kind == "outside" for tie in member.ties)
+    floor = outside or any(habit.kind != "on" for habit in load_habits().of(member.category))
+    if member.mount != "surface" or not floor or any(tie.kind == "on" or carries(tie) for tie in member.ties):
         return
     anchors = [members.by_id.get(anchor) for tie in member.ties if tie.asked for anchor in tie.anchors]
-    if anchors and all(anchor is None or anchor.mount == "floor" for anchor in anchors):
+    if outside or (anchors and all(anchor is None or anchor.mount == "floor" for anchor in anchors)):
         member.ties.append(Tie(kind="on", anchors=("floor",), asked=False))
 
 
@@ -45,7 +46,7 @@ def _needs_place(member: Member) -> bool:
     if load_habits().is_in(member.category, "watched") and all(tie.anchors == ("wall",) for tie in member.ties):
         return True
     if member.mount == "surface":
-        return not any(tie.kind == "on" for tie in member.ties)
+        return not any(tie.kind == "on" or carries(tie) for tie in member.ties)
     return all(tie.kind in _WITHOUT_PLACE for tie in member.ties)
 
 
