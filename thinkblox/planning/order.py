@@ -36,7 +36,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
         if not relation.negated:
             tie_relation(brief, relation, members)
     deny((relation for relation in relations if relation.negated), members)
-    imply(members, windows=any(opening.kind == "window" for opening in room.openings))
+    imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
     targets = tuple(_target(member, members) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
     notes = (*filter(None, sizes), *opening_notes(brief, room))

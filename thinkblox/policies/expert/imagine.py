@@ -4,13 +4,15 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
+from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie
-from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
+from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, sides, spreading, surfaces, walls
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
-from thinkblox.scene.landmarks import corners
+from thinkblox.scene.landmarks import corners, things
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Rects
 
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
@@ -58,7 +60,7 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
 
 def _any_surface(situation: Situation) -> Iterator[Idea]:
     for anchor in situation.solid:
-        if situation.scene.asset_of(anchor).surfaces:
+        if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
     for idea in anywhere(situation):
         yield _dearer(idea, ELSEWHERE / 2)
@@ -70,7 +72,8 @@ def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
     anchors = situation.placed(tie.anchors)
     places = [a for a in tie.anchors if not a[-1].isdigit()]
     if places and not anchors:
-        return _at_place(situation, tie, places[0])
+        ideas = _far_from_place(situation, places[0]) if tie.kind == "far" else _at_place(situation, tie, places[0])
+        return spreading.spread_out(situation, tie, ideas) if tie.spread else ideas
     if not tie.anchors and tie.kind in _WITHOUT_ANCHOR:
         return _WITHOUT_ANCHOR[tie.kind](situation)
     if not anchors:
@@ -126,6 +129,16 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
         yield _dearer(idea, max(0.0, 0.9 * (distance - situation.size[0] / 2 - 0.2)))
 
 
+def _far_from_place(situation: Situation, place: str) -> Iterable[Idea]:
+    marks = [(thing.centre, (0.1, 0.1), 0.0, 0.0, 1.0) for thing in things(situation.scene, place)]
+    return sides.far_from(Rects.of(marks), list(_BY_MOUNT[situation.asset.mount](situation)))
+
+
+def _far(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    marks = Rects.of_placements(situation.placed(tie.anchors) or (anchor,))
+    return sides.far_from(marks, list(_BY_MOUNT[situation.asset.mount](situation)))
+
+
 def _is_lounge(situation: Situation, anchor: Placement) -> bool:
     """Whether a lounge seat gathers with others around a low table."""
     return situation.facts.is_in("lounges") and facts_of(anchor.category).is_in("lounged_at")
@@ -157,6 +170,35 @@ def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
         return _on_rug(situation, anchor, tie)
     return surfaces.on_surfaces(situation, anchor, tie)
+
+
+def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """Within it; where it has no open inside, on it or beside it, which the report says is not inside."""
+    ideas = list(surfaces.on_surfaces(situation, anchor, tie))
+    yield from ideas
+    if not ideas:
+        yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
+        for idea in beside.sides_of(situation, anchor, ("left", "right", "front")):
+            yield _dearer(idea, 3.0)
+
+
+def _in_middle_of(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
+        return _on_rug(situation, anchor, tie)
+    return surfaces.on_surfaces(situation, anchor, tie)
+
+
+def _outside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """On the floor by any of its sides."""
+    yield from beside.sides_of(situation, anchor, ("front", "left", "right", "back"), gaps=(0.08, 0.18, 0.3))
+
+
+def _back_to_back(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    for rank, gap in enumerate((0.03, 0.1, 0.25, 0.4)):
+        local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), 0.0)
+        words = (Constraint(kind="beside", anchors=(anchor.id,), side="back", values=(gap,)),)
+        why = f"their backs are to each other, {anchor.id} and this"
+        yield beside.beside_at(situation, anchor, local, yaw=anchor.yaw + 180.0, words=words, why=why, cost=0.1 * rank)
 
 
 def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
@@ -210,6 +252,7 @@ _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
     "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.in_line(s),
     "in_corner": walls.corners,
     "facing": open_floor.grid,
+    "back_to_back": open_floor.grid,
     "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
 }
 _BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {
@@ -220,6 +263,13 @@ _BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {
 }
 _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "on": _on,
+    "inside": _inside,
+    "in_centre": _in_middle_of,
+    "outside": _outside,
+    "back_to_back": _back_to_back,
+    "far": _far,
+    "at_long_side": lambda s, a, t: sides.at_sides(s, a, t, sides.long_sides(a)),
+    "at_short_side": lambda s, a, t: sides.at_sides(s, a, t, sides.short_sides(a)),
     "under": _under,
     "above": _above,
     "next_to": _next_to,

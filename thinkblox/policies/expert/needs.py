@@ -67,7 +67,7 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
             return Need(("left", "right"), width + 0.1, None, min(tie.count, 2), 4.0)
         case "left_of" | "right_of":
             return Need((tie.kind.removesuffix("_of"),), width + 0.1, None, 1, 4.0)
-        case "around":
+        case "around" | "at_long_side" | "at_short_side":
             return Need(ALL_ROUND, depth + BEHIND_SEAT, None, 2 if tie.count <= 2 else 4, 2.5)
         case "at":
             return Need(("front",), depth + BEHIND_SEAT, width, 1, 4.0)
