@@ -1,5 +1,6 @@
 """From a target's relations to ideas: the first tie decides where to look, the room itself is the last resort."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
@@ -11,22 +12,31 @@ from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.pairs import FACING
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
+from thinkblox.scene.room import turn_between
 
+TURNED_AWAY = 8.0
+"""Cost of looking elsewhere than asked."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
 
 def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
-    ties = situation.target.ties
+    ties = tuple(sorted(situation.target.ties, key=lambda tie: not _looks_at_place(tie)))
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and all(tie.kind != "in_rows" for tie in ties):
         ties = mutual
     ideas = [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     return [*ideas, *walls.off_walls(situation)] if ties and _is_staffed(situation) else ideas
+
+
+def _looks_at_place(tie: Tie) -> bool:
+    """Whether it is asked to look at a door, a window or a wall, which decides before any habit where it stands."""
+    return tie.kind == "facing" and tie.asked and bool(tie.anchors) and not any(a[-1].isdigit() for a in tie.anchors)
 
 
 def _is_staffed(situation: Situation) -> bool:
@@ -102,6 +112,8 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return _in_corner(situation, tie)
     if place == "floor":
         return anywhere(situation)
+    if tie.kind == "facing":
+        return _turned_to(situation, place)
     if place in ("window", "door"):
         return _near_openings(situation, place)
     return walls.in_line(situation, place)
@@ -113,6 +125,18 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
     for idea in walls.corners(situation):
         if f"corner of {' and '.join(idea.words[0].anchors)}" in meant:
             yield idea
+
+
+def _turned_to(situation: Situation, place: str) -> Iterator[Idea]:
+    """Along the walls and on the floor, whichever way looks at a part of the room."""
+    marks = things(situation.scene, place)
+    away = 180.0 if situation.asset.gaze == "back" else 0.0
+    for idea in (*walls.along_walls(situation), *walls.off_walls(situation), *open_floor.grid(situation)):
+        x, y, _ = idea.position
+        turns = [
+            turn_between(idea.yaw + away, math.degrees(math.atan2(m.centre[1] - y, m.centre[0] - x))) for m in marks
+        ]
+        yield _dearer(idea, TURNED_AWAY if min(turns, default=0.0) > FACING else 0.0)
 
 
 def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
@@ -157,8 +181,37 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     face = situation.facts.is_in("seating")
+    if face and situation.scene.asset_of(anchor).gaze == "back" and _is_worked_at(situation, anchor):
+        yield from _visiting(situation, anchor, tie)
+        return
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
     yield from beside.before(situation, anchor, gaps=gaps, face=face, why=f"it belongs before {anchor.id}")
+
+
+def _is_worked_at(situation: Situation, desk: Placement) -> bool:
+    """Whether somebody has a seat at the desk."""
+    return any(
+        tie.kind == "at" and desk.id in tie.anchors for t in situation.observation.plan.targets for tie in t.ties
+    )
+
+
+def _visiting(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]:
+    """Across the desk from who works at it, side by side."""
+    pitch = situation.size[1] + 0.2
+    aside = ((tie.index + 0.5) - tie.count / 2) * pitch
+    for rank, gap in enumerate((0.35, 0.2, 0.6, 0.9)):
+        for shift in (0.0, 0.15, -0.15):
+            local = (-(desk.size[0] / 2 + gap + situation.size[0] / 2), aside + shift)
+            words = (Constraint(kind="beside", anchors=(desk.id,), side="back", values=(gap,)),)
+            yield beside.beside_at(
+                situation,
+                desk,
+                local,
+                yaw=desk.yaw,
+                words=words,
+                why=f"visitors sit across {desk.id}",
+                cost=0.2 * rank + abs(shift),
+            )
 
 
 def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:

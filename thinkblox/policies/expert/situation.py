@@ -6,7 +6,7 @@ from functools import cached_property
 from thinkblox.assets import Facts, facts_of
 from thinkblox.observe import Kind, Layout, Observation
 from thinkblox.plan import Target
-from thinkblox.policies.expert.needs import Need, need, uses
+from thinkblox.policies.expert.needs import Need, need, seat_need, uses
 from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.scene.asset import AssetCard
 from thinkblox.scene.free_parts import parts
@@ -138,7 +138,10 @@ class Situation:
                 for anchor in (p for p in self.placed(tie.anchors) if p not in kin):
                     if anchor.id not in _objects(self.target) and (later.request, anchor.id) not in done:
                         done.add((later.request, anchor.id))
-                        zones += _sides_meant(anchor, need(later, tie, of=anchor.category, size=self.kind(later).size))
+                        size = self.kind(later).size
+                        wanted = seat_need(tie, of=anchor.size, size=size)
+                        wanted = wanted or need(later, tie, of=anchor.category, size=size)
+                        zones += _sides_meant(anchor, wanted)
         return joined(zones)
 
     @cached_property

@@ -22,6 +22,8 @@ APART = 0.02
 """Left between things side by side [m]."""
 SHRINK = (1.0, 0.85, 0.7, 0.6)
 """Sizes tried, as shares, for what is too large for every surface of its support."""
+OFF = 30.0
+"""Cost of reaching over the edge of a round surface."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -29,9 +31,10 @@ HEADROOM = 0.02
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Places on each surface of the anchor, or inside it, that is large and high enough."""
     surfaces = tuple(s for s in situation.scene.asset_of(anchor).surfaces if _serves(s, tie))
-    for step, share in enumerate(SHRINK):
+    shares = SHRINK[:1] if any(situation.target.size) else SHRINK
+    for step, share in enumerate(shares):
         size = _scaled(situation.size, share)
-        if share > SHRINK[-1] and not _room_for_all(surfaces, size, tie):
+        if share > shares[-1] and not _room_for_all(surfaces, size, tie):
             continue
         ideas = list(_at_size(situation, anchor, tie, _in_turn(surfaces, size, tie), size))
         yield from (replace(i, cost=i.cost + step, size=None if share == 1.0 else size) for i in ideas)
@@ -72,7 +75,9 @@ def _at_size(
             forward = max(0.0, (size[1 if turn % 180.0 else 0] - surface.size[0]) / 2)
             for (x, y), cost in _spots(situation, anchor, surface, tie, free, shelves):
                 dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0)
-                yield _idea(situation, anchor, surface, (x + forward, y), turn, dearer)
+                idea = _idea(situation, anchor, surface, (x + forward, y), turn, dearer, size)
+                if tie.kind != "inside" or idea.cost < OFF:
+                    yield idea
 
 
 def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surface, ...]:
@@ -182,10 +187,12 @@ def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int) -> tuple[Vec2,
     return ((across, along),) if lengthwise else ((along, across),)
 
 
-def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float) -> Idea:
+def _idea(
+    situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float, size: Vec3
+) -> Idea:
     local = (surface.position[0] + spot[0], surface.position[1] + spot[1])
     if surface.round:
-        cost += _off_ellipse(situation, surface, spot)
+        cost += _off_ellipse(situation, surface, spot, size)
     x, y = anchor.to_room(local)
     z = anchor.position[2] + surface.position[2]
     yaw = (anchor.yaw + turn) % 360.0
@@ -197,13 +204,9 @@ def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2,
     return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id, *situation.seats))
 
 
-def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2) -> float:
-    reach = (
-        max(situation.size[0], situation.size[1]) / 2
-        if situation.asset.front == "any"
-        else math.hypot(situation.size[0], situation.size[1]) / 2
-    )
+def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2, size: Vec3) -> float:
+    reach = max(size[0], size[1]) / 2 if situation.asset.front == "any" else math.hypot(size[0], size[1]) / 2
     a, b = surface.size[0] / 2 - reach, surface.size[1] / 2 - reach
     if min(a, b) <= 0.0:
-        return 0.0 if math.hypot(*spot) < 0.01 else 30.0
-    return 0.0 if (spot[0] / a) ** 2 + (spot[1] / b) ** 2 <= 1.0 else 30.0
+        return 0.0 if math.hypot(*spot) < 0.01 and not surface.within else OFF
+    return 0.0 if (spot[0] / a) ** 2 + (spot[1] / b) ** 2 <= 1.0 else OFF
