@@ -16,7 +16,7 @@ from thinkblox.assets.palette import (
     WHITE_PLASTIC,
 )
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, inner_surface, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Joint
 
@@ -53,13 +53,17 @@ def fridge(spec: Spec) -> Build:
     inner = (-y / 2 + WALL, y / 2 - WALL)
     if z >= 1.2:
         build.body.append(box(finish, (-x / 2 + WALL, front), inner, around(low, 0.05)))
+    shelves = []
     for k in range(1, 4):
         level = low + k * (z - low) / 4
         build.body.append(box(GLASS, (-x / 2 + WALL, front - 0.06), inner, (level - 0.008, level)))
+        free = (z - low) / 4 - (0.008 if k < 3 else WALL)
+        shelves.append(inner_surface(f"shelf {k}", (-x / 2 + WALL, front - 0.06), inner, level, headroom=free))
     spans = [("door", (low + 0.003, z - 0.003))] + ([("freezer", (0.035, low - 0.003))] if z >= 1.2 else [])
     for name, span in spans:
         build.moving.append(_thick_door(spec, name, (front + 0.003, x / 2), span, finish))
     _top(build, spec, (-x / 2, x / 2 - 0.075))
+    build.surfaces += shelves
     return build
 
 
@@ -250,11 +254,12 @@ def dishwasher(spec: Spec) -> Build:
         "door", (front + 0.002, x / 2), (-y / 2 + 0.002, y / 2 - 0.002), (0.09, z - 0.035), finish, GREY_METAL
     )
     build.moving.append(flap(face))
-    for level in (0.2, 0.5 * z):
-        build.body.append(
-            box(STEEL, (-x / 2 + WALL, front - 0.03), (-y / 2 + WALL, y / 2 - WALL), (level, level + 0.012))
-        )
     _top(build, spec, (-x / 2, front))
+    rack, inner = (-x / 2 + WALL, front - 0.03), (-y / 2 + WALL, y / 2 - WALL)
+    for level, above in ((0.2, 0.5 * z), (0.5 * z, z - WALL)):
+        build.body.append(box(STEEL, rack, inner, (level, level + 0.012)))
+        free = above - level - 0.012
+        build.surfaces.append(inner_surface(f"rack at {level:.2f}", rack, inner, level + 0.012, headroom=free))
     return build
 
 

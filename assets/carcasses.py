@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from msgspec import structs
+
 from thinkblox.assets.palette import GLASS, IRON, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range
 from thinkblox.assets.shapes import around, box, leg, panel, top_surface
@@ -74,6 +76,7 @@ def cabinet(
     build.surfaces.insert(
         len(build.surfaces) if z > 1.4 else 0, top_surface("top", (-x / 2, reach), (-y / 2, y / 2), z)
     )
+    build.surfaces.sort(key=lambda surface: surface.within)
     return build
 
 
@@ -166,6 +169,8 @@ def _fill_bay(
         if cell.kind == "open":
             build.surfaces += _named(shelves, name)
         else:
+            if cell.kind in ("door", "glass"):
+                build.surfaces += [structs.replace(s, within=True) for s in _named(shelves, name)]
             face = _Face(
                 (front + GAP, outer),
                 (y[0] + GAP / 2, y[1] - GAP / 2),

@@ -56,6 +56,12 @@ def fit_asset(asset: Asset, size: Vec3) -> Asset:
     return make_asset(made["category"], seed=int(made["seed"]), attributes=words, size=size)
 
 
+def seed_of(asset: Asset) -> int | None:
+    """The seed that an asset of this catalogue was made with; None for any other."""
+    made = _PROVENANCE.fullmatch(asset.provenance)
+    return int(made["seed"]) if made else None
+
+
 def category_of(name: str) -> Category:
     """Return the category called `name`; raises InputError that lists the closest names."""
     if name in CATALOGUE:

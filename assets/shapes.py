@@ -5,6 +5,7 @@ from itertools import pairwise
 from math import cos, pi, sin
 
 import numpy as np
+from msgspec import structs
 
 from thinkblox.assets.part import Finish, Kind, Part, Range, hull
 from thinkblox.scene.asset import Surface
@@ -206,6 +207,13 @@ def panel(finish: Finish, x: Range, y: Range, z: Range, bar: float, fill: Finish
         mid, third = (x[0] + x[1]) / 2, (x[1] - x[0]) / 3
         parts.append(box(fill, around(mid, third), (y[0] + bar, y[1] - bar), (z[0] + bar, z[1] - bar)))
     return parts
+
+
+def inner_surface(
+    name: str, x: Range, y: Range, z: float, *, headroom: float | None = None, round: bool = False
+) -> Surface:
+    """Return the level area at the bottom of a hollow or behind a door [m]."""
+    return structs.replace(top_surface(name, x, y, z, headroom=headroom, round=round), within=True)
 
 
 def top_surface(

@@ -26,6 +26,7 @@ from thinkblox.assets.shapes import (
     disc,
     ellipsoid,
     frustum,
+    inner_surface,
     profile,
     rod,
     shell,
@@ -33,6 +34,7 @@ from thinkblox.assets.shapes import (
     top_surface,
 )
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2
 
 
@@ -53,6 +55,12 @@ def hollow(finish: Finish, centre: Vec2, radius: float, height: float, foot: flo
     ]
 
 
+def bottom(radius: float, height: float, foot: float, wall: float) -> Surface:
+    """Return the floor of a `hollow` of these measures, on which things stand in it."""
+    across = around(0, 2 * (foot * radius - wall))
+    return inner_surface("bottom", across, across, min(0.012, 0.2 * height), round=True)
+
+
 _VASES = (
     ((0.0, 0.5), (0.3, 0.95), (0.45, 1.0), (0.75, 0.55), (0.88, 0.4), (1.0, 0.52)),
     ((0.0, 0.62), (0.55, 1.0), (0.8, 0.72), (0.92, 0.42), (1.0, 0.46)),
@@ -71,7 +79,9 @@ def vase(spec: Spec) -> Build:
 def bowl(spec: Spec) -> Build:
     """Return an open bowl."""
     x, y, z = spec.size
-    return Build(body=hollow(spec.main(spec.choice(GLAZES)), (0, 0), min(x, y) / 2, z, 0.5, 0.012))
+    radius = min(x, y) / 2
+    body = hollow(spec.main(spec.choice(GLAZES)), (0, 0), radius, z, 0.5, 0.012)
+    return Build(body=body, surfaces=[bottom(radius, z, 0.5, 0.012)])
 
 
 def fruit_bowl(spec: Spec) -> Build:
@@ -170,7 +180,8 @@ def waste_bin(spec: Spec) -> Build:
     """Return an open bin, round."""
     x, y, z = spec.size
     finish = spec.main(spec.choice((IRON, GREY_METAL, STEEL, WICKER)))
-    return Build(body=hollow(finish, (0, 0), min(x, y) / 2, z, 0.82, 0.008))
+    radius = min(x, y) / 2
+    return Build(body=hollow(finish, (0, 0), radius, z, 0.82, 0.008), surfaces=[bottom(radius, z, 0.82, 0.008)])
 
 
 def umbrella_stand(spec: Spec) -> Build:
@@ -200,7 +211,8 @@ def basket(spec: Spec) -> Build:
         body.append(
             ellipsoid(spec.style.accent, around(0.05, 1.1 * radius), around(0, 1.2 * radius), (0.68 * z, 0.95 * z))
         )
-    return Build(body=body)
+        return Build(body=body)
+    return Build(body=body, surfaces=[bottom(radius, z, 0.85, 0.014)])
 
 
 def pen_holder(spec: Spec) -> Build:

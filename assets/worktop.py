@@ -14,7 +14,7 @@ from thinkblox.assets.palette import (
     WHITE_PLASTIC,
 )
 from thinkblox.assets.part import Build, Finish, Part
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, rod, top_surface
+from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, inner_surface, rod, top_surface
 from thinkblox.assets.spec import Spec
 
 
@@ -58,6 +58,8 @@ def microwave(spec: Spec) -> Build:
     )
     build.moving.append(door(face, left_hung=True, glazed=True))
     build.surfaces.append(top_surface("top", (-x / 2, front), (-y / 2, y / 2), z))
+    hold = ((-x / 2 + 0.02, front - 0.01), (split, y / 2 - 0.02))
+    build.surfaces.append(inner_surface("chamber", *hold, 0.028, headroom=z - 0.048))
     return build
 
 
@@ -75,7 +77,7 @@ def sink(spec: Spec) -> Build:
         disc(GREY_METAL, (0.03, 0), 0.03, (0.02, 0.024)),
     ]
     body += tap(-x / 2 + 0.05, deep, z)
-    return Build(body=body, surfaces=[top_surface("basin", *hollow, 0.02)])
+    return Build(body=body, surfaces=[inner_surface("basin", *hollow, 0.02)])
 
 
 def tap(x: float, low: float, high: float) -> list[Part]:

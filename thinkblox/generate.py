@@ -12,6 +12,7 @@ from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError
+from thinkblox.headline import UNKNOWN
 from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
@@ -20,7 +21,7 @@ from thinkblox.planning import ExpertPlanner
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import GrammarBriefer
-from thinkblox.reporting import UNKNOWN, report_on
+from thinkblox.reporting import report_on
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene

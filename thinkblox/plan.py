@@ -17,6 +17,7 @@ class Tie(CheckedValue, frozen=True, kw_only=True):
         index, count: which of how many alike shares this anchor (chair 2 of 6 around table_1).
         rows: for "in_rows", the number of rows.
         asked: the prompt names it.
+        spread: over how many walls or corners those that share it are; 0 for any number.
     """
 
     kind: RelationKind
@@ -25,6 +26,7 @@ class Tie(CheckedValue, frozen=True, kw_only=True):
     count: OfSome = 1
     rows: Ordinal = 0
     asked: bool = True
+    spread: Ordinal = 0
 
 
 class Target(CheckedValue, frozen=True, kw_only=True):
@@ -35,6 +37,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
         request: key of its request; all targets of a request share one asset.
         index, count: which of how many of its request.
         ties: its relations, the one that decides where it goes first.
+        denied: relations that it must not have.
         size: what its asset must measure, where that is not left open.
     """
 
@@ -46,6 +49,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
     index: Ordinal = 0
     count: OfSome = 1
     ties: tuple[Tie, ...] = ()
+    denied: tuple[Tie, ...] = ()
     size: Measures = (None, None, None)
 
     @property
@@ -59,11 +63,13 @@ class Plan(CheckedValue, frozen=True, kw_only=True):
 
     Attributes:
         notes: what the prompt asks for and cannot have, in sentences.
+        free: parts of the room to keep free of furniture: Places, of walls the names.
     """
 
     brief: Brief
     targets: tuple[Target, ...] = ()
     notes: tuple[str, ...] = ()
+    free: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         super().__post_init__()

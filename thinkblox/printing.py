@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from thinkblox.headline import headline
+from thinkblox.headline import headline, in_short, relation_words, shortfall, shortfalls
 from thinkblox.suite import Criterion, SuiteResult
 from thinkblox.value import Vec3
 from thinkblox.verdict import MendingMove, Report
@@ -20,7 +20,9 @@ def outcome(report: Report) -> str:
     """In a few words how a prompt was met."""
     if report.complete:
         return "all as asked"
-    return "passed, but not all as asked" if report.valid else "not all passed"
+    short = shortfalls(report)
+    says = f": {in_short(short)}" if short else ""
+    return f"passed, but not all as asked{says}" if report.valid else "not all passed"
 
 
 def summary(report: Report, *, placed: int) -> str:
@@ -39,9 +41,11 @@ def _faults(report: Report) -> Iterator[str]:
     held = [r for r in report.relations if r.holds]
     if report.relations:
         yield f"relations asked for: {len(held)} of {len(report.relations)} hold"
-    yield from (
-        f"  not so: {r.subject} {_words(r.kind, r.anchors)}: {r.measured}" for r in report.relations if not r.holds
-    )
+    yield from (f"  not so: {r.subject} {relation_words(r)}: {r.measured}" for r in report.relations if not r.holds)
+    yield from (f"  {shortfall(demand)}" for demand in report.demands if not demand.holds)
+    kept_out = [demand.subject for demand in report.demands if demand.kind == "excluded" and demand.holds]
+    if kept_out:
+        yield f"kept out, as asked: {', '.join(kept_out)}"
     if report.walker is not None and report.walker.unreachable:
         yield f"no walkable way to: {', '.join(report.walker.unreachable)}"
     if report.robot is not None and report.robot.unreachable:
@@ -51,10 +55,6 @@ def _faults(report: Report) -> Iterator[str]:
     if report.substituted:
         yield f"measured as boxes, for want of a mesh: {', '.join(report.substituted)}"
     yield from (f"unusual: {sentence}" for sentence in report.unusual)
-
-
-def _words(kind: str, anchors: tuple[str, ...]) -> str:
-    return " ".join([kind.replace("_", " "), ", ".join(anchors)]).strip()
 
 
 def moves(report: Report) -> str:

@@ -213,11 +213,34 @@ class Absence(Value, frozen=True, kw_only=True):
 
 
 class RelationResult(Value, frozen=True, kw_only=True):
-    """Whether a relation that the prompt names holds in the scene, in words and with what was measured."""
+    """Whether a relation that the prompt names holds in the scene, in words and with what was measured.
+
+    Attributes:
+        holds: it is as the prompt wants it; where it is `negated`, that it does not hold.
+    """
 
     kind: str
     subject: str
     anchors: tuple[str, ...]
+    holds: bool
+    measured: str
+    negated: bool = False
+
+
+class Demand(Value, frozen=True, kw_only=True):
+    """Something asked for that is no relation: how many, how large, of what look, not at all, or a part left free.
+
+    Attributes:
+        kind: what is asked about.
+        subject: of what: a noun, or a part of the room.
+        wanted: what was asked, in words.
+        holds: whether it is so. An "attribute" or "state" holds when it can be seen.
+        measured: what was found.
+    """
+
+    kind: Literal["count", "size", "room", "opening", "attribute", "state", "excluded", "free"]
+    subject: str
+    wanted: str
     holds: bool
     measured: str
 
@@ -262,7 +285,8 @@ class Report(Measurement, frozen=True, kw_only=True):
 
     Attributes:
         valid: every placement is valid, and the whole stands still; of an empty room too.
-        complete: besides, everything asked for is there, and stands as it was asked to. That is what a prompt wants.
+        complete: besides, everything asked for is there, is as it was asked to be and stands as it was asked to, and
+            every word that names or changes a thing was understood. That is what a prompt wants.
         depth: deepest contact between any two bodies [m].
         drift, tilt: the largest motion of any free object over `simulated` seconds, everything free [m, degrees].
         walker: what can be walked to, light things being pushed aside; None where no floor is known.
@@ -272,6 +296,7 @@ class Report(Measurement, frozen=True, kw_only=True):
         substituted: ids that are measured as boxes, for want of a mesh.
         suites: the published criteria that were asked for.
         moves: what was moved to mend faults.
+        demands: what else the prompt asks for, and whether it is so.
         absent: what could not be placed, with reasons; `unknown` the words of the prompt that mean nothing to us.
         notes: what a reader should know besides, in sentences.
     """
@@ -285,6 +310,7 @@ class Report(Measurement, frozen=True, kw_only=True):
     absent: tuple[Absence, ...] = ()
     unknown: tuple[str, ...] = ()
     relations: tuple[RelationResult, ...] = ()
+    demands: tuple[Demand, ...] = ()
     depth: float = 0.0
     drift: float = 0.0
     tilt: float = 0.0

@@ -17,6 +17,12 @@ def _things(revision: int) -> Mapping[str, Facts]:
     return MappingProxyType({**CATALOGUE, **GENERAL_WORDS})
 
 
+def counts_as(category: str, name: str) -> bool:
+    """Whether a <category> is one of what is called <name>: an office chair is a chair, "any_table" is every table."""
+    general = name in GENERAL_WORDS and are_alike(category, name)
+    return category == name or general or category.endswith(f"_{name}")
+
+
 def are_alike(one: str, other: str) -> bool:
     """Whether "the <other>" can point at a <one>: a dining table is a table."""
     known = things()

@@ -6,10 +6,17 @@ from collections.abc import Collection, Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
 
-from thinkblox.headline import headline
+from thinkblox.headline import headline, in_short, shortfalls
 from thinkblox.page.figures import figure, legend, patterns
 from thinkblox.page.markup import Markup, element, joined
-from thinkblox.page.tables import absent_table, moves_table, objects_table, relations_table, suite_section
+from thinkblox.page.tables import (
+    absent_table,
+    demands_table,
+    moves_table,
+    objects_table,
+    relations_table,
+    suite_section,
+)
 from thinkblox.sim.render.drawn import FaultPicture
 from thinkblox.sim.render.fault_pictures import fault_pictures
 from thinkblox.sim.settings import Walking
@@ -91,6 +98,7 @@ def _sections(report: Report, subject: Subject, walking: Walking | None, size: i
         _section("Published criteria", *(suite_section(suite) for suite in report.suites)),
         _section("Moved to mend faults", moves_table(report.moves) if report.moves else Markup()),
         _section("What the prompt asks for", relations_table(report.relations) if report.relations else Markup()),
+        _section("What else it asks for", demands_table(report.demands) if report.demands else Markup()),
         _section("Not in the room", absent_table(report.absent) if report.absent else Markup()),
     ]
     return [section for section in sections if section]
@@ -112,6 +120,9 @@ def _outcome(report: Report) -> Markup:
     details += [f"{phrase[:1].upper()}{phrase[1:]}." for phrase in headline(report)]
     if report.suites:
         details.append(f"Suites failed: {', '.join(suites)}." if suites else "All suites passed.")
+    short = shortfalls(report)
+    if short:
+        details.append(f"Not all as asked: {in_short(short)}.")
     passes = report.valid and not suites
     lines = [element("strong", says), " ".join(details)]
     return element("div", *lines, class_=f"outcome {'passes' if passes else 'fails'}", role="status")

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from thinkblox.headline import relation_words
 from thinkblox.page.markup import Markup, element, id_of, joined
 from thinkblox.suite import Criterion, Finding, SuiteResult
-from thinkblox.verdict import Absence, MendingMove, RelationResult, Verdict
+from thinkblox.verdict import Absence, Demand, MendingMove, RelationResult, Verdict
 
 Cell = tuple[str, str]
 """Content and class of a table cell."""
@@ -164,16 +165,26 @@ def relations_table(relations: Sequence[RelationResult]) -> Markup:
     """Relations that the prompt names."""
 
     def line(relation: RelationResult) -> Markup:
-        asked = " ".join([relation.kind.replace("_", " "), ", ".join(relation.anchors)])
-        says = element(
-            "span",
-            "holds" if relation.holds else "does not hold",
-            class_=f"word {'passes' if relation.holds else 'fails'}",
-        )
-        return row(relation.subject, [(asked, ""), (says, ""), (relation.measured, "")])
+        cells = [(relation_words(relation), ""), (_is_so(relation.holds), ""), (relation.measured, "")]
+        return row(relation.subject, cells)
 
     columns = [("Object", ""), ("Asked for", ""), ("Result", ""), ("Measured", "")]
     return table("Relations that the prompt names.", columns, [line(relation) for relation in relations])
+
+
+def demands_table(demands: Sequence[Demand]) -> Markup:
+    """Numbers, sizes, looks and whatever else the prompt asks for."""
+
+    def line(demand: Demand) -> Markup:
+        cells = [(demand.kind, ""), (demand.wanted, ""), (_is_so(demand.holds), ""), (demand.measured, "")]
+        return row(demand.subject, cells)
+
+    columns = [("Of", ""), ("What", ""), ("Asked for", ""), ("Result", ""), ("Found", "")]
+    return table("What the prompt asks for besides.", columns, [line(demand) for demand in demands])
+
+
+def _is_so(holds: bool) -> Markup:
+    return element("span", "is so" if holds else "is not so", class_=f"word {'passes' if holds else 'fails'}")
 
 
 def absent_table(absent: Sequence[Absence]) -> Markup:

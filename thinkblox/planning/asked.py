@@ -2,16 +2,19 @@
 
 import math
 
+from thinkblox.assets import facts_of
 from thinkblox.brief import Brief, Relation, RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.plan import Tie
 from thinkblox.planning.members import Member, Members
 
-_TOGETHER = ("between", "above", "around", "facing", "opposite", "behind", "under", "near")
+_TOGETHER = ("between", "above", "around", "facing", "opposite", "behind", "under", "near", "far")
 """Relations that one object can have to several anchors at once."""
 _MIRRORED: dict[str, RelationKind] = {
     "next_to": "next_to",
     "near": "near",
+    "far": "far",
+    "back_to_back": "back_to_back",
     "opposite": "opposite",
     "facing": "facing",
     "left_of": "right_of",
@@ -50,6 +53,7 @@ def _tie_to_place(relation: Relation, subjects: list[Member]) -> None:
                 count=len(subjects),
                 rows=rows,
                 asked=relation.asked,
+                spread=relation.spread,
             )
         )
 
@@ -64,7 +68,8 @@ def rows_for(count: int) -> int:
 def _tie_among(relation: Relation, subjects: list[Member]) -> None:
     """Objects related to each other: side by side in a chain; facing in pairs, or row to row."""
     rows = next((tie.rows for tie in subjects[0].ties if tie.kind == "in_rows"), 0)
-    half = len(subjects) // 2 if relation.kind in ("facing", "opposite") and (rows == 2 or len(subjects) > 1) else 0
+    paired = relation.kind in ("facing", "opposite", "back_to_back") and (rows == 2 or len(subjects) > 1)
+    half = len(subjects) // 2 if paired else 0
     for index, subject in enumerate(subjects):
         if half:
             partner = subjects[index - half] if index >= half else None
@@ -136,4 +141,17 @@ def _add(members: Members, subject: Member, anchors: list[Member], relation: Rel
             anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked))
     if free:
         ids = tuple(anchor.id for anchor in free)
-        subject.ties.append(Tie(kind=relation.kind, anchors=ids, index=index, count=count, asked=relation.asked))
+        kind = _meant(relation, subject, free, members)
+        subject.ties.append(Tie(kind=kind, anchors=ids, index=index, count=count, asked=relation.asked))
+        if kind in ("at_long_side", "at_short_side") and load_habits().is_in(subject.category, "seating"):
+            subject.ties.append(Tie(kind="facing", anchors=ids, index=index, count=count, asked=relation.asked))
+
+
+def _meant(relation: Relation, subject: Member, anchors: list[Member], members: Members) -> RelationKind:
+    """A lone seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it."""
+    habits, desk = load_habits(), anchors[0]
+    if relation.kind not in ("in_front_of", "behind") or len(anchors) > 1 or subject.request.count > 1:
+        return relation.kind
+    works = habits.is_in(subject.category, "chairs") and facts_of(desk.category).gaze == "back"
+    taken = any(tie.kind == "at" and desk.id in tie.anchors for other in members.all for tie in other.ties)
+    return "at" if works and not taken else relation.kind

@@ -1,11 +1,13 @@
 """Ties that nobody has to mention: a nightstand stands by the bed, a lamp on the nightstand."""
 
+from collections.abc import Collection
+
 from msgspec.structs import replace
 
 from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.plan import Tie
 from thinkblox.planning.asked import rows_for, share
-from thinkblox.planning.members import Member, Members
+from thinkblox.planning.members import Member, Members, carries
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _WITHOUT_PLACE = ("facing", "opposite")
@@ -17,8 +19,8 @@ _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
 _UNLIMITED = 1000
 
 
-def imply(members: Members, windows: bool) -> None:
-    """Complete the ties of every object that has none that says where it stands."""
+def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
+    """Complete the ties of every object that has none that says where it stands; nobody is sent to a `free` part."""
     for request in members.by_request.values():
         for member in request:
             _stay_on_floor(members, member)
@@ -26,18 +28,26 @@ def imply(members: Members, windows: bool) -> None:
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
         for habit in load_habits().of(request[0].category):
-            if waiting:
+            if waiting and not _is_forbidden(waiting[0], habit, free):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _number(request)
 
 
+def _is_forbidden(member: Member, habit: Habit, free: Collection[str]) -> bool:
+    """Whether the habit is what must not be, or leads to where nothing is to stand."""
+    places = set(habit.anchors) or {"wall" if habit.kind == "against_wall" else habit.kind.removeprefix("in_")}
+    denied = any(tie.kind == habit.kind and (not tie.anchors or places & set(tie.anchors)) for tie in member.denied)
+    return denied or ("centre" in free and "centre" in places)
+
+
 def _stay_on_floor(members: Members, member: Member) -> None:
     """Small things that may stand on the floor do so beside furniture, in a corner or by a window."""
-    floor = any(habit.kind != "on" for habit in load_habits().of(member.category))
-    if member.mount != "surface" or not floor or any(tie.kind == "on" for tie in member.ties):
+    outside = any(tie.kind == "outside" for tie in member.ties)
+    floor = outside or any(habit.kind != "on" for habit in load_habits().of(member.category))
+    if member.mount != "surface" or not floor or any(tie.kind == "on" or carries(tie) for tie in member.ties):
         return
     anchors = [members.by_id.get(anchor) for tie in member.ties if tie.asked for anchor in tie.anchors]
-    if anchors and all(anchor is None or anchor.mount == "floor" for anchor in anchors):
+    if outside or (anchors and all(anchor is None or anchor.mount == "floor" for anchor in anchors)):
         member.ties.append(Tie(kind="on", anchors=("floor",), asked=False))
 
 
@@ -45,7 +55,7 @@ def _needs_place(member: Member) -> bool:
     if load_habits().is_in(member.category, "watched") and all(tie.anchors == ("wall",) for tie in member.ties):
         return True
     if member.mount == "surface":
-        return not any(tie.kind == "on" for tie in member.ties)
+        return not any(tie.kind == "on" or carries(tie) for tie in member.ties)
     return all(tie.kind in _WITHOUT_PLACE for tie in member.ties)
 
 

@@ -8,14 +8,27 @@ from thinkblox.brief import Brief, Request
 from thinkblox.plan import Tie
 
 
+def carries(tie: Tie) -> bool:
+    """Whether the tie's anchor carries what has it: on it, inside it, or in the middle of its top."""
+    on_object = tie.kind == "in_centre" and any(anchor[-1].isdigit() for anchor in tie.anchors)
+    return bool(tie.anchors) and (tie.kind in ("on", "inside") or on_object)
+
+
 @dataclass(eq=False)
 class Member:
-    """One object to be: the `index`-th of its request. Ties are collected here before they become a Target."""
+    """One object to be: the `index`-th of its request. Ties are collected here before they become a Target.
+
+    Attributes:
+        denied: relations that it must not have.
+        waits: ids of what is placed before it besides what its ties name.
+    """
 
     id: str
     request: Request
     index: int
     ties: list[Tie] = field(default_factory=list)
+    denied: list[Tie] = field(default_factory=list)
+    waits: set[str] = field(default_factory=set)
 
     @property
     def category(self) -> str:
@@ -66,7 +79,7 @@ class Members:
 
     def support(self, member: Member) -> "Member | None":
         """What it stands on, if that is another object."""
-        on = next((tie for tie in member.ties if tie.kind == "on" and tie.anchors), None)
+        on = next((tie for tie in member.ties if carries(tie)), None)
         return self.by_id.get(on.anchors[0]) if on else None
 
     def depends(self, member: Member, other: Member) -> bool:
@@ -76,7 +89,7 @@ class Members:
             current = queue.pop()
             if current is other:
                 return True
-            for anchor in {a for tie in current.ties for a in tie.anchors} - seen:
+            for anchor in ({a for tie in current.ties for a in tie.anchors} | current.waits) - seen:
                 if anchor in self.by_id:
                     seen.add(anchor)
                     queue.append(self.by_id[anchor])

@@ -53,11 +53,16 @@ def opening_notes(brief: Brief, room: Room) -> Iterator[str]:
         key = (request.kind, wall_meant(request.wall, room))
         wanted[key] = wanted.get(key, 0) + request.count
     for (kind, wall), count in wanted.items():
-        named = {i for i in range(len(room.walls)) if i in _walls_named(room, wall)} if wall else None
-        have = sum(o.kind == kind and (named is None or o.wall in named) for o in room.openings)
+        have = openings_there(room, kind, wall)
         if have < count:
             where = f" in the {wall.replace('_', ' ')}" if wall else ""
             yield f"{count - have} of {count} {kind}{'s' * (count > 1)}{where} did not fit"
+
+
+def openings_there(room: Room, kind: str, wall: str) -> int:
+    """How many doors or windows a room has; with the name of a wall, in the walls that it can mean."""
+    named = set(_walls_named(room, wall)) if wall else None
+    return sum(o.kind == kind and (named is None or o.wall in named) for o in room.openings)
 
 
 def _walls_named(room: Room, name: str) -> list[int]:

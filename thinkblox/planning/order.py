@@ -2,12 +2,17 @@
 
 import heapq
 
+from msgspec.structs import replace
+
 from thinkblox.brief import Brief
+from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Plan, Target
 from thinkblox.planning.asked import tie_relation
+from thinkblox.planning.denied import deny
 from thinkblox.planning.implied import imply
 from thinkblox.planning.members import Member, Members
 from thinkblox.planning.openings import opening_notes
+from thinkblox.planning.parts import chosen_walls, free_parts
 from thinkblox.planning.sizes import size_note, size_of
 from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
@@ -24,13 +29,31 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
 
     Two ties may have no anchors: "in_rows", and "facing" or "next_to" of the first among its like.
     """
+    brief = without_excluded(brief)
     members = Members(brief)
-    for relation in relations_in(brief, room):
-        tie_relation(brief, relation, members)
-    imply(members, windows=any(opening.kind == "window" for opening in room.openings))
+    relations = list(relations_in(brief, room, chosen_walls(brief, room)))
+    for relation in relations:
+        if not relation.negated:
+            tie_relation(brief, relation, members)
+    deny((relation for relation in relations if relation.negated), members)
+    imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
     targets = tuple(_target(member, members) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
-    return Plan(brief=brief, targets=targets, notes=(*filter(None, sizes), *opening_notes(brief, room)))
+    notes = (*filter(None, sizes), *opening_notes(brief, room))
+    return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
+
+
+def without_excluded(brief: Brief) -> Brief:
+    """The brief without what it only assumes and what must not be there."""
+    gone = {
+        request.key
+        for request in brief.requests
+        if not request.asked and any(counts_as(request.category, name) for name in brief.excluded)
+    }
+    if not gone:
+        return brief
+    relations = (r for r in brief.relations if r.subject not in gone and gone.isdisjoint(r.anchors))
+    return replace(brief, requests=tuple(r for r in brief.requests if r.key not in gone), relations=tuple(relations))
 
 
 def _target(member: Member, members: Members) -> Target:
@@ -44,13 +67,17 @@ def _target(member: Member, members: Members) -> Target:
         index=member.index,
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
+        denied=tuple(dict.fromkeys(member.denied)),
         size=size_of(member, members),
     )
 
 
 def _ordered(members: Members) -> list[Member]:
     """A topological order that takes the highest-ranking object that waits for nobody."""
-    needs = {m.id: {a for tie in m.ties for a in tie.anchors if a in members.by_id} for m in members.all}
+    needs = {
+        m.id: {a for tie in m.ties for a in tie.anchors if a in members.by_id} | (m.waits & members.by_id.keys())
+        for m in members.all
+    }
     ranks = _ranks(members, needs)
     users: dict[str, list[str]] = {m.id: [] for m in members.all}
     for id, anchors in needs.items():

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from msgspec.structs import replace
 
 from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
@@ -26,6 +27,7 @@ def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
         InputError: the brief's size is not that of a room.
     """
     draw = np.random.default_rng(rng)
+    brief = replace(brief, relations=tuple(r for r in brief.relations if not r.negated))
     width, depth = _sides(brief, draw)
     height = brief.height or room_type(brief.room_type).height
     room = _l_shape(width, depth, height) if brief.shape == "L" else rectangle(width, depth, height=height)

@@ -4,6 +4,7 @@ import numpy as np
 
 from thinkblox.assets import CATALOGUE
 from thinkblox.assets.category import Category
+from thinkblox.assets.make import make_asset
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
@@ -12,6 +13,8 @@ from thinkblox.planning.members import Member, Members
 _PLACE = 0.6
 """Width of a place at a counter [m]."""
 _AXES = ("depth", "width", "height")
+_APART, _PACKED = 0.02, 1.3
+"""Left about a thing in a basket [m], and how much wider than their areas together several are packed."""
 OPEN: Measures = (None, None, None)
 
 
@@ -22,6 +25,8 @@ def size_of(member: Member, members: Members) -> Measures:
         return OPEN
     asked = tuple(s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
     depth, width, height = asked
+    if depth is None and width is None and (across := _for_contents(member, members, kind)):
+        return (across, across, height)
     return (depth, width or _for_seats(member, members, kind), height)
 
 
@@ -42,6 +47,27 @@ def size_note(request: Request) -> str:
 def _fits(size: float | None, kind: Category, axis: int) -> bool:
     least, most = kind.size_range
     return size is not None and least[axis] <= size <= most[axis]
+
+
+def _for_contents(member: Member, members: Members, kind: Category) -> float | None:
+    """Diameter of a basket, bowl or bin in which all that it holds has room side by side."""
+    inside = [m for m in members.all for t in m.ties if t.kind == "inside" and member.id in t.anchors]
+    if not inside:
+        return None
+    words = member.request.attributes
+    bottoms = [s for s in make_asset(kind.name, seed=0, attributes=words).surfaces if s.within and s.round]
+    usual = size_for(kind, frozenset(words), np.random.default_rng(0))[1]
+    if not bottoms:
+        return None
+    across = [np.hypot(*_plan(held)) for held in inside]
+    needed = max(across) + _APART if len(across) == 1 else _PACKED * np.sqrt(sum(d * d for d in across))
+    wanted = round(min(usual * float(needed) / bottoms[0].size[0], kind.size_range[1][1]), 3)
+    return wanted if wanted > usual else None
+
+
+def _plan(member: Member) -> tuple[float, float]:
+    held = CATALOGUE.get(member.category)
+    return held.size[:2] if held else (0.2, 0.2)
 
 
 def _for_seats(member: Member, members: Members, kind: Category) -> float | None:

@@ -22,6 +22,9 @@ _WAYS = 1.3
 _TYPICAL_SHARE = 0.6
 """A room is not made smaller than this share of its type's usual floor."""
 _EMPTY_AREA = 10.0
+ROUND_TABLES = ("around", "at_long_side", "at_short_side")
+"""Relations of seats to the table that they stand about."""
+_ON = ("at", "on", "inside")
 _ACROSS = 1.9
 """Free floor between things opposite each other, and behind them [m]."""
 _BOARD = 1.8
@@ -100,11 +103,13 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     """Free width beside and free depth before a piece [m]."""
     habits = load_habits()
     name = request.category
-    seated = any(r.kind == "around" and request.key in r.anchors for r in brief.relations)
+    seated = any(r.kind in ROUND_TABLES and request.key in r.anchors for r in brief.relations)
     if habits.is_in(name, "played_around"):
         return 2.2, 2.2
     if habits.is_in(name, "lined_up") or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):
         return 0.6, 1.0
+    if any(r.kind in ROUND_TABLES[1:] and request.key in r.anchors for r in brief.relations):
+        return 1.9, 1.9
     if seated and habits.is_in(name, "meal_tables"):
         return 1.5, 1.5
     if habits.is_in(name, "beds"):
@@ -118,7 +123,7 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
 
 def _belongs_to_seating(brief: Brief, request: Request) -> bool:
     """Seats drawn up to a table stand on floor that was counted with the table."""
-    return any(r.subject == request.key and r.kind in ("at", "around", "on") for r in brief.relations)
+    return any(r.subject == request.key and r.kind in (*ROUND_TABLES, *_ON) for r in brief.relations)
 
 
 def _is_against_wall(brief: Brief, request: Request) -> bool:

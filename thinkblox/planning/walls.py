@@ -1,6 +1,6 @@
 """Left, right, far and near walls, as seen by somebody who comes in by the door, and the corners between walls."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from msgspec.structs import replace
 
@@ -32,12 +32,18 @@ def speaks_of_sides(brief: Brief) -> bool:
     return not named.isdisjoint(SIDES)
 
 
-def relations_in(brief: Brief, room: Room) -> Iterator[Relation]:
-    """The relations of a brief in a room, those that are asked for first; a named corner is one near its walls."""
+def relations_in(brief: Brief, room: Room, chosen: Mapping[str, str]) -> Iterator[Relation]:
+    """The relations of a brief in a room, those that are asked for first; a named corner is one near its walls.
+
+    Args:
+        brief: where they are from.
+        room: where they are to hold.
+        chosen: walls of the compass by the names that leave them open.
+    """
     for relation in sorted(brief.relations, key=lambda r: not r.asked):
-        meant = replace(relation, anchors=tuple(wall_meant(anchor, room) for anchor in relation.anchors))
+        meant = replace(relation, anchors=tuple(wall_meant(chosen.get(a, a), room) for a in relation.anchors))
         walls = [anchor for anchor in meant.anchors if anchor in COMPASS]
-        if relation.kind == "in_corner" and walls:
+        if relation.kind == "in_corner" and walls and not relation.negated:
             yield replace(meant, anchors=("corner",))
             for wall in walls:
                 yield replace(meant, kind="near", anchors=(wall,))

@@ -136,6 +136,7 @@ class Surface(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
         size: extent along the asset's x and y [m].
         headroom: free height above it [m]; None when open.
         round: the ellipse within `size` instead of the rectangle.
+        within: it is behind a door or at the bottom of a hollow: what stands on it is in the thing, not on it.
     """
 
     name: str
@@ -143,6 +144,12 @@ class Surface(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
     size: tuple[Extent, Extent]
     headroom: NotNegative | None = None
     round: bool = False
+    within: bool = False
+
+    @property
+    def inner(self) -> bool:
+        """Whether what stands on it is inside the thing: under another board, behind a door, in a hollow."""
+        return self.within or self.headroom is not None
 
 
 class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from shapely import LineString, Point, Polygon
@@ -31,13 +31,14 @@ class Landmark:
         base, top: its lowest and highest points [m].
         front: how many ways round look the same, as for an asset.
         carries: heights at which it can carry something [m].
+        holds: those of its heights at which something is inside it [m].
         solid: whether it can be touched; a rug cannot.
         hung: fixed to a wall or the ceiling.
         gaze: where one looks who uses it [degrees]: its yaw, or the other way, as its asset says.
     """
 
     name: str
-    kind: Literal["object", "wall", "opening", "corner", "centre", "floor"]
+    kind: Literal["object", "wall", "opening", "corner", "centre", "floor", "ceiling"]
     footprint: BaseGeometry
     centre: Vec2
     yaw: float = 0.0
@@ -46,6 +47,7 @@ class Landmark:
     top: float = 0.0
     front: Literal["one", "two", "any"] = "one"
     carries: tuple[float, ...] = ()
+    holds: tuple[float, ...] = ()
     solid: bool = True
     hung: bool = False
     gaze: float = 0.0
@@ -88,6 +90,8 @@ def things(scene: Arrangement, name: str) -> tuple[Landmark, ...]:
         return (_middle(scene.room),)
     if name == "floor":
         return (_floor(scene.room),)
+    if name == "ceiling":
+        return (_ceiling(scene.room),)
     openings = [o for o in scene.room.openings if name in (o.kind, o.id)]
     if openings:
         return tuple(_opening(scene.room, o) for o in openings)
@@ -98,9 +102,10 @@ def walls(room: Room, place: str) -> tuple[Wall, ...]:
     """The walls that a Place names; "north_wall" is every wall on that side; empty for what is not a wall.
 
     A long wall is at least as long as the room's mean wall, a short one at most; in a square all are both.
+    "one_wall" and "opposite_wall" can be any: a plan says which are meant.
     """
     mean = sum(wall.length for wall in room.walls) / len(room.walls)
-    if place == "wall":
+    if place in ("wall", "one_wall", "opposite_wall"):
         return room.walls
     if place == "long_wall":
         return tuple(wall for wall in room.walls if wall.length >= mean - _SAME_LENGTH)
@@ -143,7 +148,8 @@ def _object(scene: Arrangement, placement: Placement) -> Landmark:
         front=asset.front,
         hung=asset.mount in ("wall", "ceiling"),
         gaze=placement.yaw + (180.0 if asset.gaze == "back" else 0.0),
-        carries=tuple(z + surface.position[2] for surface in asset.surfaces),
+        carries=tuple(z + surface.position[2] for surface in asset.surfaces if not surface.within),
+        holds=tuple(z + surface.position[2] for surface in asset.surfaces if surface.inner),
         solid=asset.collides,
     )
 
@@ -181,6 +187,11 @@ def _floor(room: Room) -> Landmark:
     x, y = room.polygon.centroid.coords[0]
     half = (room.extent[0] / 2, room.extent[1] / 2)
     return Landmark("the floor", "floor", room.polygon, (x, y), half=half, front="any", carries=(0.0,))
+
+
+def _ceiling(room: Room) -> Landmark:
+    floor = _floor(room)
+    return replace(floor, name="the ceiling", kind="ceiling", base=room.height, top=room.height, carries=())
 
 
 def _middle(room: Room) -> Landmark:

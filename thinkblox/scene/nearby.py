@@ -137,7 +137,7 @@ def first_pose(scene: Arrangement, asset: Known, id: str) -> Placement:
     elif asset.mount == "ceiling":
         position = (*position[:2], round(scene.room.height - asset.size[2], 4))
     elif asset.mount == "surface":
-        tops = [(p, s) for p in scene.placements for s in scene.asset_of(p).surfaces]
+        tops = [(p, s) for p in scene.placements for s in scene.asset_of(p).surfaces if not s.within]
         if tops:
             carrier, surface = max(tops, key=lambda top: top[1].size[0] * top[1].size[1])
             x, y = carrier.to_room((surface.position[0], surface.position[1]))

@@ -51,25 +51,25 @@ def at_desk(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
             width = _width(anchor, side)
             places = [_place(anchor, side, shift * width) for shift in (0.0, 0.15, -0.15)]
         for order, place in enumerate(places):
-            yield from _seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
+            yield from seats(situation, anchor, place, cost=0.3 * rank + 0.2 * order)
 
 
 def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:
     """The place of one of several along a side; who finds no room there sits at the ends."""
     fit = max(1, int(_width(anchor, side) / SQUEEZED))
     if tie.index < fit:
-        return [_side_places(anchor, side, min(tie.count, fit))[tie.index]]
-    return [place for end in ("left", "right") for place in _side_places(anchor, end, 1)]
+        return [side_places(anchor, side, min(tie.count, fit))[tie.index]]
+    return [place for end in ("left", "right") for place in side_places(anchor, end, 1)]
 
 
 def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Every arrangement of the whole company about the anchor; from each, the places that are still free."""
     for order, places in enumerate(_companies(situation, anchor, tie.count)):
-        free, strays, tucks = _free_places(situation, anchor, places)
+        free, strays, tucks = free_places(situation, anchor, places)
         spoilt = _spoilt(situation, anchor, free)
         for place in free:
             cost = 0.4 * order + 2.0 * strays + sum(spoilt) - _from_middle(place)
-            yield from _seats(situation, anchor, place, cost=cost, tucks=tucks)
+            yield from seats(situation, anchor, place, cost=cost, tucks=tucks)
 
 
 def _from_middle(place: Place) -> float:
@@ -78,7 +78,7 @@ def _from_middle(place: Place) -> float:
     return abs(-place.edge[0] * math.sin(angle) + place.edge[1] * math.cos(angle))
 
 
-def _seats(
+def seats(
     situation: Situation, anchor: Placement, place: Place, *, cost: float, tucks: tuple[float, ...] = ()
 ) -> Iterator[Idea]:
     """At one place, drawn up as far as those that stand there, or more or less."""
@@ -98,7 +98,7 @@ def _seats(
         )
 
 
-def _free_places(
+def free_places(
     situation: Situation, anchor: Placement, places: list[Place]
 ) -> tuple[list[Place], int, tuple[float, ...]]:
     """The places nobody has taken yet, how many seats at this table fit none of them, and how far seats go under it."""
@@ -182,7 +182,7 @@ def _rectangles(anchor: Placement, count: int, *, place: float) -> list[list[Pla
         crowd = sum(max(0.0, n * place - 0.05 - _width(anchor, side)) for side, n in counts.items())
         odd = (count - heads) % 2 + heads % 2
         even = abs(heads - count / 2) * 0.3 if max(depth, width) < 1.2 * min(depth, width) else heads * 0.1
-        places = [spot for side, n in counts.items() for spot in _side_places(anchor, side, n)]
+        places = [spot for side, n in counts.items() for spot in side_places(anchor, side, n)]
         ranked.append((3.0 * crowd + 0.2 * odd + even, places))
     return [places for _, places in sorted(ranked, key=lambda r: r[0])][:4]
 
@@ -195,7 +195,7 @@ def _width(anchor: Placement, side: str) -> float:
     return anchor.size[1] if side in ("front", "back") else anchor.size[0]
 
 
-def _side_places(anchor: Placement, side: str, count: int) -> list[Place]:
+def side_places(anchor: Placement, side: str, count: int) -> list[Place]:
     """The middles of `count` equal stretches of one side."""
     width = _width(anchor, side)
     return [_place(anchor, side, width * ((i + 0.5) / count - 0.5)) for i in range(count)]

@@ -1,30 +1,42 @@
 """From a target's relations to ideas: the first tie decides where to look, the room itself is the last resort."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
+from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie
-from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, surfaces, walls
+from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, sides, spreading, surfaces, walls
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
-from thinkblox.scene.landmarks import corners
+from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.pairs import FACING
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.rectangles import Rects
+from thinkblox.scene.room import turn_between
 
+TURNED_AWAY = 8.0
+"""Cost of looking elsewhere than asked."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
 
 def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
-    ties = situation.target.ties
+    ties = tuple(sorted(situation.target.ties, key=lambda tie: not _looks_at_place(tie)))
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and all(tie.kind != "in_rows" for tie in ties):
         ties = mutual
     ideas = [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
     return [*ideas, *walls.off_walls(situation)] if ties and _is_staffed(situation) else ideas
+
+
+def _looks_at_place(tie: Tie) -> bool:
+    """Whether it is asked to look at a door, a window or a wall, which decides before any habit where it stands."""
+    return tie.kind == "facing" and tie.asked and bool(tie.anchors) and not any(a[-1].isdigit() for a in tie.anchors)
 
 
 def _is_staffed(situation: Situation) -> bool:
@@ -58,7 +70,7 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
 
 def _any_surface(situation: Situation) -> Iterator[Idea]:
     for anchor in situation.solid:
-        if situation.scene.asset_of(anchor).surfaces:
+        if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
     for idea in anywhere(situation):
         yield _dearer(idea, ELSEWHERE / 2)
@@ -70,7 +82,8 @@ def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
     anchors = situation.placed(tie.anchors)
     places = [a for a in tie.anchors if not a[-1].isdigit()]
     if places and not anchors:
-        return _at_place(situation, tie, places[0])
+        ideas = _far_from_place(situation, places[0]) if tie.kind == "far" else _at_place(situation, tie, places[0])
+        return spreading.spread_out(situation, tie, ideas) if tie.spread else ideas
     if not tie.anchors and tie.kind in _WITHOUT_ANCHOR:
         return _WITHOUT_ANCHOR[tie.kind](situation)
     if not anchors:
@@ -99,6 +112,8 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return _in_corner(situation, tie)
     if place == "floor":
         return anywhere(situation)
+    if tie.kind == "facing":
+        return _turned_to(situation, place)
     if place in ("window", "door"):
         return _near_openings(situation, place)
     return walls.in_line(situation, place)
@@ -110,6 +125,18 @@ def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
     for idea in walls.corners(situation):
         if f"corner of {' and '.join(idea.words[0].anchors)}" in meant:
             yield idea
+
+
+def _turned_to(situation: Situation, place: str) -> Iterator[Idea]:
+    """Along the walls and on the floor, whichever way looks at a part of the room."""
+    marks = things(situation.scene, place)
+    away = 180.0 if situation.asset.gaze == "back" else 0.0
+    for idea in (*walls.along_walls(situation), *walls.off_walls(situation), *open_floor.grid(situation)):
+        x, y, _ = idea.position
+        turns = [
+            turn_between(idea.yaw + away, math.degrees(math.atan2(m.centre[1] - y, m.centre[0] - x))) for m in marks
+        ]
+        yield _dearer(idea, TURNED_AWAY if min(turns, default=0.0) > FACING else 0.0)
 
 
 def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
@@ -124,6 +151,16 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
         x, y, _ = idea.position
         distance = min(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for cx, cy in centres)
         yield _dearer(idea, max(0.0, 0.9 * (distance - situation.size[0] / 2 - 0.2)))
+
+
+def _far_from_place(situation: Situation, place: str) -> Iterable[Idea]:
+    marks = [(thing.centre, (0.1, 0.1), 0.0, 0.0, 1.0) for thing in things(situation.scene, place)]
+    return sides.far_from(Rects.of(marks), list(_BY_MOUNT[situation.asset.mount](situation)))
+
+
+def _far(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    marks = Rects.of_placements(situation.placed(tie.anchors) or (anchor,))
+    return sides.far_from(marks, list(_BY_MOUNT[situation.asset.mount](situation)))
 
 
 def _is_lounge(situation: Situation, anchor: Placement) -> bool:
@@ -144,8 +181,37 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     face = situation.facts.is_in("seating")
+    if face and situation.scene.asset_of(anchor).gaze == "back" and _is_worked_at(situation, anchor):
+        yield from _visiting(situation, anchor, tie)
+        return
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
     yield from beside.before(situation, anchor, gaps=gaps, face=face, why=f"it belongs before {anchor.id}")
+
+
+def _is_worked_at(situation: Situation, desk: Placement) -> bool:
+    """Whether somebody has a seat at the desk."""
+    return any(
+        tie.kind == "at" and desk.id in tie.anchors for t in situation.observation.plan.targets for tie in t.ties
+    )
+
+
+def _visiting(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]:
+    """Across the desk from who works at it, side by side."""
+    pitch = situation.size[1] + 0.2
+    aside = ((tie.index + 0.5) - tie.count / 2) * pitch
+    for rank, gap in enumerate((0.35, 0.2, 0.6, 0.9)):
+        for shift in (0.0, 0.15, -0.15):
+            local = (-(desk.size[0] / 2 + gap + situation.size[0] / 2), aside + shift)
+            words = (Constraint(kind="beside", anchors=(desk.id,), side="back", values=(gap,)),)
+            yield beside.beside_at(
+                situation,
+                desk,
+                local,
+                yaw=desk.yaw,
+                words=words,
+                why=f"visitors sit across {desk.id}",
+                cost=0.2 * rank + abs(shift),
+            )
 
 
 def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -157,6 +223,35 @@ def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
         return _on_rug(situation, anchor, tie)
     return surfaces.on_surfaces(situation, anchor, tie)
+
+
+def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """Within it; where it has no open inside, on it or beside it, which the report says is not inside."""
+    ideas = list(surfaces.on_surfaces(situation, anchor, tie))
+    yield from ideas
+    if not ideas:
+        yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
+        for idea in beside.sides_of(situation, anchor, ("left", "right", "front")):
+            yield _dearer(idea, 3.0)
+
+
+def _in_middle_of(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
+        return _on_rug(situation, anchor, tie)
+    return surfaces.on_surfaces(situation, anchor, tie)
+
+
+def _outside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """On the floor by any of its sides."""
+    yield from beside.sides_of(situation, anchor, ("front", "left", "right", "back"), gaps=(0.08, 0.18, 0.3))
+
+
+def _back_to_back(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    for rank, gap in enumerate((0.03, 0.1, 0.25, 0.4)):
+        local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), 0.0)
+        words = (Constraint(kind="beside", anchors=(anchor.id,), side="back", values=(gap,)),)
+        why = f"their backs are to each other, {anchor.id} and this"
+        yield beside.beside_at(situation, anchor, local, yaw=anchor.yaw + 180.0, words=words, why=why, cost=0.1 * rank)
 
 
 def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
@@ -210,6 +305,7 @@ _WITHOUT_ANCHOR: dict[str, Callable[[Situation], Iterable[Idea]]] = {
     "against_wall": lambda s: hung.on_walls(s) if s.asset.mount == "wall" else walls.in_line(s),
     "in_corner": walls.corners,
     "facing": open_floor.grid,
+    "back_to_back": open_floor.grid,
     "in_centre": lambda s: hung.from_ceiling(s) if s.asset.mount == "ceiling" else open_floor.grid(s, step=0.1),
 }
 _BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {
@@ -220,6 +316,13 @@ _BY_MOUNT: dict[Mount, Callable[[Situation], Iterable[Idea]]] = {
 }
 _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "on": _on,
+    "inside": _inside,
+    "in_centre": _in_middle_of,
+    "outside": _outside,
+    "back_to_back": _back_to_back,
+    "far": _far,
+    "at_long_side": lambda s, a, t: sides.at_sides(s, a, t, sides.long_sides(a)),
+    "at_short_side": lambda s, a, t: sides.at_sides(s, a, t, sides.short_sides(a)),
     "under": _under,
     "above": _above,
     "next_to": _next_to,

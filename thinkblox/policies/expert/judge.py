@@ -27,6 +27,10 @@ WIDE = 0.45
 MOOD = 0.25
 """How much a seed may prefer one part of the room to another."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
+DENIED, KEPT_FREE = 14.0, 16.0
+"""Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
+FINALISTS, MOST_LOOKED_AT = 40, 400
+"""How many ideas are held against what the plan wants, and at most where most have what they must not."""
 
 
 def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator) -> list[tuple[float, Idea]]:
@@ -42,9 +46,17 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
             costs += imbalance(situation, moment(situation.room, rects))
     costs += _mood(situation, rects, rng)
     order = np.argsort(costs, kind="stable")
-    finalists = [int(i) for i in order[:40]]
-    for i in finalists:
-        costs[i] += _unmet(situation, ideas[i])
+    finalists: list[int] = []
+    spared = 0
+    for i in map(int, order[:MOST_LOOKED_AT]):
+        if spared == FINALISTS:
+            break
+        denied = _denied(situation, ideas[i])
+        spared += denied == 0.0
+        if denied and len(finalists) - spared >= FINALISTS:
+            continue
+        costs[i] += denied + _unmet(situation, ideas[i])
+        finalists.append(i)
     return [(float(costs[i]), ideas[i]) for i in sorted(finalists, key=lambda i: costs[i])]
 
 
@@ -100,6 +112,7 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     if not situation.asset.collides:
         return costs + 6.0 * _other_rugs(situation, rects)
     depth = overlap_depth(rects, situation.solids)
+    costs += np.where(overlap_depth(rects, situation.kept_free).max(-1, initial=0.0) > TOUCH, KEPT_FREE, 0.0)
     worst = _except_ignored(depth, ideas, situation.solid).max(-1, initial=0.0)
     costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
     if situation.asset.mount == "surface":
@@ -131,6 +144,19 @@ def _darkens(situation: Situation, rects: Rects) -> Array:
     covered = overlap_depth(rects, situation.window_zones) > 0.02
     heavy = HOPELESS if situation.asset.mount == "wall" or max(situation.size[:2]) > WIDE else 0.5
     return np.where(covered.any(-1), heavy, 0.0)
+
+
+def _denied(situation: Situation, idea: Idea) -> float:
+    """What this idea has and must not have."""
+    if not situation.target.denied:
+        return 0.0
+    scene = situation.scene.with_placement(placement_of(situation, idea), situation.asset)
+    cost = 0.0
+    for tie in situation.target.denied:
+        anchors = tuple(a for a in tie.anchors if a in scene or not a[-1].isdigit())
+        if anchors or not tie.anchors:
+            cost += DENIED * (not measure(scene, tie.kind, situation.target.id, anchors, negated=True).holds)
+    return cost
 
 
 def _unmet(situation: Situation, idea: Idea) -> float:

@@ -58,6 +58,15 @@ class Need(NamedTuple):
     weight: float
 
 
+def seat_need(tie: Tie, *, of: Vec3, size: Vec3) -> Need | None:
+    """What seats of some size need at the long or short sides of an anchor of size `of`; None for other relations."""
+    if tie.kind not in ("at_long_side", "at_short_side"):
+        return None
+    along_front = (of[1] >= of[0]) == (tie.kind == "at_long_side")
+    sides = ("front", "back") if along_front else ("left", "right")
+    return Need(sides, size[0] + BEHIND_SEAT, None, min(tie.count, 2), 4.0)
+
+
 def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
     """What a follower of some size will need of the surroundings of its anchor, an `of`; None for no floor."""
     depth, width, _ = size
@@ -73,7 +82,7 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
             return Need(("front",), depth + BEHIND_SEAT, width, 1, 4.0)
         case "in_front_of" | "at_foot_of":
             return Need(("front",), depth + 0.5, width, 1, 4.0)
-        case "behind":
+        case "behind" | "back_to_back":
             return Need(("back",), depth + 0.3, width, 1, 4.0)
         case "facing" if anchor.gaze == "back":
             return Need(("back",), depth + MAIN_WAY, None, 1, 4.0)

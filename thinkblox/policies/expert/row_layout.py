@@ -66,7 +66,11 @@ def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutu
     """Free distances to the neighbour in the row and to the next row."""
     extent = situation.room.extent if yaw % 180.0 == 0.0 else situation.room.extent[::-1]
     even_aisle = _even(extent[0], rows, situation.size[0])
-    if any(tie.kind == "around" for follower in situation.followers for tie in follower.ties):
+    if any(
+        tie.kind in ("around", "at_long_side", "at_short_side")
+        for follower in situation.followers
+        for tie in follower.ties
+    ):
         even = _even(extent[1], columns, situation.size[1])
         ways = [tuple(min(max(gap, WITH_SEATS[-1]), WIDEST_WITH_SEATS) for gap in (even, even_aisle))]
         ways += [(gap, gap) for gap in WITH_SEATS]

@@ -6,9 +6,10 @@ from functools import cached_property
 from thinkblox.assets import Facts, facts_of
 from thinkblox.observe import Kind, Layout, Observation
 from thinkblox.plan import Target
-from thinkblox.policies.expert.needs import Need, need, uses
+from thinkblox.policies.expert.needs import Need, need, seat_need, uses
 from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.scene.asset import AssetCard
+from thinkblox.scene.free_parts import parts
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.room import Opening, Room
@@ -137,8 +138,19 @@ class Situation:
                 for anchor in (p for p in self.placed(tie.anchors) if p not in kin):
                     if anchor.id not in _objects(self.target) and (later.request, anchor.id) not in done:
                         done.add((later.request, anchor.id))
-                        zones += _sides_meant(anchor, need(later, tie, of=anchor.category, size=self.kind(later).size))
+                        size = self.kind(later).size
+                        wanted = seat_need(tie, of=anchor.size, size=size)
+                        wanted = wanted or need(later, tie, of=anchor.category, size=size)
+                        zones += _sides_meant(anchor, wanted)
         return joined(zones)
+
+    @cached_property
+    def kept_free(self) -> Rects:
+        """The parts of the room that are to stay free, where the target is not itself called there."""
+        own = {anchor for tie in self.target.ties if tie.asked for anchor in tie.anchors}
+        named = zip(self.observation.plan.brief.free, self.observation.plan.free, strict=False)
+        wanted = [part for place, part in named if own.isdisjoint((place, part))]
+        return joined([parts(self.room, place)[0].boxes for place in wanted if parts(self.room, place)])
 
     @cached_property
     def reserved(self) -> Rects:
@@ -147,7 +159,8 @@ class Situation:
         later = [
             t for t in self.observation.plan.targets if t.id not in self.scene and t.request != self.target.request
         ]
-        seated = {a for t in later for tie in t.ties if tie.kind == "around" for a in tie.anchors}
+        about = ("around", "at_long_side", "at_short_side")
+        seated = {a for t in later for tie in t.ties if tie.kind in about for a in tie.anchors}
         rows = []
         for t in later:
             if any(tie.kind == "in_centre" and (tie.asked or t.id in seated) for tie in t.ties):

@@ -1,7 +1,7 @@
 """Ideas on top of something: where a hand would put it, beside what stands there already."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.phrases import Constraint
@@ -22,21 +22,28 @@ APART = 0.02
 """Left between things side by side [m]."""
 SHRINK = (1.0, 0.85, 0.7, 0.6)
 """Sizes tried, as shares, for what is too large for every surface of its support."""
+OFF = 30.0
+"""Cost of reaching over the edge of a round surface."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
 
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    """Places on each surface of the anchor that is large and high enough."""
-    surfaces = situation.scene.asset_of(anchor).surfaces
-    for step, share in enumerate(SHRINK):
+    """Places on each surface of the anchor, or inside it, that is large and high enough."""
+    surfaces = tuple(s for s in situation.scene.asset_of(anchor).surfaces if _serves(s, tie))
+    shares = SHRINK[:1] if any(situation.target.size) else SHRINK
+    for step, share in enumerate(shares):
         size = _scaled(situation.size, share)
-        if share > SHRINK[-1] and not _room_for_all(surfaces, size, tie):
+        if share > shares[-1] and not _room_for_all(surfaces, size, tie):
             continue
         ideas = list(_at_size(situation, anchor, tie, _in_turn(surfaces, size, tie), size))
         yield from (replace(i, cost=i.cost + step, size=None if share == 1.0 else size) for i in ideas)
         if ideas:
             return
+
+
+def _serves(surface: Surface, tie: Tie) -> bool:
+    return surface.inner if tie.kind == "inside" else not surface.within
 
 
 def _room_for_all(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> bool:
@@ -59,26 +66,34 @@ def _scaled(size: Vec3, share: float) -> Vec3:
 def _at_size(
     situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple[Surface, ...], size: Vec3
 ) -> Iterator[Idea]:
+    shelves = len(_alike(surfaces)) if tie.count > 1 else 1
     for rank, surface in enumerate(surfaces):
         for turn in _turns(situation, anchor, surface):
             free = _free_half(size, surface, turn)
             if free is None:
                 continue
             forward = max(0.0, (size[1 if turn % 180.0 else 0] - surface.size[0]) / 2)
-            for (x, y), cost in _spots(situation, anchor, surface, tie, free):
+            for (x, y), cost in _spots(situation, anchor, surface, tie, free, shelves):
                 dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0)
-                yield _idea(situation, anchor, surface, (x + forward, y), turn, dearer)
+                idea = _idea(situation, anchor, surface, (x + forward, y), turn, dearer, size)
+                if tie.kind != "inside" or idea.cost < OFF:
+                    yield idea
 
 
 def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surface, ...]:
     """The surfaces in the order to try: alike things take the shelves in turn."""
     fitting = [s for s in surfaces if s.headroom is None or size[2] + HEADROOM <= s.headroom]
-    alike = [s for s in fitting if s.size == fitting[0].size] if fitting else []
+    alike = _alike(fitting)
     if len(alike) < 2 or tie.count < 2:
         return tuple(fitting)
     start = tie.index % len(alike)
     rest = [s for s in fitting if s not in alike]
     return (*alike[start:], *alike[:start], *rest)
+
+
+def _alike(surfaces: Sequence[Surface]) -> list[Surface]:
+    """Those as large as the first, as the shelves of a rack are."""
+    return [s for s in surfaces if s.size == surfaces[0].size]
 
 
 def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
@@ -109,13 +124,16 @@ def _free_half(size: Vec3, surface: Surface, turn: float) -> Vec2 | None:
 
 
 def _spots(
-    situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2
+    situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2, shelves: int
 ) -> Iterator[tuple[Vec2, float]]:
+    if tie.kind == "in_centre":
+        yield from _middle(free, anchor)
+        return
     yield from _by_companion(situation, anchor, surface, free)
     yield from by_seats(situation, anchor, surface, free)
     marked = situation.facts.spots
     if tie.count > 1:
-        marked = _spread(tie, surface, free)
+        marked = _spread(tie, surface, free, shelves)
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
     columns = max(3, min(13, round(free[1] / 0.06)))
@@ -143,11 +161,25 @@ def _by_companion(
                 yield (u, v), -0.2
 
 
-def _spread(tie: Tie, surface: Surface, free: Vec2) -> tuple[Vec2, ...]:
-    """Evenly along the longer side for up to six, in two staggered lines for more."""
-    lines = 1 if tie.count <= 6 else 2
-    per_line = -(-tie.count // lines)
-    line, place = divmod(tie.index, per_line)
+def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:
+    """The very middle, and around it where that is taken, within the middle half of what carries it."""
+    yield (0.0, 0.0), 0.0
+    for ring in (1, 2, 3):
+        for step in range(8):
+            angle = math.pi * step / 4
+            x, y = (
+                ring * anchor.size[axis] / 14 * turn for axis, turn in enumerate((math.cos(angle), math.sin(angle)))
+            )
+            if abs(x) <= free[0] and abs(y) <= free[1]:
+                yield (x, y), 0.2 * ring
+
+
+def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int) -> tuple[Vec2, ...]:
+    """Evenly along the longer side for up to six on one of the shelves, in two staggered lines for more."""
+    count, index = -(-tie.count // shelves), tie.index // shelves
+    lines = 1 if count <= 6 else 2
+    per_line = -(-count // lines)
+    line, place = divmod(index, per_line)
     across = 0.0 if lines == 1 else (0.5 if line else -0.5)
     lengthwise = 1 if surface.size[1] >= surface.size[0] else 0
     reach = surface.size[lengthwise] / 2 / max(free[lengthwise], 1e-9)
@@ -155,10 +187,12 @@ def _spread(tie: Tie, surface: Surface, free: Vec2) -> tuple[Vec2, ...]:
     return ((across, along),) if lengthwise else ((along, across),)
 
 
-def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float) -> Idea:
+def _idea(
+    situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float, size: Vec3
+) -> Idea:
     local = (surface.position[0] + spot[0], surface.position[1] + spot[1])
     if surface.round:
-        cost += _off_ellipse(situation, surface, spot)
+        cost += _off_ellipse(situation, surface, spot, size)
     x, y = anchor.to_room(local)
     z = anchor.position[2] + surface.position[2]
     yaw = (anchor.yaw + turn) % 360.0
@@ -170,13 +204,9 @@ def _idea(situation: Situation, anchor: Placement, surface: Surface, spot: Vec2,
     return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id, *situation.seats))
 
 
-def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2) -> float:
-    reach = (
-        max(situation.size[0], situation.size[1]) / 2
-        if situation.asset.front == "any"
-        else math.hypot(situation.size[0], situation.size[1]) / 2
-    )
+def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2, size: Vec3) -> float:
+    reach = max(size[0], size[1]) / 2 if situation.asset.front == "any" else math.hypot(size[0], size[1]) / 2
     a, b = surface.size[0] / 2 - reach, surface.size[1] / 2 - reach
     if min(a, b) <= 0.0:
-        return 0.0 if math.hypot(*spot) < 0.01 else 30.0
-    return 0.0 if (spot[0] / a) ** 2 + (spot[1] / b) ** 2 <= 1.0 else 30.0
+        return 0.0 if math.hypot(*spot) < 0.01 and not surface.within else OFF
+    return 0.0 if (spot[0] / a) ** 2 + (spot[1] / b) ** 2 <= 1.0 else OFF

@@ -1,0 +1,142 @@
+"""Whether an asset shows what was said of it: its colour, what it is made of, its shape and size, or any other word."""
+
+from collections.abc import Callable, Iterable
+from functools import lru_cache
+from math import dist
+
+from thinkblox.assets.catalogue import CATALOGUE, revision
+from thinkblox.assets.make import make_asset, seed_of
+from thinkblox.assets.palette import COLOURS, WICKER, WOODS
+from thinkblox.scene.asset import Asset, Material, Shape
+from thinkblox.value import Vec3
+
+SHARE = 0.2
+"""Least share of the visible faces that shows a colour or a material."""
+SAME_COLOUR = 0.16
+"""Largest distance in sRGB between a colour and what goes by its name."""
+_ROUND_SHARE, _ROUND = 0.7, 0.03
+"""Least share of the plan that a round part covers, and how far its plan may be from a circle."""
+_MATERIALS: dict[str, frozenset[Material]] = {
+    "wooden": frozenset({"wood"}),
+    "metal": frozenset({"metal"}),
+    "glass": frozenset({"glass"}),
+    "leather": frozenset({"leather"}),
+    "fabric": frozenset({"fabric"}),
+    "upholstered": frozenset({"fabric", "leather"}),
+    "stone": frozenset({"stone"}),
+    "marble": frozenset({"stone"}),
+    "plastic": frozenset({"plastic"}),
+    "ceramic": frozenset({"ceramic"}),
+    "paper": frozenset({"paper"}),
+}
+
+
+def realised(asset: Asset, attribute: str) -> bool:
+    """Whether an asset is as a word says; for a word that no rule is about, whether the word changed the asset.
+
+    A thing that is plainly so by nature (a wooden table) shows it without having been told to.
+    """
+    word = attribute.lower().replace("_", "-").replace(" ", "-")
+    rule = _RULES.get(word)
+    if word in COLOURS:
+        return _share(asset, lambda shape: dist(shape.colour, COLOURS[word]) <= SAME_COLOUR) >= SHARE
+    if word in _MATERIALS:
+        return _share(asset, lambda shape: shape.material in _MATERIALS[word]) >= SHARE
+    if word in WOODS:
+        return _share(asset, lambda shape: dist(shape.colour, WOODS[word].colour) <= SAME_COLOUR) >= SHARE
+    if rule is not None:
+        return rule(asset)
+    return _heeded(asset, attribute)
+
+
+def _share(asset: Asset, shows: Callable[[Shape], bool]) -> float:
+    """Share of the faces of all shapes, seen as boxes, that belong to shapes of a kind."""
+    shapes = _shapes(asset)
+    whole = sum(map(_faces, shapes))
+    return sum(_faces(shape) for shape in shapes if shows(shape)) / whole if whole else 0.0
+
+
+def _shapes(asset: Asset) -> list[Shape]:
+    return [shape for link in asset.links for shape in link.shapes]
+
+
+def _faces(shape: Shape) -> float:
+    x, y, z = shape.size
+    return x * y + y * z + z * x
+
+
+def _is_round(asset: Asset) -> bool:
+    """Some part of it is a disc, a drum or a ball nearly as wide as the whole, seen from above or from its front."""
+    if any(surface.round for surface in asset.surfaces):
+        return True
+    upright = asset.mount == "wall" or asset.size[0] <= asset.size[2]
+    plans = ((0, 1), (1, 2)) if upright else ((0, 1),)
+    return any(_covers(shape, a, b, asset.size) for shape in _shapes(asset) for a, b in plans)
+
+
+def _covers(shape: Shape, a: int, b: int, size: Vec3) -> bool:
+    curved = shape.kind in ("cylinder", "sphere", "ellipsoid", "capsule") or shape.smooth
+    wide, deep = shape.size[a], shape.size[b]
+    even = abs(wide - deep) <= _ROUND * max(wide, deep)
+    return curved and even and max(wide, deep) >= _ROUND_SHARE * max(size[a], size[b])
+
+
+def _is_square(asset: Asset) -> bool:
+    a, b = asset.size[1], asset.size[2] if asset.mount == "wall" else asset.size[0]
+    return abs(a - b) <= 0.05 * max(a, b) and not _is_round(asset)
+
+
+def _is_rectangular(asset: Asset) -> bool:
+    a, b = asset.size[1], asset.size[2] if asset.mount == "wall" else asset.size[0]
+    return abs(a - b) > 0.05 * max(a, b) and asset.front != "any"
+
+
+def _is_oval(asset: Asset) -> bool:
+    x, y = asset.size[:2]
+    return abs(x - y) > 0.05 * max(x, y) and any(surface.round for surface in asset.surfaces)
+
+
+def _brightness(asset: Asset) -> float:
+    """Mean brightness of its faces, 0 to 1."""
+    shapes = _shapes(asset)
+    whole = sum(map(_faces, shapes))
+    return sum(_faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
+
+
+def _is_wicker(asset: Asset) -> bool:
+    return _share(asset, lambda shape: dist(shape.colour, WICKER.colour) <= 0.5 * SAME_COLOUR) >= SHARE
+
+
+_RULES: dict[str, Callable[[Asset], bool]] = {
+    "round": _is_round,
+    "circular": _is_round,
+    "square": _is_square,
+    "rectangular": _is_rectangular,
+    "oval": _is_oval,
+    "dark": lambda asset: _brightness(asset) < 0.45,
+    "light": lambda asset: _brightness(asset) > 0.55,
+    "wicker": _is_wicker,
+    "wall-mounted": lambda asset: asset.mount == "wall",
+    "standing": lambda asset: asset.mount == "floor",
+}
+
+
+def _heeded(asset: Asset, attribute: str) -> bool:
+    """Whether the same asset would be another without the word."""
+    if asset.category not in CATALOGUE:
+        return attribute in asset.attributes
+    seed = seed_of(asset)
+    if seed is None or attribute not in asset.attributes:
+        return False
+    return _changes(asset.category, seed, asset.attributes, attribute, revision())
+
+
+@lru_cache(maxsize=256)
+def _changes(category: str, seed: int, attributes: tuple[str, ...], word: str, revision: int) -> bool:
+    told = make_asset(category, seed=seed, attributes=attributes)
+    untold = make_asset(category, seed=seed, attributes=_without(attributes, word))
+    return (told.size, told.links) != (untold.size, untold.links)
+
+
+def _without(words: Iterable[str], word: str) -> tuple[str, ...]:
+    return tuple(w for w in words if w != word)

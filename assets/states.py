@@ -1,0 +1,25 @@
+"""States in which a prompt wants to find things ("open", "folded"), as far as how they are made shows them."""
+
+from thinkblox.scene.asset import Asset
+
+_ALWAYS: dict[str, frozenset[str]] = {
+    "open": frozenset({"laptop", "curtain"}),
+    "folded": frozenset({"blanket", "towels"}),
+    "made": frozenset({"bed", "hospital_bed", "bunk_bed", "crib"}),
+    "stacked": frozenset({"book_stack"}),
+    "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
+    "lit": frozenset({"candle"}),
+    "empty": frozenset(
+        {"waste_bin", "basket", "laundry_basket", "bowl", "vase", "glass", "cup", "plate", "tray", "bathtub"}
+    ),
+}
+"""Categories that are made so and in no other way, by state."""
+_SHUT = frozenset({"closed", "shut"})
+
+
+def shows_state(asset: Asset, state: str) -> bool:
+    """Whether an asset is seen in a state: doors and drawers are shut, a laptop is open, a bed is made."""
+    word = state.lower().strip()
+    if word in _SHUT:
+        return any(link.joint is not None for link in asset.links)
+    return asset.category in _ALWAYS.get(word, frozenset())

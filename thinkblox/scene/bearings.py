@@ -1,0 +1,82 @@
+"""How two landmarks lie to each other: gap, side, angle, and what they share. Metres and degrees."""
+
+import math
+
+from shapely import LineString, Point
+from shapely.geometry.base import BaseGeometry
+from shapely.ops import nearest_points
+
+from thinkblox.scene.landmarks import Landmark
+from thinkblox.scene.room import turn_between
+from thinkblox.value import Vec2
+
+CONTACT = 0.01
+"""Largest gap between a thing and what carries it; SceneEval support."""
+
+
+def ground_gap(subject: Landmark, anchor: Landmark) -> float:
+    """Horizontal distance between footprints; to a door or window from its place in the wall."""
+    return float(subject.footprint.distance(place_of(anchor)))
+
+
+def gap(subject: Landmark, anchor: Landmark) -> float:
+    """Distance between the boxes around two things, heights included; of walls and the floor it is horizontal."""
+    aside = ground_gap(subject, anchor)
+    if anchor.kind not in ("object", "opening"):
+        return aside
+    return math.hypot(aside, max(0.0, anchor.base - subject.top, subject.base - anchor.top))
+
+
+def place_of(anchor: Landmark) -> BaseGeometry:
+    """What distances are measured to: a footprint, or the stretch of wall that a door or window takes."""
+    return anchor.edge((1, 0)) if anchor.kind == "opening" else anchor.footprint
+
+
+def gap_text(subject: Landmark, anchor: Landmark) -> str:
+    """The gap and the side in words."""
+    return f"gap {gap(subject, anchor):.2f} m, {subject.name} {side_words(subject, anchor)} {anchor.name}"
+
+
+def side_words(subject: Landmark, anchor: Landmark) -> str:
+    """Where the subject is, in the anchor's frame, as words that the anchor's name can follow."""
+    if anchor.front == "any" or anchor.kind not in ("object", "opening", "wall"):
+        return "beside"
+    x, y = anchor.to_local(subject.centre)
+    if abs(x) - anchor.half[0] >= abs(y) - anchor.half[1]:
+        return "in front of" if x > 0 else "behind"
+    return "to the left of" if y > 0 else "to the right of"
+
+
+def shared(subject: Landmark, anchor: Landmark) -> float:
+    """Intersection of the footprints as a share of the smaller."""
+    smaller = min(subject.footprint.area, anchor.footprint.area)
+    return float(subject.footprint.intersection(anchor.footprint).area / smaller) if smaller > 0.0 else 0.0
+
+
+def angle_to(subject: Landmark, anchor: Landmark) -> float:
+    """Angle between where the subject looks and the anchor's nearest point or centre; 0 when it looks straight at it.
+
+    What hangs on a wall is faced too by what is turned squarely to it, as every desk of a class faces the board.
+    """
+    target = place_of(anchor)
+    yaws = (subject.gaze, subject.gaze + 180.0) if subject.front == "two" else (subject.gaze,)
+    return min(_angle_of(subject, yaw, anchor, target) for yaw in yaws)
+
+
+def _angle_of(subject: Landmark, yaw: float, anchor: Landmark, target: BaseGeometry) -> float:
+    start, ahead = Point(subject.centre), (math.cos(math.radians(yaw)), math.sin(math.radians(yaw)))
+    reach = 1.0 + float(start.hausdorff_distance(target))
+    end = (start.x + ahead[0] * reach, start.y + ahead[1] * reach)
+    if not target.covers(start) and LineString([(start.x, start.y), end]).intersects(target):
+        return 0.0
+    nearest = nearest_points(start, target)[1]
+    spots = [anchor.centre, (nearest.x, nearest.y)]
+    bearings = [bearing(subject.centre, spot) for spot in spots if math.dist(spot, subject.centre) > CONTACT]
+    if anchor.hung and anchor.to_local(subject.centre)[0] > 0.0:
+        bearings.append(anchor.yaw + 180.0)
+    return min((turn_between(yaw, bearing) for bearing in bearings), default=0.0)
+
+
+def bearing(start: Vec2, end: Vec2) -> float:
+    """Direction from one point to another."""
+    return math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))

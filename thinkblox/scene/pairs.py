@@ -1,0 +1,298 @@
+"""The relations of one thing to one other: whether each holds, with what was measured. Metres and degrees.
+
+Thresholds follow SceneEval (3dlg-hcvc/SceneEval) where it defines one; the others are the figures of interior-design
+handbooks (Neufert, Time-Saver Standards).
+"""
+
+import math
+from collections.abc import Callable
+
+from shapely import Point
+
+from thinkblox.brief import RelationKind
+from thinkblox.scene.bearings import CONTACT, angle_to, gap, gap_text, ground_gap, shared
+from thinkblox.scene.landmarks import Landmark
+from thinkblox.scene.room import Room, turn_between
+
+NEXT_TO = 0.5
+"""Largest gap between things that are next to each other; SceneEval next_to."""
+NEAR = 1.5
+"""Largest gap between things that are near each other; SceneEval near. Also how far the four sides reach."""
+ACROSS = (1.5, 4.0)
+"""Gaps between things across the room from each other; SceneEval across."""
+FAR = 4.0
+"""A gap from which things are far from each other; SceneEval far."""
+FAR_IN_SMALL, SMALL_ROOM = 2.0, 5.0
+"""The same in a room whose diagonal is less than this."""
+FACING = 30.0
+"""Largest angle between a front and the direction to what it faces; SceneEval face_to."""
+AGAINST_WALL = 0.3
+"""Largest gap to a wall; SceneEval against_wall."""
+ON_WALL = 0.01
+"""Largest gap of a thing mounted on a wall or hung from the ceiling; SceneEval on_wall."""
+CORNER = 0.8
+"""Largest distance of a footprint to its corner; SceneEval corner."""
+SEAT_GAP = 0.4
+"""Largest gap of a seat drawn up to a table; handbooks pull a chair out by 0.3 to 0.4 to sit down."""
+CENTRE_SHARE = 0.25
+"""Largest offset from the centre along each axis, as a share of the extent: the middle half."""
+UNDER_SHARE = 0.2
+"""Smallest share of the smaller footprint that lies under, as a rug's under a bed that it frames."""
+ABOVE_MARGIN = 0.15
+"""How far beside the anchor's footprint a thing hung above may be: a sofa under a picture stands off the wall."""
+INSIDE_SHARE = 0.5
+"""Smallest share of a thing that is within the box around what it is inside of."""
+SQUARE = 0.05
+"""Sides that differ by no more than this share are equally long."""
+ROUNDING = 1e-6
+
+Finding = tuple[bool, str]
+"""Whether it holds, and what was measured."""
+Pair = Callable[[Landmark, Landmark], Finding]
+
+
+def pair_for(kind: RelationKind, room: Room) -> Pair:
+    """How a relation between two things is measured in a room."""
+    return _far(room) if kind == "far" else _PAIRS[kind]
+
+
+def denied_for(kind: RelationKind, room: Room) -> Pair:
+    """The same where the relation must not hold: what comes close to holding counts as holding."""
+    return _DENIED.get(kind) or pair_for(kind, room)
+
+
+def every(findings: list[Finding]) -> Finding:
+    """All must hold; the text is that of the failures, or of all."""
+    failures = [f for f in findings if not f[0]]
+    return not failures, "; ".join(dict.fromkeys(text for _, text in failures or findings))
+
+
+def facing(subject: Landmark, anchor: Landmark) -> Finding:
+    """Its front, or where one looks who uses it, points at the anchor."""
+    if subject.front == "any":
+        return True, f"{subject.name} faces every way"
+    angle = angle_to(subject, anchor)
+    return angle <= FACING + ROUNDING, f"front of {subject.name} {angle:.0f} degrees off {anchor.name}"
+
+
+def facing_each_other(one: Landmark, other: Landmark) -> Finding:
+    """Both face the other."""
+    return every([facing(one, other), facing(other, one)])
+
+
+def side_taken(subject: Landmark, anchor: Landmark, *, long: bool) -> int:
+    """Which of the two long (or short) sides of the anchor a thing is beside: 1, -1, or 0 for none of them."""
+    x, y = anchor.to_local(subject.centre)
+    hx, hy = anchor.half
+    square = abs(hx - hy) <= SQUARE * max(hx, hy)
+    for out, along, half, half_along, is_long in ((x, y, hx, hy, hy >= hx), (y, x, hy, hx, hx >= hy)):
+        if (is_long == long or square) and abs(out) >= half - CONTACT and abs(along) <= half_along + CONTACT:
+            return 1 if out > 0 else -1
+    return 0
+
+
+def _beside_side(*, long: bool) -> Pair:
+    which = "long" if long else "short"
+
+    def pair(subject: Landmark, anchor: Landmark) -> Finding:
+        taken = side_taken(subject, anchor, long=long)
+        where = f"{'at' if taken else 'not at'} a {which} side of {anchor.name}"
+        text = f"gap {gap(subject, anchor):.2f} m, {subject.name} {where}"
+        return bool(taken) and gap(subject, anchor) <= NEXT_TO + ROUNDING, text
+
+    return pair
+
+
+def _next_to(subject: Landmark, anchor: Landmark) -> Finding:
+    beside = anchor.kind == "opening" or shared(subject, anchor) < 0.5
+    close = gap(subject, anchor) <= NEXT_TO + ROUNDING
+    return close and beside, f"{gap_text(subject, anchor)}{'' if beside else ', one over the other'}"
+
+
+def _near(subject: Landmark, anchor: Landmark) -> Finding:
+    return gap(subject, anchor) <= NEAR + ROUNDING, gap_text(subject, anchor)
+
+
+def _far(room: Room) -> Pair:
+    least = FAR_IN_SMALL if math.hypot(*room.extent) < SMALL_ROOM else FAR
+
+    def pair(subject: Landmark, anchor: Landmark) -> Finding:
+        return gap(subject, anchor) > least, f"{gap_text(subject, anchor)}; over {least:g} m is far in this room"
+
+    return pair
+
+
+def _on_side(x: int, y: int, reach: float) -> Pair:
+    """Lies beyond one side of the anchor, in the anchor's frame, rather than past one of its corners."""
+
+    def pair(subject: Landmark, anchor: Landmark) -> Finding:
+        local = anchor.to_local(subject.centre)
+        forward, across = (local[0] * x, abs(local[1])) if x else (local[1] * y, abs(local[0]))
+        half, half_across = anchor.half if x else anchor.half[::-1]
+        if anchor.front == "two":
+            forward = abs(forward)
+        beyond, past = forward - half, max(across - half_across, 0.0)
+        aligned = anchor.front == "any" or (beyond >= -CONTACT and past <= max(beyond, 0.0) + CONTACT)
+        return aligned and ground_gap(subject, anchor) <= reach + ROUNDING, gap_text(subject, anchor)
+
+    return pair
+
+
+_BEFORE, _BEHIND = _on_side(1, 0, NEAR), _on_side(-1, 0, NEAR)
+
+
+def _in_front_of(subject: Landmark, anchor: Landmark) -> Finding:
+    """Before its front; a desk has its visitors before it too, on the side to which one looks who works at it."""
+    found = _BEFORE(subject, anchor)
+    if found[0] or anchor.gaze == anchor.yaw or subject.front == "any" or not facing(subject, anchor)[0]:
+        return found
+    visits, text = _BEHIND(subject, anchor)
+    return visits, f"{text}, looking at who works there" if visits else found[1]
+
+
+def _at(subject: Landmark, anchor: Landmark) -> Finding:
+    faces, text = facing(subject, anchor)
+    behind = anchor.gaze != anchor.yaw and anchor.to_local(subject.centre)[0] < -anchor.half[0]
+    near = gap(subject, anchor) <= SEAT_GAP
+    return faces and near and not behind, f"{gap_text(subject, anchor)}; {text}"
+
+
+def _on(subject: Landmark, anchor: Landmark) -> Finding:
+    if anchor.kind == "wall":
+        aside = ground_gap(subject, anchor)
+        hangs = subject.base > CONTACT
+        text = f"{subject.name} {aside:.2f} m from {anchor.name}" + ("" if hangs else ", on the floor")
+        return aside <= ON_WALL + ROUNDING and hangs, text
+    if anchor.kind == "ceiling":
+        lower = anchor.base - subject.top
+        return abs(lower) <= ON_WALL + ROUNDING, f"top of {subject.name} {lower:.2f} m below {anchor.name}"
+    over = anchor.footprint.covers(Point(subject.centre))
+    lift = min((subject.base - height for height in (*anchor.carries, anchor.top)), key=abs)
+    if not anchor.solid:
+        lift = max(subject.base - anchor.top, 0.0)
+    text = f"{subject.name} {lift * 1000:.0f} mm above a surface of {anchor.name}" + ("" if over else ", not over it")
+    return anchor.kind in ("object", "floor") and over and abs(lift) <= CONTACT + ROUNDING, text
+
+
+def _inside(subject: Landmark, anchor: Landmark) -> Finding:
+    """At least half of it is within the box around the anchor, on or above an inner surface where it has one."""
+    if anchor.kind != "object" or not anchor.solid:
+        return False, f"{anchor.name} has no inside"
+    height = max(subject.top - subject.base, ROUNDING)
+    within = max(0.0, min(subject.top, anchor.top) - max(subject.base, anchor.base)) / height
+    area = subject.footprint.area
+    within *= float(subject.footprint.intersection(anchor.footprint).area / area) if area > 0.0 else 0.0
+    floor = min(anchor.holds, default=anchor.base + 2 * CONTACT if not anchor.carries else math.inf)
+    text = f"{within:.0%} of {subject.name} within {anchor.name}"
+    if math.isinf(floor):
+        return False, f"{text}, which has no open inside"
+    lift = subject.base - floor
+    text += "" if lift >= -CONTACT - ROUNDING else f", {-lift:.2f} m below its inner floor"
+    return within >= INSIDE_SHARE - ROUNDING and lift >= -CONTACT - ROUNDING, text
+
+
+def _outside(subject: Landmark, anchor: Landmark) -> Finding:
+    inside = anchor.footprint.covers(Point(subject.centre))
+    low = subject.base <= 2 * CONTACT
+    text = f"{subject.name} {ground_gap(subject, anchor):.2f} m from {anchor.name}"
+    text += ("" if low else ", not on the floor") + (", over or in it" if inside else "")
+    return low and not inside and ground_gap(subject, anchor) <= NEXT_TO + ROUNDING, text
+
+
+def _back_to_back(subject: Landmark, anchor: Landmark) -> Finding:
+    between = float(subject.edge((-1, 0)).distance(anchor.edge((-1, 0))))
+    turn = turn_between(subject.yaw, anchor.yaw + 180.0)
+    away = subject.to_local(anchor.centre)[0] < 0.0 and anchor.to_local(subject.centre)[0] < 0.0
+    text = f"backs of {subject.name} and {anchor.name} {between:.2f} m apart, {turn:.0f} degrees off turned away"
+    backs = "any" not in (subject.front, anchor.front)
+    return backs and away and turn <= FACING + ROUNDING and between < NEXT_TO, text
+
+
+def _above(subject: Landmark, anchor: Landmark) -> Finding:
+    rise, aside = subject.base - anchor.top, anchor.footprint.distance(Point(subject.centre))
+    text = f"{subject.name} {rise:.2f} m above {anchor.name}, {aside:.2f} m aside"
+    return rise >= -CONTACT and aside <= ABOVE_MARGIN, text
+
+
+def _under(subject: Landmark, anchor: Landmark) -> Finding:
+    share = shared(subject, anchor)
+    lower = subject.base <= anchor.base + CONTACT and subject.top <= (
+        anchor.base + CONTACT if anchor.kind == "opening" else anchor.top
+    )
+    text = f"{subject.name} {'lower than' if lower else 'not lower than'} {anchor.name}, {share:.0%} shared"
+    return lower and share >= UNDER_SHARE, text
+
+
+def _against_wall(subject: Landmark, anchor: Landmark) -> Finding:
+    sides = ((-1, 0),) if subject.front == "one" else ((-1, 0), (1, 0), (0, -1), (0, 1))
+    gaps = [subject.edge(side).centroid.distance(anchor.footprint) for side in sides]
+    what = "back" if subject.front == "one" else "side"
+    return min(gaps) <= AGAINST_WALL + ROUNDING, f"{what} of {subject.name} {min(gaps):.2f} m from {anchor.name}"
+
+
+def _close_to_wall(subject: Landmark, anchor: Landmark) -> Finding:
+    aside = ground_gap(subject, anchor)
+    return aside <= AGAINST_WALL + ROUNDING, f"{subject.name} {aside:.2f} m from {anchor.name}"
+
+
+def _close_by(subject: Landmark, anchor: Landmark) -> Finding:
+    return ground_gap(subject, anchor) <= NEXT_TO + ROUNDING, gap_text(subject, anchor)
+
+
+def _in_corner(subject: Landmark, anchor: Landmark) -> Finding:
+    aside = ground_gap(subject, anchor)
+    return anchor.kind == "corner" and aside <= CORNER, f"{subject.name} {aside:.2f} m from the {anchor.name}"
+
+
+def _in_centre(subject: Landmark, anchor: Landmark) -> Finding:
+    """In the middle half of the room, of a wall's length, or of what carries it."""
+    x, y = (abs(offset) for offset in anchor.to_local(subject.centre))
+    reach_x, reach_y = (AGAINST_WALL if half == 0.0 else half * 2 * CENTRE_SHARE for half in anchor.half)
+    if anchor.kind == "wall":
+        x = ground_gap(subject, anchor)
+    text = f"{subject.name} {x:.2f} m and {y:.2f} m from the middle of {anchor.name}"
+    middle = x <= reach_x + ROUNDING and y <= reach_y + ROUNDING
+    if anchor.kind != "object":
+        return middle, text
+    carried, how = _on(subject, anchor)
+    return middle and carried, text if carried else f"{text}; {how}"
+
+
+def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
+    """In front of the anchor, fronts against each other, well apart."""
+    ahead, _ = _on_side(1, 0, math.inf)(subject, anchor)
+    turn = turn_between(subject.gaze, anchor.gaze + 180.0)
+    if "any" in (subject.front, anchor.front):
+        turn = 0.0 if subject.front == "any" else angle_to(subject, anchor)
+    elif "two" in (subject.front, anchor.front):
+        turn = min(turn, 180.0 - turn)
+    apart = ground_gap(subject, anchor)
+    text = f"{subject.name} {apart:.2f} m from {anchor.name}, {turn:.0f} degrees off facing it"
+    least, most = ACROSS
+    return ahead and least - ROUNDING <= apart <= most + ROUNDING and turn <= FACING + ROUNDING, text
+
+
+_PAIRS: dict[RelationKind, Pair] = {
+    "on": _on,
+    "inside": _inside,
+    "outside": _outside,
+    "above": _above,
+    "under": _under,
+    "next_to": _next_to,
+    "near": _near,
+    "left_of": _on_side(0, 1, NEAR),
+    "right_of": _on_side(0, -1, NEAR),
+    "in_front_of": _in_front_of,
+    "behind": _BEHIND,
+    "at_foot_of": _on_side(1, 0, NEXT_TO),
+    "at_long_side": _beside_side(long=True),
+    "at_short_side": _beside_side(long=False),
+    "back_to_back": _back_to_back,
+    "at": _at,
+    "facing": facing,
+    "opposite": _opposite,
+    "against_wall": _against_wall,
+    "in_corner": _in_corner,
+    "in_centre": _in_centre,
+}
+_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by}
