@@ -41,6 +41,8 @@ SQUARE = 0.01
 MAJORITY = 0.5
 EXACT = 1e-6
 """What a distance may miss a range by: files are written to the micrometre [m]."""
+OPEN_SIDE = 200.0
+"""Widest gap between neighbours round an anchor [degrees]: three seats round a table may leave one side open."""
 _FAN = 9
 
 Rule = Callable[[Body, Body, Surroundings], Finding]
@@ -185,7 +187,10 @@ def _middle_of(anchor: Body, subject: Body, room: Surroundings) -> Finding:
 
 
 def _surround(anchor: Body, subjects: Sequence[Body]) -> Finding:
-    """SceneEval's score: equal distances make one half of it, equal angles between neighbours the other."""
+    """SceneEval's score: equal distances make one half of it, equal angles between neighbours the other.
+
+    Alone, it takes a crowd on one side to surround; so no side may be open.
+    """
     if len(subjects) < 2:
         return Finding(False, "one thing surrounds nothing")
     x, y = anchor.centre
@@ -197,7 +202,8 @@ def _surround(anchor: Body, subjects: Sequence[Body]) -> Finding:
     round_about = sum((1 - min(1.0, abs(gap - ideal) / ideal)) ** 2 for gap in gaps) / len(gaps)
     score = (even + round_about) / 2
     near = max(distance(anchor, s) for s in subjects) <= NEAR
-    return Finding(score > MAJORITY and near, f"{len(subjects)} round it with a score of {score:.2f}")
+    says = f"{len(subjects)} round it with a score of {score:.2f}, the widest gap {max(gaps):.0f} degrees"
+    return Finding(score > MAJORITY and near and max(gaps) <= OPEN_SIDE, says)
 
 
 _RULES: dict[ObjectRule, Rule] = {

@@ -18,8 +18,10 @@ BEFORE = 0.3
 OVERLAP = 0.05
 """By how much the upper of two things may reach below the top of the lower one [m]."""
 MAJORITY = 0.5
-SHELVES = ("shelf", "shelving unit", "rack", "tray", "basket")
-"""What holds things on its topmost board or over its rim as well as within."""
+SHELVES = ("shelf", "rack")
+"""What holds things on its topmost board as well as within."""
+CLOSED = "bookcase"
+"""What is a shelf too, and has a top that is no board of it."""
 
 
 def carries(carrier: Body, load: Body) -> bool:
@@ -61,7 +63,8 @@ def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Finding:
 
 def _is_shelf(container: Body, vocabulary: Vocabulary) -> bool:
     names = names_of(container.asset.category, container.asset.description)
-    return any(vocabulary.steps(name, shelf) is not None for name in names for shelf in SHELVES)
+    open_ones = any(vocabulary.steps(name, shelf) is not None for name in names for shelf in SHELVES)
+    return open_ones and all(vocabulary.steps(name, CLOSED) is None for name in names)
 
 
 def is_over(upper: Body, lower: Body) -> Finding:
