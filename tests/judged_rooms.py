@@ -3,21 +3,21 @@
 from thinkblox.evaluation.annotations import Annotation
 from thinkblox.evaluation.bodies import Body
 from thinkblox.evaluation.room_file import (
-    AssetRecord,
     LinkRecord,
     OpeningRecord,
     PlacementRecord,
     RoomRecord,
     SceneRecord,
+    SeenAsset,
     ShapeRecord,
 )
 from thinkblox.evaluation.rows import attribute, count, element_relation, object_relation
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.walls import Enclosure
 
 DOOR = OpeningRecord(id="door_1", kind="door", wall=0, offset=0.2, width=0.9, height=2.1)
 WINDOW = OpeningRecord(id="window_1", kind="window", wall=2, offset=2.0, width=1.5, height=1.2, sill=0.9)
 ROOM = RoomRecord(floor=((0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)), height=2.6, openings=(DOOR, WINDOW))
-WALLS = Surroundings(ROOM)
+WALLS = Enclosure(ROOM)
 
 
 def part(size, position, **look):
@@ -28,7 +28,7 @@ def thing(name, at, size=(0.5, 0.5, 0.5), *, yaw=0.0, parts=None, **asset):
     """An object called `name`, with the middle of its base at `at`; one box of its size unless it has parts."""
     category, _, number = name.rpartition("_") if name[-1].isdigit() else (name, "", "1")
     shapes = tuple(parts) if parts is not None else (part(size, (0.0, 0.0, size[2] / 2)),)
-    record = AssetRecord(category=category, size=size, links=(LinkRecord(shapes),), description=category, **asset)
+    record = SeenAsset(category=category, size=size, links=(LinkRecord(shapes),), description=category, **asset)
     spot = (*at, 0.0) if len(at) == 2 else tuple(at)
     return Body(PlacementRecord(f"{category}_{number}", category, name, spot, yaw, tuple(size)), record)
 

@@ -7,12 +7,12 @@ from thinkblox.evaluation.attributes import shows
 from thinkblox.evaluation.bodies import Body
 from thinkblox.evaluation.colours import is_colour_word, lch, looks
 from thinkblox.evaluation.room_file import (
-    AssetRecord,
     JointRecord,
     LinkRecord,
     LookRecord,
     MeshRecord,
     PlacementRecord,
+    SeenAsset,
     ShapeRecord,
 )
 from thinkblox.evaluation.room_judge import judge_room
@@ -104,9 +104,7 @@ def test_a_colour_of_the_smaller_part_is_none_of_the_whole():
 def test_a_mesh_lends_its_colour():
     shape = ShapeRecord("box", (1.0, 1.0, 1.0), (0.0, 0.0, 0.5), colour=RED)
     link = LinkRecord((shape,), visuals=(MeshRecord(LookRecord(BLUE)),))
-    body = Body(
-        PlacementRecord("a_1", "a", "a", (0.0, 0.0, 0.0), 0.0, (1.0,) * 3), AssetRecord("a", (1.0,) * 3, (link,))
-    )
+    body = Body(PlacementRecord("a_1", "a", "a", (0.0, 0.0, 0.0), 0.0, (1.0,) * 3), SeenAsset("a", (1.0,) * 3, (link,)))
     assert [patch.colour for patch in patches(body)] == [BLUE]
 
 
@@ -165,7 +163,7 @@ def test_drawers_are_counted():
         for kind in ("slide", "slide", "slide", "hinge")
     )
     record = PlacementRecord("a_1", "a", "a", (0.0, 0.0, 0.0), 0.0, (0.4, 0.4, 0.4))
-    body = Body(record, AssetRecord("base_cabinet", (0.4, 0.4, 0.4), links))
+    body = Body(record, SeenAsset("base_cabinet", (0.4, 0.4, 0.4), links))
     assert shows(body, "three drawers", "base cabinet", WALLS).holds
     assert not shows(body, "2 drawers", "base cabinet", WALLS).holds
 

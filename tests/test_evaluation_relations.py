@@ -11,7 +11,7 @@ from thinkblox.evaluation import element_rules, object_rules
 from thinkblox.evaluation.bodies import distance
 from thinkblox.evaluation.room_file import RoomRecord
 from thinkblox.evaluation.room_judge import judge_room
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.walls import Enclosure
 
 metres = st.floats(-3.0, 3.0)
 extents = st.floats(0.05, 2.0)
@@ -139,7 +139,7 @@ def test_relations_between_two_objects(rule, anchor, subject, expected):
 
 
 def test_in_a_small_room_two_metres_are_far():
-    small = Surroundings(RoomRecord(floor=((0.0, 0.0), (3.5, 0.0), (3.5, 2.5), (0.0, 2.5))))
+    small = Enclosure(RoomRecord(floor=((0.0, 0.0), (3.5, 0.0), (3.5, 2.5), (0.0, 2.5))))
     pair = thing("desk", (0.3, 0.3)), thing("chair", (3.0, 2.0))
     assert object_rules.holds("far", pair[0], pair[1:], small).holds
     assert not object_rules.holds("far", pair[0], pair[1:], WALLS).holds
@@ -162,7 +162,7 @@ def test_surround(number):
     assert not object_rules.holds("surround", centre, ring(1), WALLS).holds
 
 
-L_ROOM = Surroundings(RoomRecord(floor=((0.0, 0.0), (6.0, 0.0), (6.0, 3.0), (3.0, 3.0), (3.0, 5.0), (0.0, 5.0))))
+L_ROOM = Enclosure(RoomRecord(floor=((0.0, 0.0), (6.0, 0.0), (6.0, 3.0), (3.0, 3.0), (3.0, 5.0), (0.0, 5.0))))
 
 
 @pytest.mark.parametrize(
@@ -207,7 +207,7 @@ def test_the_corner_that_points_into_an_l_shaped_room_is_none():
 
 
 def test_next_to_a_window_that_is_not_there():
-    bare = Surroundings(RoomRecord(floor=ROOM.floor))
+    bare = Enclosure(RoomRecord(floor=ROOM.floor))
     assert element_rules.holds("next_to", thing("bin", (1.5, 0.3)), "window", bare) == (False, "there is no window")
 
 

@@ -7,7 +7,7 @@ from thinkblox.evaluation.appearance import has_colour, has_material, is_materia
 from thinkblox.evaluation.bodies import Body
 from thinkblox.evaluation.colours import is_colour_word
 from thinkblox.evaluation.forms import judged_form
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.walls import Enclosure
 
 _ON_WALL = ("wall mounted", "mounted", "wall hung", "hanging on the wall")
 _HANGING = ("hanging", "suspended", "ceiling mounted")
@@ -20,7 +20,7 @@ class Shown(NamedTuple):
     says: str
 
 
-def shows(body: Body, word: str, demanded: str, room: Surroundings) -> Shown:
+def shows(body: Body, word: str, demanded: str, room: Enclosure) -> Shown:
     """Whether an object that counts for the category `demanded` has an attribute.
 
     A word that is both a colour and a material, such as "gold", may be either.

@@ -3,8 +3,8 @@
 from shapely import union_all
 
 from thinkblox.evaluation.bodies import Body, share_within, shared
-from thinkblox.evaluation.finding import Finding
 from thinkblox.evaluation.matching import names_of
+from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.vocabulary import Vocabulary
 
 SINKS, RISES = 0.06, 0.04
@@ -32,14 +32,14 @@ def carries(carrier: Body, load: Body) -> bool:
     )
 
 
-def lies_on(load: Body, carrier: Body) -> Finding:
+def lies_on(load: Body, carrier: Body) -> Ruling:
     """Whether something lies on top of something else, and not in a compartment of it."""
     over = shared(load.footprint, carrier.footprint)
     if over <= MAJORITY:
-        return Finding(False, f"{over:.0%} over it".replace("%", " %"))
+        return Ruling(False, f"{over:.0%} over it".replace("%", " %"))
     if not carries(carrier, load):
-        return Finding(False, f"its base {load.low:.2f} m up is on no part of it")
-    return Finding(not _roofed(load, carrier), "on it, under another part of it" if _roofed(load, carrier) else "on it")
+        return Ruling(False, f"its base {load.low:.2f} m up is on no part of it")
+    return Ruling(not _roofed(load, carrier), "on it, under another part of it" if _roofed(load, carrier) else "on it")
 
 
 def _roofed(load: Body, carrier: Body) -> bool:
@@ -48,7 +48,7 @@ def _roofed(load: Body, carrier: Body) -> bool:
     return bool(roofs) and share_within(load.footprint, union_all(roofs)) > MAJORITY
 
 
-def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Finding:
+def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Ruling:
     """Whether most of something is in the box round a container, or it stands in it and sticks out.
 
     Of a shelf, also what stands on its topmost board.
@@ -58,7 +58,7 @@ def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Finding:
     inside = aside * max(0.0, min(thing.high, container.high) - max(thing.low, container.low)) / tall
     stands_in = aside > 0.8 and container.low - CAUGHT <= thing.low < container.high - CAUGHT
     on_shelf = _is_shelf(container, vocabulary) and aside > MAJORITY and carries(container, thing)
-    return Finding(inside > MAJORITY or stands_in or on_shelf, f"{inside:.0%} of it within".replace("%", " %"))
+    return Ruling(inside > MAJORITY or stands_in or on_shelf, f"{inside:.0%} of it within".replace("%", " %"))
 
 
 def _is_shelf(container: Body, vocabulary: Vocabulary) -> bool:
@@ -67,7 +67,7 @@ def _is_shelf(container: Body, vocabulary: Vocabulary) -> bool:
     return open_ones and all(vocabulary.steps(name, CLOSED) is None for name in names)
 
 
-def is_over(upper: Body, lower: Body) -> Finding:
+def is_over(upper: Body, lower: Body) -> Ruling:
     """Whether something hangs or stands over something else, as a picture over a sofa or a loft bed over a desk."""
     straight = shared(upper.footprint, lower.footprint)
     gap = float(upper.footprint.distance(lower.footprint))
@@ -75,7 +75,7 @@ def is_over(upper: Body, lower: Body) -> Finding:
     below = _clears(upper, lower)
     height = "higher" if below else "not higher"
     says = f"{height}, {straight * 100:.0f} % straight over it, {gap:.2f} m aside"
-    return Finding(below and (straight > MAJORITY or (gap <= BEFORE and along > MAJORITY)), says)
+    return Ruling(below and (straight > MAJORITY or (gap <= BEFORE and along > MAJORITY)), says)
 
 
 def _clears(upper: Body, lower: Body) -> bool:

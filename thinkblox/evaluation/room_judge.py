@@ -8,14 +8,14 @@ from thinkblox.evaluation import element_rules, object_rules
 from thinkblox.evaluation.annotations import Annotation, Attribute, Count, ElementRelation, ObjectRelation, RoomDemand
 from thinkblox.evaluation.attributes import shows
 from thinkblox.evaluation.bodies import Body
-from thinkblox.evaluation.finding import Finding
 from thinkblox.evaluation.matching import is_kind_of, match, names_of
 from thinkblox.evaluation.relation_words import ObjectRule, element, element_rule
 from thinkblox.evaluation.relation_words import object_rules as rules_for
 from thinkblox.evaluation.room_file import SceneRecord
+from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.tallies import JudgedRow
 from thinkblox.evaluation.vocabulary import load_vocabulary
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.walls import Enclosure
 
 MAX_GROUPS = 20_000
 """Most groups of objects that are tried for one relation."""
@@ -37,7 +37,7 @@ def judge_room(annotation: Annotation, scene: SceneRecord) -> tuple[JudgedRow, .
 
 class _RoomJudge:
     def __init__(self, scene: SceneRecord, annotation: Annotation) -> None:
-        self._room = Surroundings(scene.room)
+        self._room = Enclosure(scene.room)
         self._bodies = {p.id: Body(p, scene.assets[p.asset]) for p in scene.placements}
         self._names = {b.id: names_of(b.asset.category, b.asset.description) for b in self._bodies.values()}
         self._vocabulary = load_vocabulary()
@@ -143,12 +143,12 @@ def _nearest(anchor: Body, bodies: Sequence[Body], number: int) -> list[Body]:
     return sorted(bodies, key=away)[:number]
 
 
-def _all_hold(rules: Sequence[ObjectRule], anchor: Body, subjects: Sequence[Body], room: Surroundings) -> Finding:
+def _all_hold(rules: Sequence[ObjectRule], anchor: Body, subjects: Sequence[Body], room: Enclosure) -> Ruling:
     found = [object_rules.holds(rule, anchor, subjects, room) for rule in rules]
-    return Finding(all(f.holds for f in found), "; ".join(f.says for f in found))
+    return Ruling(all(f.holds for f in found), "; ".join(f.says for f in found))
 
 
-def _counted(kind: Any, row: ObjectRelation | ElementRelation, found: Sequence[tuple[str, Finding]]) -> JudgedRow:
+def _counted(kind: Any, row: ObjectRelation | ElementRelation, found: Sequence[tuple[str, Ruling]]) -> JudgedRow:
     holding = [who for who, finding in found if finding.holds]
     met = row.met_by(len(holding))
     others = [f"{who}: {finding.says}" for who, finding in found if not finding.holds]
@@ -173,7 +173,7 @@ def _list(items: Sequence[str]) -> str:
 
 def _floor_rows(demand: RoomDemand, scene: SceneRecord) -> list[JudgedRow]:
     rows: list[JudgedRow] = []
-    x0, y0, x1, y1 = Surroundings(scene.room).floor.bounds
+    x0, y0, x1, y1 = Enclosure(scene.room).floor.bounds
     if demand.size is not None:
         pairs = zip(sorted(demand.size), sorted((x1 - x0, y1 - y0)), strict=True)
         met = all(abs(asked - made) <= SIZE_TOLERANCE for asked, made in pairs)
