@@ -115,6 +115,9 @@ def disc(size):
 L_SHAPE = thing("sofa", (3.0, 2.0), (2.0, 2.4, 0.8), parts=[
     part((0.9, 2.4, 0.8), (-0.55, 0.0, 0.4)), part((2.0, 0.9, 0.8), (0.0, 0.75, 0.4))
 ])  # fmt: skip
+LOFT = thing("loft_bed", (3.0, 2.0), (2.0, 1.0, 1.7), parts=[
+    part((2.0, 1.0, 0.3), (0.0, 0.0, 1.5)), part((0.1, 0.1, 1.7), (0.9, 0.4, 0.85))
+])  # fmt: skip
 ROUND_MIRROR = thing("mirror", (3.0, 4.98, 1.2), (0.03, 0.6, 0.6), mount="wall", yaw=270.0, parts=[
     ShapeRecord("cylinder", (0.6, 0.6, 0.03), (0.0, 0.0, 0.3), (0.5**0.5, 0.0, 0.5**0.5, 0.0))
 ])  # fmt: skip
@@ -147,6 +150,14 @@ ROUND_MIRROR = thing("mirror", (3.0, 4.98, 1.2), (0.03, 0.6, 0.6), mount="wall",
         (thing("plant", (3.0, 2.0), (0.6, 0.6, 1.8)), "large", True),
         (thing("mirror", (3.0, 2.0), (0.03, 0.5, 1.6)), "full-length", True),
         (thing("monitor", (3.0, 2.0), (0.2, 1.0, 0.4)), "ultrawide", True),
+        (thing("piano", (3.0, 2.0), (0.6, 1.5, 1.2)), "grand", False),
+        (thing("piano", (3.0, 2.0), (1.6, 1.5, 1.0)), "grand", True),
+        (thing("bed", (3.0, 2.0), (2.0, 1.6, 2.0)), "four-poster", True),
+        (thing("bed", (3.0, 2.0), (2.0, 1.6, 0.9)), "four-poster", False),
+        (thing("rug", (3.0, 2.0), (1.6, 2.3, 0.01)), "rolled up", False),
+        (LOFT, "loft", True),
+        (thing("bed", (3.0, 2.0), (2.0, 1.6, 1.6)), "loft", False),
+        (L_SHAPE, "sectional", True),
         (thing("hoverboard", (3.0, 2.0)), "small", None),
         (thing("sofa", (3.0, 2.0)), "chesterfield", None),
         (thing("laptop", (3.0, 2.0)), "open", None),
@@ -180,5 +191,14 @@ def test_rows_of_attributes():
         ["eq", 1, "chair", "red", "leather"],
         ["eq", 1, "chair", "comfortable"],
         ["eq", 1, "sofa", "red"],
+        ["eq", 1, "sofa", "comfortable"],
     ]
-    assert [row.met for row in judge_room(demands(attributes=rows), room)] == [True, False, True, False, None, False]
+    assert [row.met for row in judge_room(demands(attributes=rows), room)] == [
+        True,
+        False,
+        True,
+        False,
+        None,
+        False,
+        None,
+    ]

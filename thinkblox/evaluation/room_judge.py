@@ -1,12 +1,12 @@
 """Whether a finished room is what its prompt demands, row by row."""
 
-from collections.abc import Iterable, Sequence
-from itertools import combinations, product
+from collections.abc import Sequence
+from itertools import chain, combinations, product
 from typing import Any
 
 from thinkblox.evaluation import element_rules, object_rules
 from thinkblox.evaluation.annotations import Annotation, Attribute, Count, ElementRelation, ObjectRelation, RoomDemand
-from thinkblox.evaluation.attributes import shows
+from thinkblox.evaluation.attributes import NOT_SHOWN, shows, what_shows
 from thinkblox.evaluation.bodies import Body
 from thinkblox.evaluation.matching import is_kind_of, match, names_of
 from thinkblox.evaluation.relation_words import ObjectRule, element, element_rule
@@ -21,7 +21,7 @@ MAX_GROUPS = 20_000
 """Most groups of objects that are tried for one relation."""
 SIZE_TOLERANCE = 0.06
 """By how much a side of the floor may differ, for feet that were rounded [m]."""
-_SHOWN = 6
+_LISTED = 4
 
 
 def judge_room(annotation: Annotation, scene: SceneRecord) -> tuple[JudgedRow, ...]:
@@ -64,10 +64,10 @@ class _RoomJudge:
         seen = {
             b.id: [shows(b, word, row.category, self._room) for word in row.attributes] for b in self._all(row.category)
         }
-        about, demand = ", ".join(row.attributes), str(row)
-        if any(shown.holds is None for shown in _flat(seen.values())):
-            says = "neither geometry, colour nor material shows it"
-            return JudgedRow(kind="attribute", about=about, demand=demand, met=None, says=says)
+        shown_by, demand = [what_shows(word) for word in row.attributes], str(row)
+        about = " and ".join(sorted(set(shown_by))) if all(shown_by) else "state or style"
+        if not all(shown_by) or any(s.holds is None for s in chain.from_iterable(seen.values())):
+            return JudgedRow(kind="attribute", about=about, demand=demand, met=None, says=NOT_SHOWN)
         if not seen:
             return JudgedRow(kind="attribute", about=about, demand=demand, met=False, says="none there")
         having = [id for id, shown in seen.items() if all(s.holds for s in shown)]
@@ -162,13 +162,9 @@ def _relation_row(kind: Any, row: ObjectRelation | ElementRelation, met: bool | 
     return JudgedRow(kind=kind, about=row.relation, demand=str(row), met=met, says=says)
 
 
-def _flat(rows: Iterable[Iterable[Any]]) -> list[Any]:
-    return [item for row in rows for item in row]
-
-
 def _list(items: Sequence[str]) -> str:
-    shown = ", ".join(items[:_SHOWN])
-    return shown if len(items) <= _SHOWN else f"{shown} and {len(items) - _SHOWN} more"
+    shown = ", ".join(items[:_LISTED])
+    return shown if len(items) <= _LISTED else f"{shown} and {len(items) - _LISTED} more"
 
 
 def _floor_rows(demand: RoomDemand, scene: SceneRecord) -> list[JudgedRow]:
