@@ -1,5 +1,6 @@
 """What the README and the guide show is run as it stands."""
 
+import json
 import re
 import subprocess
 import sys
@@ -48,11 +49,14 @@ def test_make_test_lints_types_and_tests():
 
 def test_the_commands_of_the_readme_run(tmp_path):
     shown = re.findall(r"^    thinkblox (\w+)(.*)$", (ROOT / "README.md").read_text(), re.MULTILINE)
-    assert [command for command, _ in shown] == ["generate", "verify", "render", "assets", "schema"]
+    assert [command for command, _ in shown] == ["generate", "verify", "evaluate", "render", "assets", "schema"]
     values = {"PROMPT": "An empty room with nothing in it but a chair.", "DIR": str(tmp_path / "room")}
     values |= {"SCENE": values["DIR"], "N": "2", "PX": "96", "NAME": "scene"}
     values |= {"PATH": values["DIR"], "A,B": "scenesmith,sceneeval_sim", "FILE": str(tmp_path / "page.html")}
+    demands = [{"id": "chair", "prompt": values["PROMPT"], "count": [["eq", 1, "chair"]]}]
+    (tmp_path / "annotations.json").write_text(json.dumps(demands))
     for command, rest in shown:
+        rest = rest.replace("--annotations FILE", f"--annotations {tmp_path / 'annotations.json'}")
         rest = rest.replace("--category NAME", "--category desk")
         words = re.sub(r"\[--(room|json|out|overwrite)[^]]*\]|#.*|[\[\]]", "", rest).split()
         arguments = [values.get(word, word) for word in words]

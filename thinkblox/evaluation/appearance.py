@@ -13,7 +13,7 @@ MATERIAL = 0.2
 """The share of the surface that has to be of a material, unless the table says less."""
 
 
-class Patch(NamedTuple):
+class ColourPatch(NamedTuple):
     """A part of the surface."""
 
     area: float
@@ -21,14 +21,14 @@ class Patch(NamedTuple):
     material: str
 
 
-def patches(body: Body) -> tuple[Patch, ...]:
+def patches(body: Body) -> tuple[ColourPatch, ...]:
     """The surface of an object in one-coloured parts; a mesh that is seen instead of a part lends it its colour."""
-    found: list[Patch] = []
+    found: list[ColourPatch] = []
     for link in body.asset.links:
         seen = [mesh.look.base_colour for mesh in link.visuals if mesh.look.texture is None]
         for number, shape in enumerate(link.shapes):
             colour = seen[number % len(seen)] if seen else shape.colour
-            found.append(Patch(_area(shape), colour, shape.material))
+            found.append(ColourPatch(_area(shape), colour, shape.material))
     return tuple(found)
 
 
@@ -56,7 +56,7 @@ def _material(word: str) -> str:
     return name
 
 
-def _share(body: Body, chosen: Callable[[Patch], bool]) -> float:
+def _share(body: Body, chosen: Callable[[ColourPatch], bool]) -> float:
     parts = patches(body)
     whole = sum(patch.area for patch in parts)
     return sum(patch.area for patch in parts if chosen(patch)) / whole if whole > 0 else 0.0

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from shapely import MultiPoint, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from thinkblox.evaluation.room_file import AssetRecord, PlacementRecord, ShapeRecord, Vec2
+from thinkblox.evaluation.room_file import PlacementRecord, SeenAsset, ShapeRecord, Vec2
 
 _ROUND = 24
 """Corners that stand for a circle."""
@@ -32,7 +32,7 @@ class Body:
     """An object in the room. Its own frame: x to its front, y to its left, from the middle of its footprint [m]."""
 
     placement: PlacementRecord
-    asset: AssetRecord
+    asset: SeenAsset
 
     @property
     def id(self) -> str:

@@ -4,7 +4,7 @@ import signal
 import time
 import traceback
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import suppress
 from multiprocessing import connection, get_context
 from multiprocessing.connection import Connection
@@ -30,7 +30,9 @@ class Done(NamedTuple, Generic[R]):
     fault: str = ""
 
 
-def work_through(function: Callable[[T], R], things: Sequence[T], *, jobs: int, seconds: float) -> Iterator[Done[R]]:
+def work_through(
+    function: Callable[[T], R], things: Sequence[T], *, jobs: int, seconds: float
+) -> Generator[Done[R], None, None]:
     """Call a function with each thing, in `jobs` processes, and give what comes of each as it is done.
 
     A process that dies or takes longer than `seconds` over one thing costs that thing, and another takes its place. All

@@ -7,10 +7,10 @@ from shapely import union_all
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.evaluation.bodies import Body
-from thinkblox.evaluation.finding import Finding
 from thinkblox.evaluation.object_rules import ACROSS, EXACT, FAR, FAR_IN_SMALL, MAJORITY, NEAR, NEXT_TO
 from thinkblox.evaluation.relation_words import Element, ElementRule
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.ruling import Ruling
+from thinkblox.evaluation.walls import Enclosure
 
 ON_WALL = 0.01
 """Largest gap behind what hangs on a wall [m]."""
@@ -27,7 +27,7 @@ CENTRAL = 0.25
 _SCORE_OF_HALF = math.sqrt(2.0 * math.log(2.0))
 
 
-def holds(rule: ElementRule, body: Body, part: Element, room: Surroundings) -> Finding:
+def holds(rule: ElementRule, body: Body, part: Element, room: Enclosure) -> Ruling:
     """Whether an object stands in a relation to a part of the room."""
     if rule == "on_wall":
         return _on_wall(body, room)
@@ -37,34 +37,34 @@ def holds(rule: ElementRule, body: Body, part: Element, room: Surroundings) -> F
         return _in_corner(body, room)
     if rule == "hang_ceiling":
         gap = room.height - body.high
-        return Finding(gap <= CEILING + EXACT, f"{gap:.2f} m below the ceiling")
+        return Ruling(gap <= CEILING + EXACT, f"{gap:.2f} m below the ceiling")
     if rule == "middle_room":
         return _in_middle(body, room)
     if rule == "inside_room":
         inside = room.floor.intersection(body.footprint).area / body.footprint.area
-        return Finding(inside > MAJORITY, f"{inside:.0%} of it inside".replace("%", " %"))
+        return Ruling(inside > MAJORITY, f"{inside:.0%} of it inside".replace("%", " %"))
     return _apart(rule, body, part, room)
 
 
-def _on_wall(body: Body, room: Surroundings) -> Finding:
+def _on_wall(body: Body, room: Enclosure) -> Ruling:
     gap = min((w.gap(body) for w in room.walls if w.covers(body) > MAJORITY), default=math.inf)
     hangs = body.low > OFF_FLOOR
-    return Finding(
+    return Ruling(
         gap <= ON_WALL + EXACT and hangs, f"{gap:.3f} m from a wall" + ("" if hangs else ", standing on the floor")
     )
 
 
-def _against_wall(body: Body, room: Surroundings) -> Finding:
+def _against_wall(body: Body, room: Enclosure) -> Ruling:
     gap = min((w.gap(body) for w in room.walls if w.covers(body) > MAJORITY), default=math.inf)
-    return Finding(gap <= AGAINST_WALL + EXACT, f"{gap:.2f} m from a wall")
+    return Ruling(gap <= AGAINST_WALL + EXACT, f"{gap:.2f} m from a wall")
 
 
-def _in_corner(body: Body, room: Surroundings) -> Finding:
+def _in_corner(body: Body, room: Enclosure) -> Ruling:
     gap = min((max(a.gap(body), b.gap(body)) for a, b in room.corners), default=math.inf)
-    return Finding(gap <= CORNER + EXACT, f"{gap:.2f} m from the farther wall of the nearest corner")
+    return Ruling(gap <= CORNER + EXACT, f"{gap:.2f} m from the farther wall of the nearest corner")
 
 
-def _in_middle(body: Body, room: Surroundings) -> Finding:
+def _in_middle(body: Body, room: Enclosure) -> Ruling:
     """SceneEval's bound, which grows with the object, and besides within the middle half of the floor each way.
 
     Alone, that bound takes a bed at the wall of a small room to be in its middle.
@@ -75,10 +75,10 @@ def _in_middle(body: Body, room: Surroundings) -> Finding:
     side, large = (x1 - x0 + y1 - y0) / 2, 2 * max(body.half)
     bound = _SCORE_OF_HALF * (0.5 * large + 1.0 - large / side)
     central = abs(dx) <= CENTRAL * (x1 - x0) and abs(dy) <= CENTRAL * (y1 - y0)
-    return Finding(central and math.hypot(dx, dy) <= bound, f"{math.hypot(dx, dy):.2f} m from the middle")
+    return Ruling(central and math.hypot(dx, dy) <= bound, f"{math.hypot(dx, dy):.2f} m from the middle")
 
 
-def _apart(rule: ElementRule, body: Body, part: Element, room: Surroundings) -> Finding:
+def _apart(rule: ElementRule, body: Body, part: Element, room: Enclosure) -> Ruling:
     if part == "ceiling":
         gap = max(0.0, room.height - body.high)
     elif part == "floor":
@@ -86,7 +86,7 @@ def _apart(rule: ElementRule, body: Body, part: Element, room: Surroundings) -> 
     else:
         lines = _lines(part, room)
         if not lines:
-            return Finding(False, f"there is no {part}")
+            return Ruling(False, f"there is no {part}")
         gap = float(union_all(lines).distance(body.footprint))
     small = room.diagonal - 2 * max(body.half) <= FAR
     ranges = {
@@ -96,10 +96,10 @@ def _apart(rule: ElementRule, body: Body, part: Element, room: Surroundings) -> 
         "far": (FAR_IN_SMALL if small else FAR, math.inf),
     }
     least, most = ranges[rule]
-    return Finding(least - EXACT <= gap <= most + EXACT, f"{gap:.2f} m from the nearest {part}")
+    return Ruling(least - EXACT <= gap <= most + EXACT, f"{gap:.2f} m from the nearest {part}")
 
 
-def _lines(part: Element, room: Surroundings) -> Sequence[BaseGeometry]:
+def _lines(part: Element, room: Enclosure) -> Sequence[BaseGeometry]:
     if part == "corner":
         return room.corner_points()
     if part in ("door", "window"):

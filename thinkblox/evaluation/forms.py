@@ -48,6 +48,17 @@ def judged_form(body: Body, word: str, demanded: str) -> Judged:
     return None
 
 
+def is_shape_word(word: str) -> bool:
+    """Whether it says a shape, a number of drawers, or a size by itself, as "queen" does of a bed."""
+    word = word.lower().replace("-", " ")
+    return word in _FORMS or _DRAWERS.fullmatch(word) is not None
+
+
+def is_size_word(word: str) -> bool:
+    """Whether it says a size against what is ordinary."""
+    return word.lower().replace("-", " ") in _SIZES
+
+
 def _number(text: str) -> int | None:
     return int(text) if text.isdecimal() else None
 
@@ -127,6 +138,29 @@ def _ultrawide(body: Body) -> tuple[bool, str]:
     return wide >= 1.8 * tall, f"{wide:.2f} m by {tall:.2f} m"
 
 
+def _grand(body: Body) -> tuple[bool, str]:
+    """An upright piano is half a metre deep; a grand one has its strings lying."""
+    deep = 2 * min(body.half)
+    return deep >= 1.2, f"{deep:.2f} m deep"
+
+
+def _four_poster(body: Body) -> tuple[bool, str]:
+    tall = body.high - body.low
+    return tall >= 1.5, f"{tall:.2f} m high"
+
+
+def _rolled_up(body: Body) -> tuple[bool, str]:
+    thick = body.high - body.low
+    return thick >= 0.06, f"{thick:.2f} m thick"
+
+
+def _loft(body: Body) -> tuple[bool, str]:
+    """Nothing but legs below the height of a desk."""
+    low = [part for part in body.parts if part.low < 1.0 and part.outline.area > 0.3]
+    tall = body.high - body.low
+    return tall >= 1.3 and not low, f"{tall:.2f} m high, {len(low)} broad parts below 1 m"
+
+
 def _width(least: float, most: float) -> Callable[[Body], tuple[bool, str]]:
     def rule(body: Body) -> tuple[bool, str]:
         wide = 2 * min(body.half)
@@ -142,6 +176,11 @@ _FORMS: dict[str, Callable[[Body], tuple[bool, str]]] = {
     "square": _square,
     "rectangular": _rectangular,
     "l shaped": _l_shaped,
+    "sectional": _l_shaped,
+    "grand": _grand,
+    "four poster": _four_poster,
+    "rolled up": _rolled_up,
+    "loft": _loft,
     "long": _long,
     "full length": _full_length,
     "ultrawide": _ultrawide,

@@ -49,15 +49,14 @@ def _is_one(names: Iterable[str], category: str, vocabulary: Vocabulary) -> bool
 
 
 def _nearest(names: Sequence[str], categories: Iterable[str], vocabulary: Vocabulary) -> str | None:
-    """The demanded category that lies the fewest kinds above any of the names, and of several the most special."""
+    """The most special of the demanded categories that any of the names is one of, and of several the nearest."""
     steps: dict[str, int] = {}
     for category in categories:
         above = [step for name in names if (step := vocabulary.steps(name, category)) is not None]
         if above:
             steps[category] = min(above)
-    nearest = [category for category, step in steps.items() if step == min(steps.values())]
-    special = [a for a in nearest if any(vocabulary.steps(a, b) is not None for b in nearest if a != b)]
-    return next(iter([*special, *nearest]), None)
+    special = [a for a in steps if not any(a != b and vocabulary.steps(b, a) is not None for b in steps)]
+    return min(special or steps, key=lambda category: steps[category], default=None)
 
 
 def is_kind_of(names: Iterable[str], category: str, vocabulary: Vocabulary) -> bool:

@@ -12,11 +12,11 @@ from itertools import pairwise
 from shapely import LineString, Point, Polygon
 
 from thinkblox.evaluation.bodies import Body, distance, share_within
-from thinkblox.evaluation.finding import Finding
 from thinkblox.evaluation.relation_words import ObjectRule
 from thinkblox.evaluation.resting import is_in, is_over, lies_on
+from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.vocabulary import load_vocabulary
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.walls import Enclosure
 
 NEXT_TO = 0.5
 """Largest distance between two things that are next to each other [m]."""
@@ -41,45 +41,47 @@ SQUARE = 0.01
 MAJORITY = 0.5
 EXACT = 1e-6
 """What a distance may miss a range by: files are written to the micrometre [m]."""
+OPEN_SIDE = 200.0
+"""Widest gap between neighbours round an anchor [degrees]: three seats round a table may leave one side open."""
 _FAN = 9
 
-Rule = Callable[[Body, Body, Surroundings], Finding]
+Rule = Callable[[Body, Body, Enclosure], Ruling]
 
 
-def holds(rule: ObjectRule, anchor: Body, subjects: Sequence[Body], room: Surroundings) -> Finding:
+def holds(rule: ObjectRule, anchor: Body, subjects: Sequence[Body], room: Enclosure) -> Ruling:
     """Whether the subjects stand in a relation to the anchor: all of them, or together where they surround it."""
     if rule == "surround":
         return _surround(anchor, subjects)
     found = [_RULES[rule](anchor, subject, room) for subject in subjects]
-    return Finding(all(f.holds for f in found), "; ".join(f.says for f in found))
+    return Ruling(all(f.holds for f in found), "; ".join(f.says for f in found))
 
 
-def _next_to(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _next_to(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     return _within(distance(anchor, subject), 0.0, NEXT_TO)
 
 
-def _near(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _near(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     return _within(distance(anchor, subject), 0.0, NEAR)
 
 
-def _far(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _far(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     widest = room.diagonal - 2 * max(anchor.half) - 2 * max(subject.half)
     return _within(distance(anchor, subject), FAR if widest > FAR else FAR_IN_SMALL, math.inf)
 
 
-def _within(apart: float, least: float, most: float) -> Finding:
-    return Finding(least - EXACT <= apart <= most + EXACT, f"{apart:.2f} m apart")
+def _within(apart: float, least: float, most: float) -> Ruling:
+    return Ruling(least - EXACT <= apart <= most + EXACT, f"{apart:.2f} m apart")
 
 
-def _across_from(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _across_from(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     apart = _within(distance(anchor, subject), *ACROSS)
     off = min(_deviation(anchor, subject), _deviation(subject, anchor))
-    return Finding(apart.holds and off <= OPPOSITE, f"{apart.says}, the nearer front {off:.0f} degrees off")
+    return Ruling(apart.holds and off <= OPPOSITE, f"{apart.says}, the nearer front {off:.0f} degrees off")
 
 
-def _face_to(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _face_to(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     off = _deviation(subject, anchor)
-    return Finding(off <= FACING, f"front {off:.0f} degrees off")
+    return Ruling(off <= FACING, f"front {off:.0f} degrees off")
 
 
 def _deviation(who: Body, what: Body) -> float:
@@ -117,12 +119,12 @@ def _angle(a: tuple[float, float], b: tuple[float, float]) -> float:
 def _side(name: str) -> Rule:
     """A rule for one side of the anchor: most of the subject lies in what opens like a fan from that side."""
 
-    def rule(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+    def rule(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
         own = anchor.to_own(subject.footprint)
         shares = {side: share_within(own, _fan(anchor, side)) for side in _SIDES}
         best = max(shares, key=lambda side: shares[side])
         where = f"most of it {_SIDES[best]}" if shares[best] > MAJORITY else "on no side within 2.5 m"
-        return Finding(shares[name] > MAJORITY, f"{shares[name]:.0%} of it {_SIDES[name]}, {where}".replace("%", " %"))
+        return Ruling(shares[name] > MAJORITY, f"{shares[name]:.0%} of it {_SIDES[name]}, {where}".replace("%", " %"))
 
     return rule
 
@@ -145,49 +147,52 @@ def _fan(anchor: Body, side: str) -> Polygon:
 
 
 def _long_or_short(long: bool) -> Rule:
-    def rule(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+    def rule(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
         (hx, hy), own = anchor.half, anchor.to_own(Point(subject.centre)).coords[0]
         if abs(hx - hy) <= SQUARE * max(hx, hy):
-            return Finding(False, "the sides are equal")
+            return Ruling(False, "the sides are equal")
         beyond = (abs(own[0]) - hx, abs(own[1]) - hy)
         at_long = beyond[1] > beyond[0] if hx > hy else beyond[0] > beyond[1]
         gap = float(anchor.footprint.distance(subject.footprint))
         says = f"at a {'long' if at_long else 'short'} side, {gap:.2f} m off"
-        return Finding(at_long == long and gap <= AT_TABLE, says)
+        return Ruling(at_long == long and gap <= AT_TABLE, says)
 
     return rule
 
 
-def _on_top(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _on_top(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     return lies_on(subject, anchor)
 
 
-def _inside_of(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _inside_of(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     return is_in(subject, anchor, load_vocabulary())
 
 
-def _outside_of(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _outside_of(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     found = is_in(subject, anchor, load_vocabulary())
-    return Finding(not found.holds, found.says)
+    return Ruling(not found.holds, found.says)
 
 
-def _above(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _above(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     return is_over(subject, anchor)
 
 
-def _under(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _under(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     return is_over(anchor, subject)
 
 
-def _middle_of(anchor: Body, subject: Body, room: Surroundings) -> Finding:
+def _middle_of(anchor: Body, subject: Body, room: Enclosure) -> Ruling:
     off = math.dist(anchor.centre, subject.centre)
-    return Finding(off <= MIDDLE, f"{off:.2f} m from the middle")
+    return Ruling(off <= MIDDLE, f"{off:.2f} m from the middle")
 
 
-def _surround(anchor: Body, subjects: Sequence[Body]) -> Finding:
-    """SceneEval's score: equal distances make one half of it, equal angles between neighbours the other."""
+def _surround(anchor: Body, subjects: Sequence[Body]) -> Ruling:
+    """SceneEval's score: equal distances make one half of it, equal angles between neighbours the other.
+
+    Alone, it takes a crowd on one side to surround; so no side may be open.
+    """
     if len(subjects) < 2:
-        return Finding(False, "one thing surrounds nothing")
+        return Ruling(False, "one thing surrounds nothing")
     x, y = anchor.centre
     away = [math.dist(anchor.centre, s.centre) for s in subjects]
     turns = sorted(math.degrees(math.atan2(s.centre[1] - y, s.centre[0] - x)) % 360.0 for s in subjects)
@@ -197,7 +202,8 @@ def _surround(anchor: Body, subjects: Sequence[Body]) -> Finding:
     round_about = sum((1 - min(1.0, abs(gap - ideal) / ideal)) ** 2 for gap in gaps) / len(gaps)
     score = (even + round_about) / 2
     near = max(distance(anchor, s) for s in subjects) <= NEAR
-    return Finding(score > MAJORITY and near, f"{len(subjects)} round it with a score of {score:.2f}")
+    says = f"{len(subjects)} round it with a score of {score:.2f}, the widest gap {max(gaps):.0f} degrees"
+    return Ruling(score > MAJORITY and near and max(gaps) <= OPEN_SIDE, says)
 
 
 _RULES: dict[ObjectRule, Rule] = {

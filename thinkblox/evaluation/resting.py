@@ -3,8 +3,8 @@
 from shapely import union_all
 
 from thinkblox.evaluation.bodies import Body, share_within, shared
-from thinkblox.evaluation.finding import Finding
 from thinkblox.evaluation.matching import names_of
+from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.vocabulary import Vocabulary
 
 SINKS, RISES = 0.06, 0.04
@@ -18,8 +18,10 @@ BEFORE = 0.3
 OVERLAP = 0.05
 """By how much the upper of two things may reach below the top of the lower one [m]."""
 MAJORITY = 0.5
-SHELVES = ("shelf", "shelving unit", "rack", "tray", "basket")
-"""What holds things on its topmost board or over its rim as well as within."""
+SHELVES = ("shelf", "rack")
+"""What holds things on its topmost board as well as within."""
+CLOSED = "bookcase"
+"""What is a shelf too, and has a top that is no board of it."""
 
 
 def carries(carrier: Body, load: Body) -> bool:
@@ -30,14 +32,14 @@ def carries(carrier: Body, load: Body) -> bool:
     )
 
 
-def lies_on(load: Body, carrier: Body) -> Finding:
+def lies_on(load: Body, carrier: Body) -> Ruling:
     """Whether something lies on top of something else, and not in a compartment of it."""
     over = shared(load.footprint, carrier.footprint)
     if over <= MAJORITY:
-        return Finding(False, f"{over:.0%} over it".replace("%", " %"))
+        return Ruling(False, f"{over:.0%} over it".replace("%", " %"))
     if not carries(carrier, load):
-        return Finding(False, f"its base {load.low:.2f} m up is on no part of it")
-    return Finding(not _roofed(load, carrier), "on it, under another part of it" if _roofed(load, carrier) else "on it")
+        return Ruling(False, f"its base {load.low:.2f} m up is on no part of it")
+    return Ruling(not _roofed(load, carrier), "on it, under another part of it" if _roofed(load, carrier) else "on it")
 
 
 def _roofed(load: Body, carrier: Body) -> bool:
@@ -46,7 +48,7 @@ def _roofed(load: Body, carrier: Body) -> bool:
     return bool(roofs) and share_within(load.footprint, union_all(roofs)) > MAJORITY
 
 
-def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Finding:
+def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Ruling:
     """Whether most of something is in the box round a container, or it stands in it and sticks out.
 
     Of a shelf, also what stands on its topmost board.
@@ -56,15 +58,16 @@ def is_in(thing: Body, container: Body, vocabulary: Vocabulary) -> Finding:
     inside = aside * max(0.0, min(thing.high, container.high) - max(thing.low, container.low)) / tall
     stands_in = aside > 0.8 and container.low - CAUGHT <= thing.low < container.high - CAUGHT
     on_shelf = _is_shelf(container, vocabulary) and aside > MAJORITY and carries(container, thing)
-    return Finding(inside > MAJORITY or stands_in or on_shelf, f"{inside:.0%} of it within".replace("%", " %"))
+    return Ruling(inside > MAJORITY or stands_in or on_shelf, f"{inside:.0%} of it within".replace("%", " %"))
 
 
 def _is_shelf(container: Body, vocabulary: Vocabulary) -> bool:
     names = names_of(container.asset.category, container.asset.description)
-    return any(vocabulary.steps(name, shelf) is not None for name in names for shelf in SHELVES)
+    open_ones = any(vocabulary.steps(name, shelf) is not None for name in names for shelf in SHELVES)
+    return open_ones and all(vocabulary.steps(name, CLOSED) is None for name in names)
 
 
-def is_over(upper: Body, lower: Body) -> Finding:
+def is_over(upper: Body, lower: Body) -> Ruling:
     """Whether something hangs or stands over something else, as a picture over a sofa or a loft bed over a desk."""
     straight = shared(upper.footprint, lower.footprint)
     gap = float(upper.footprint.distance(lower.footprint))
@@ -72,7 +75,7 @@ def is_over(upper: Body, lower: Body) -> Finding:
     below = _clears(upper, lower)
     height = "higher" if below else "not higher"
     says = f"{height}, {straight * 100:.0f} % straight over it, {gap:.2f} m aside"
-    return Finding(below and (straight > MAJORITY or (gap <= BEFORE and along > MAJORITY)), says)
+    return Ruling(below and (straight > MAJORITY or (gap <= BEFORE and along > MAJORITY)), says)
 
 
 def _clears(upper: Body, lower: Body) -> bool:

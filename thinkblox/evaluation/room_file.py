@@ -52,7 +52,7 @@ class LinkRecord(msgspec.Struct, frozen=True):
     visuals: tuple[MeshRecord, ...] = ()
 
 
-class AssetRecord(msgspec.Struct, frozen=True):
+class SeenAsset(msgspec.Struct, frozen=True):
     """What a placement shows."""
 
     category: str
@@ -100,7 +100,7 @@ class SceneRecord(msgspec.Struct, frozen=True):
 
     room: RoomRecord
     placements: tuple[PlacementRecord, ...] = ()
-    assets: dict[str, AssetRecord] = {}
+    assets: dict[str, SeenAsset] = {}
     prompt: str = ""
 
 

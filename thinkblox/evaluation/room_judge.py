@@ -1,27 +1,27 @@
 """Whether a finished room is what its prompt demands, row by row."""
 
-from collections.abc import Iterable, Sequence
-from itertools import combinations, product
+from collections.abc import Sequence
+from itertools import chain, combinations, product
 from typing import Any
 
 from thinkblox.evaluation import element_rules, object_rules
 from thinkblox.evaluation.annotations import Annotation, Attribute, Count, ElementRelation, ObjectRelation, RoomDemand
-from thinkblox.evaluation.attributes import shows
+from thinkblox.evaluation.attributes import NOT_SHOWN, shows, what_shows
 from thinkblox.evaluation.bodies import Body
-from thinkblox.evaluation.finding import Finding
 from thinkblox.evaluation.matching import is_kind_of, match, names_of
 from thinkblox.evaluation.relation_words import ObjectRule, element, element_rule
 from thinkblox.evaluation.relation_words import object_rules as rules_for
 from thinkblox.evaluation.room_file import SceneRecord
+from thinkblox.evaluation.ruling import Ruling
 from thinkblox.evaluation.tallies import JudgedRow
 from thinkblox.evaluation.vocabulary import load_vocabulary
-from thinkblox.evaluation.walls import Surroundings
+from thinkblox.evaluation.walls import Enclosure
 
 MAX_GROUPS = 20_000
 """Most groups of objects that are tried for one relation."""
 SIZE_TOLERANCE = 0.06
 """By how much a side of the floor may differ, for feet that were rounded [m]."""
-_SHOWN = 6
+_LISTED = 4
 
 
 def judge_room(annotation: Annotation, scene: SceneRecord) -> tuple[JudgedRow, ...]:
@@ -37,7 +37,7 @@ def judge_room(annotation: Annotation, scene: SceneRecord) -> tuple[JudgedRow, .
 
 class _RoomJudge:
     def __init__(self, scene: SceneRecord, annotation: Annotation) -> None:
-        self._room = Surroundings(scene.room)
+        self._room = Enclosure(scene.room)
         self._bodies = {p.id: Body(p, scene.assets[p.asset]) for p in scene.placements}
         self._names = {b.id: names_of(b.asset.category, b.asset.description) for b in self._bodies.values()}
         self._vocabulary = load_vocabulary()
@@ -64,10 +64,10 @@ class _RoomJudge:
         seen = {
             b.id: [shows(b, word, row.category, self._room) for word in row.attributes] for b in self._all(row.category)
         }
-        about, demand = ", ".join(row.attributes), str(row)
-        if any(shown.holds is None for shown in _flat(seen.values())):
-            says = "neither geometry, colour nor material shows it"
-            return JudgedRow(kind="attribute", about=about, demand=demand, met=None, says=says)
+        shown_by, demand = [what_shows(word) for word in row.attributes], str(row)
+        about = " and ".join(sorted(set(shown_by))) if all(shown_by) else "state or style"
+        if not all(shown_by) or any(s.holds is None for s in chain.from_iterable(seen.values())):
+            return JudgedRow(kind="attribute", about=about, demand=demand, met=None, says=NOT_SHOWN)
         if not seen:
             return JudgedRow(kind="attribute", about=about, demand=demand, met=False, says="none there")
         having = [id for id, shown in seen.items() if all(s.holds for s in shown)]
@@ -143,12 +143,12 @@ def _nearest(anchor: Body, bodies: Sequence[Body], number: int) -> list[Body]:
     return sorted(bodies, key=away)[:number]
 
 
-def _all_hold(rules: Sequence[ObjectRule], anchor: Body, subjects: Sequence[Body], room: Surroundings) -> Finding:
+def _all_hold(rules: Sequence[ObjectRule], anchor: Body, subjects: Sequence[Body], room: Enclosure) -> Ruling:
     found = [object_rules.holds(rule, anchor, subjects, room) for rule in rules]
-    return Finding(all(f.holds for f in found), "; ".join(f.says for f in found))
+    return Ruling(all(f.holds for f in found), "; ".join(f.says for f in found))
 
 
-def _counted(kind: Any, row: ObjectRelation | ElementRelation, found: Sequence[tuple[str, Finding]]) -> JudgedRow:
+def _counted(kind: Any, row: ObjectRelation | ElementRelation, found: Sequence[tuple[str, Ruling]]) -> JudgedRow:
     holding = [who for who, finding in found if finding.holds]
     met = row.met_by(len(holding))
     others = [f"{who}: {finding.says}" for who, finding in found if not finding.holds]
@@ -162,18 +162,14 @@ def _relation_row(kind: Any, row: ObjectRelation | ElementRelation, met: bool | 
     return JudgedRow(kind=kind, about=row.relation, demand=str(row), met=met, says=says)
 
 
-def _flat(rows: Iterable[Iterable[Any]]) -> list[Any]:
-    return [item for row in rows for item in row]
-
-
 def _list(items: Sequence[str]) -> str:
-    shown = ", ".join(items[:_SHOWN])
-    return shown if len(items) <= _SHOWN else f"{shown} and {len(items) - _SHOWN} more"
+    shown = ", ".join(items[:_LISTED])
+    return shown if len(items) <= _LISTED else f"{shown} and {len(items) - _LISTED} more"
 
 
 def _floor_rows(demand: RoomDemand, scene: SceneRecord) -> list[JudgedRow]:
     rows: list[JudgedRow] = []
-    x0, y0, x1, y1 = Surroundings(scene.room).floor.bounds
+    x0, y0, x1, y1 = Enclosure(scene.room).floor.bounds
     if demand.size is not None:
         pairs = zip(sorted(demand.size), sorted((x1 - x0, y1 - y0)), strict=True)
         met = all(abs(asked - made) <= SIZE_TOLERANCE for asked, made in pairs)

@@ -20,6 +20,7 @@ from thinkblox.evaluation.results import Judgement
 from thinkblox.evaluation.room_file import RoomRecord, SceneRecord, read_report, read_scene
 from thinkblox.evaluation.room_judge import judge_room
 from thinkblox.evaluation.tallies import JudgedRow
+from thinkblox.holding import note_placed
 
 GRACE = 300.0
 """How much longer than the budget for placing one room may take in all [s]."""
@@ -77,7 +78,11 @@ def _check_names(annotations: Sequence[Annotation]) -> None:
 
 def _judgements(tasks: Sequence[_Task], jobs: int, limit: float) -> Iterator[Judgement]:
     for done in work_through(_judged, tasks, jobs=jobs, seconds=limit):
-        yield _outcome(tasks[done.number].annotation, done)
+        task = tasks[done.number]
+        judgement = _outcome(task.annotation, done)
+        if task.making is not None and task.making.rooms is not None and not judgement.refused:
+            note_placed(task.making.rooms / task.annotation.id)
+        yield judgement
 
 
 def _outcome(annotation: Annotation, done: Done[Judgement]) -> Judgement:

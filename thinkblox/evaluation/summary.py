@@ -114,7 +114,7 @@ def _facts(evaluation: Evaluation) -> Table:
             ('called "all as asked", and not so', sum(j.complete is True and not j.whole for j in judged)),
             ('not called "all as asked", though so', sum(j.complete is False and j.whole for j in judged)),
         ]
-    if times:
+    if any(times):
         facts.append(("seconds for one, median", f"{times[len(times) // 2]:.2f}"))
         facts.append(("seconds for one, longest", f"{times[-1]:.2f}"))
     return Table("The whole", ("", ""), tuple((name, str(value)) for name, value in facts))

@@ -9,6 +9,7 @@ from importlib.resources import files
 
 _TABLE = "vocabulary.toml"
 _MOST_STEPS = 16
+_GROUPS = frozenset("pair set stack pile bunch row group couple piece lot".split())
 _ARTICLES = frozenset("a an the some".split())
 _IRREGULAR = {
     "shelves": "shelf",
@@ -105,7 +106,10 @@ class Vocabulary:
 
 
 def _shorter(name: str) -> str:
-    """A name that says less: "bowl of red apples" is a bowl, a "round dining table" a dining table."""
+    """A name that says less: a "bowl of apples" is a bowl, a "pair of boots" boots, a "round dining table" a table."""
+    head, of, rest = name.partition(" of ")
+    if of and head.split()[-1] in _GROUPS:
+        return plain(rest)
     for link in (" of ", " with ", " in ", " for "):
         if link in name:
             return plain(name.split(link)[0])

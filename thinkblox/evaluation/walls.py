@@ -39,7 +39,7 @@ class WallLine:
         return max(0.0, inside) / (high - low) if high > low else 0.0
 
 
-class Surroundings:
+class Enclosure:
     """A room's parts, made once for all objects in it."""
 
     def __init__(self, room: RoomRecord) -> None:

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 
-class Finding(NamedTuple):
+class Ruling(NamedTuple):
     """Whether a relation holds, and what was measured."""
 
     holds: bool
