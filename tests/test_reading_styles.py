@@ -20,12 +20,12 @@ PROMPTS = {
     ),
     "A dining room with a long table, 2 chairs on each long side and one at each end.": (
         "1 dining_table, 6 chair",
-        "chair around dining_table",
+        "chair at_long_side dining_table, chair at_short_side dining_table",
         "",
     ),
     "A bedroom with two armchairs, one by the window and one by the door, and a bed.": (
         "2 armchair, 1 bed",
-        "armchair near window, armchair near door",
+        "armchair next_to window, armchair next_to door",
         "",
     ),
     "A sofa with a lamp on either side and a picture above it.": (
@@ -34,27 +34,27 @@ PROMPTS = {
         "",
     ),
     "A bar with a bar counter and five stools, a shelf with bottles behind the counter, and a jukebox in the corner.": (
-        "1 bar_counter, 5 bar_stool, 1 shelving_unit, 3 bottle",
-        "bottle on shelving_unit, shelving_unit behind bar_counter",
-        "a jukebox",
+        "1 bar_counter, 5 bar_stool, 1 shelving_unit, 3 bottle, 1 jukebox",
+        "bottle inside shelving_unit, shelving_unit behind bar_counter, jukebox in_corner corner",
+        "",
     ),
     "A living room with a pouffe in front of the armchair and coat hooks by the entrance.": (
         "1 ottoman, 1 armchair, 1 coat_hooks",
-        "ottoman in_front_of armchair, coat_hooks near door",
+        "ottoman in_front_of armchair, coat_hooks next_to door",
         "",
     ),
     "A bookstore with a cash desk by the entrance, six bookcases along the north wall, and a reading table with "
     "two chairs in the north-east corner.": (
         "1 counter, 6 bookcase, 1 display_table, 2 chair",
         (
-            "counter near door, bookcase against_wall north_wall, chair around display_table, display_table "
+            "counter next_to door, bookcase against_wall north_wall, chair around display_table, display_table "
             "in_corner north_wall east_wall"
         ),
         "",
     ),
     "Laundry: washer, dryer next to it, shelf above both with detergent bottles, hamper.": (
-        "1 washing_machine, 1 dryer, 1 wall_shelf, 3 bottle, 1 laundry_basket",
-        "dryer next_to washing_machine, wall_shelf above dryer washing_machine, bottle on wall_shelf",
+        "1 washing_machine, 1 dryer, 1 wall_shelf, 3 dish_soap, 1 laundry_basket",
+        "dryer next_to washing_machine, wall_shelf above dryer washing_machine, dish_soap on wall_shelf",
         "",
     ),
     "A hospital room with two beds separated by a curtain, a nightstand next to each bed, a TV mounted on the "
@@ -78,14 +78,14 @@ PROMPTS = {
         "1 counter, 1 coffee_machine, 1 food_tray, 1 menu_board, 5 dining_table, 10 chair, 1 potted_plant",
         (
             "coffee_machine on counter, food_tray on counter, menu_board behind counter, chair around "
-            "dining_table, potted_plant near door"
+            "dining_table, potted_plant next_to door"
         ),
         "",
     ),
     "There is a desk in front of the window, with a laptop and a cup of coffee on it. A bookshelf filled with "
     "books is to the right of the desk.": (
         "1 desk, 1 laptop, 1 cup, 1 bookcase",
-        "desk near window, laptop on desk, cup on desk, bookcase right_of desk",
+        "desk next_to window, laptop on desk, cup on desk, bookcase right_of desk",
         "",
     ),
     "Place a bed against the wall. Put two pillows on it. Put a nightstand to the left of the bed and a lamp on it.": (
@@ -116,7 +116,7 @@ PROMPTS = {
     "A pharmacy with shelves of medicine bottles along the walls, a counter with a computer and a cash register, "
     "and three chairs for waiting.": (
         "2 shelving_unit, 3 bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
-        ("bottle on shelving_unit, shelving_unit against_wall wall, computer on counter, cash_register on counter"),
+        ("bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, cash_register on counter"),
         "",
     ),
     "A dorm room for two students: two beds, two desks with chairs and lamps, two wardrobes.": (
@@ -131,19 +131,19 @@ PROMPTS = {
         "",
     ),
     "A dining room with a table that seats ten, a china cabinet and a bar cart.": (
-        "1 dining_table, 1 china_cabinet",
+        "1 dining_table, 1 china_cabinet, 1 bar_cart",
         "",
-        "a bar cart",
+        "",
     ),
     "A hotel room with twin beds, a nightstand between them with a phone and a lamp on it, a desk with a chair, a"
     " luggage rack, and a safe in the wardrobe.": (
-        "2 bed, 1 nightstand, 1 phone, 1 table_lamp, 1 desk, 1 chair, 1 safe, 1 wardrobe",
-        ("nightstand between bed, phone on nightstand, table_lamp on nightstand, chair at desk, safe on wardrobe"),
-        "a luggage rack",
+        "2 bed, 1 nightstand, 1 phone, 1 table_lamp, 1 desk, 1 chair, 1 safe, 1 wardrobe, 1 luggage_rack",
+        ("nightstand between bed, phone on nightstand, table_lamp on nightstand, chair at desk, safe inside wardrobe"),
+        "",
     ),
     "A bookshelf stands against the wall with a globe on the top shelf and three books on the middle shelf.": (
         "1 bookcase, 1 globe, 3 book",
-        "bookcase against_wall wall, globe on bookcase, book on bookcase",
+        "bookcase against_wall wall, globe inside bookcase, book inside bookcase",
         "",
     ),
     "Create a bedroom. It needs a bed, a desk with a laptop, a chair tucked under the desk, and a trash can "
@@ -163,8 +163,8 @@ PROMPTS = {
     ),
     "A tea room with four low tables, each with four floor cushions around it, and a teapot and two cups on each "
     "table.": (
-        "4 coffee_table, 16 bean_bag, 4 teapot, 8 cup",
-        "bean_bag around coffee_table, teapot on coffee_table, cup on coffee_table",
+        "4 coffee_table, 16 floor_cushion, 4 teapot, 8 cup",
+        "floor_cushion around coffee_table, teapot on coffee_table, cup on coffee_table",
         "",
     ),
     "Living room with sofa (3 seats), armchair x2, coffee table, TV unit w/ 55 inch TV, 2x bookcase, floor lamp": (
@@ -187,13 +187,13 @@ PROMPTS = {
         "",
     ),
     "A kitchen with an apple, a knife and a cutting board on the counter, and a trash bin next to the fridge.": (
-        "1 cutlery, 1 base_cabinet, 1 waste_bin, 1 fridge",
-        "cutlery on base_cabinet, waste_bin next_to fridge",
-        "an apple; a cutting board",
+        "1 apple, 1 knife, 1 cutting_board, 1 base_cabinet, 1 waste_bin, 1 fridge",
+        "apple on base_cabinet, knife on base_cabinet, cutting_board on base_cabinet, waste_bin next_to fridge",
+        "",
     ),
     "Two single beds with a shared nightstand, a double desk with two chairs, and two wardrobes on the opposite wall": (
         "2 bed, 1 nightstand, 1 desk, 2 chair, 2 wardrobe",
-        "nightstand between bed, chair at desk, wardrobe opposite desk",
+        "nightstand between bed, chair at desk, wardrobe against_wall opposite_wall",
         "",
     ),
     "A court room with a judge's desk and twelve chairs in two rows to the left of it.": (
@@ -217,22 +217,22 @@ PROMPTS = {
         "4 hospital_bed, 4 nightstand, 2 curtain, 1 washbasin",
         (
             "hospital_bed against_wall long_wall, nightstand next_to hospital_bed, curtain between "
-            "hospital_bed, washbasin near door"
+            "hospital_bed, washbasin next_to door"
         ),
         "",
     ),
     "Classroom: 3 rows of 5 desks with chairs, all facing the blackboard; teacher's desk in front of the "
     "blackboard with an apple and a laptop on it; cabinet in the back corner; two windows on the left wall.": (
-        "15 school_desk, 15 chair, 1 blackboard, 1 desk, 1 laptop, 1 cabinet",
+        "15 school_desk, 15 chair, 1 blackboard, 1 desk, 1 apple, 1 laptop, 1 cabinet",
         (
             "school_desk in_rows, chair at school_desk, school_desk facing blackboard, desk in_front_of "
             "blackboard, laptop on desk, cabinet in_corner far_wall"
         ),
-        "an apple",
+        "",
     ),
     "A laundry room with two washing machines next to each other, a dryer on the right of them, a shelf above the"
     " machines with detergent and a basket.": (
-        "2 washing_machine, 1 dryer, 1 wall_shelf, 1 basket",
+        "2 washing_machine, 1 dryer, 1 wall_shelf, 1 detergent, 1 basket",
         ("washing_machine next_to washing_machine, dryer right_of washing_machine, wall_shelf above washing_machine"),
         "",
     ),
@@ -241,14 +241,14 @@ PROMPTS = {
         "1 crib, 1 rocking_chair, 1 play_table, 1 table_lamp, 1 dresser, 1 rug, 3 toy",
         (
             "crib against_wall wall, rocking_chair next_to crib, table_lamp on play_table, play_table between"
-            " rocking_chair crib, dresser opposite crib, rug in_centre centre, toy near rug"
+            " rocking_chair crib, dresser opposite crib, rug in_centre centre, toy on rug"
         ),
         "",
     ),
     "A meeting room with a rectangular table, four chairs on each side and one at each end, a TV on the wall at "
     "the end of the table, and a whiteboard next to the door.": (
         "1 conference_table, 10 chair, 1 wall_tv, 1 whiteboard",
-        "chair around conference_table, wall_tv near conference_table, whiteboard near door",
+        "chair around conference_table, wall_tv near conference_table, whiteboard next_to door",
         "",
     ),
     "Living room with fireplace; two sofas facing each other in front of the fireplace, rug between them, coffee "
@@ -268,16 +268,16 @@ PROMPTS = {
     ),
     "A bedroom containing one double bed, one wardrobe with a suitcase on top, one desk with one lamp and one "
     "chair, and one window.": (
-        "1 bed, 1 wardrobe, 1 box, 1 desk, 1 desk_lamp, 1 chair",
-        "box on wardrobe, desk_lamp on desk, chair at desk",
+        "1 bed, 1 wardrobe, 1 suitcase, 1 desk, 1 desk_lamp, 1 chair",
+        "suitcase on wardrobe, desk_lamp on desk, chair at desk",
         "",
     ),
     "A bar: long counter with 8 stools in front of it, shelves with 12 bottles behind it, 2 pool tables, dart "
     "board on the left wall.": (
         "1 counter, 8 bar_stool, 2 shelving_unit, 12 bottle, 2 pool_table, 1 dart_board",
         (
-            "bar_stool in_front_of counter, bottle on shelving_unit, shelving_unit behind counter, dart_board"
-            " against_wall left_wall"
+            "bar_stool in_front_of counter, bottle inside shelving_unit, shelving_unit behind counter, dart_board"
+            " on left_wall"
         ),
         "",
     ),

@@ -56,6 +56,8 @@ class _Reading:
         self._names = {r.key: names_of(r.category, r.phrase) for r in brief.requests}
         self._counts = {r.key: r.count for r in brief.requests}
         self._of = match(self._names, annotation, self._vocabulary)
+        self._relations = [r for r in brief.relations if not r.negated]
+        self._assumed = {r.key for r in brief.requests if not r.asked}
 
     def count(self, row: Count) -> JudgedRow:
         keys = self._of[row.category]
@@ -90,6 +92,7 @@ class _Reading:
         if missing or not rules:
             why = f"not asked for: {', '.join(missing)}" if missing else f"no rule for {row.relation!r}"
             return _relation_row("object relation", row, row.relation, None if not rules else False, why)
+        subjects, anchors = self._with_carriers(subjects), self._with_carriers(anchors)
         found = [self._between(_table()["objects"][rule], subjects, anchors) for rule in rules]
         amounts = {amount for relations in found for amount in self._amounts(relations, subjects, anchors)}
         amounts |= {amount // len(row.subjects) for amount in amounts}
@@ -103,17 +106,23 @@ class _Reading:
             why = f"not asked for: {row.category}" if not keys else f"no rule for {row.relation!r}"
             return _relation_row("architecture", row, row.relation, False if not keys else None, why)
         entry = _table()["elements"][rule]
-        found = [r for r in self._brief.relations if r.subject in keys and _names_place(r, entry["kinds"], part)]
+        keys = self._with_carriers(keys)
+        found = [r for r in self._relations if r.subject in keys and _names_place(r, entry["kinds"], part)]
         stand = tuple(dict.fromkeys(r.subject for r in found))
         stand += tuple(key for key in keys if key not in stand and self._mount(key) in entry["mounts"])
         amounts = {self._amount(stand), len(found)} if stand else {0}
         met = any(row.met_by(amount) for amount in amounts) if row.number else not found
         return _relation_row("architecture", row, row.relation, met, self._says([found], keys))
 
+    def _with_carriers(self, keys: tuple[str, ...]) -> tuple[str, ...]:
+        """What the brief adds to carry these counts for them: a cabinet under a sink stands where the sink does."""
+        carriers = [a for r in self._relations if r.kind == "on" and r.subject in keys for a in r.anchors]
+        return (*keys, *(a for a in dict.fromkeys(carriers) if a in self._assumed and a not in keys))
+
     def _between(self, entry: dict[str, list[str]], subjects: Sequence[str], anchors: Sequence[str]) -> list[Relation]:
         return [
             r
-            for r in self._brief.relations
+            for r in self._relations
             if (r.kind in entry["same"] and r.subject in subjects and set(r.anchors) & set(anchors))
             or (r.kind in entry["inverse"] and r.subject in anchors and set(r.anchors) & set(subjects))
         ]
@@ -139,7 +148,7 @@ class _Reading:
         """What of the brief meets the demand, or else everything that it says of these objects."""
         if found and all(found):
             return "; ".join(_in_words(r, self._counts) for relations in found for r in relations)
-        others = [r for r in self._brief.relations if r.subject in set(keys)]
+        others = [r for r in self._relations if r.subject in set(keys)]
         return (
             f"has only {'; '.join(_in_words(r, self._counts) for r in others)}"
             if others

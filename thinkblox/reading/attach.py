@@ -61,7 +61,6 @@ def _turned(bond: Bond, anchor: Mention) -> Bond:
     usual = habits.tie(bond.subject.noun, anchor.noun)
     if bond.kind == "on" and habits.is_in(anchor.noun, "covers") and not habits.is_in(bond.subject.noun, "covers"):
         if habits.is_in(bond.subject.noun, "small"):
-            bond.kind = "near"
             return bond
         return Bond("under", anchor, (bond.subject,), each=bond.each)
     if bond.kind in ("against_wall", "under") and usual in ("at", "around"):

@@ -332,7 +332,7 @@ class Clauses(Namer):
         if anchors and where.noun is not None and where.noun.kind in ("thing", "number") and not meaning.told:
             self.frontier.append(Node(anchors, None, known=where.noun.definite))
         elif anchors and where.noun is not None and where.noun.kind == "thing":
-            self.frontier.append(Node(anchors, None, known=True))
+            self.frontier.append(Node(anchors, None, known=True, told=True))
 
     def _place_carrier(self, subjects: list[Mention], meaning: Meaning) -> None:
         """ "In the middle a vase on a table": it is the table that stands in the middle."""
@@ -358,7 +358,7 @@ class Clauses(Namer):
         before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]
         if before and (side or where.word in _SIDEWARD or where.word == "on"):
             likely = before if side or where.word != "on" else [*likely, *before]
-        if where.noun is not None and where.noun.kind in ("part", "place"):
+        if where.noun is not None and where.noun.kind in ("part", "place") and where.whole is None:
             likely = likely if where.noun.det in ("my", "each", "either", "") and where.noun.kind == "part" else []
         meaning = self.meanings.of(where, [], likely, noun)
         if self.separator in ("and", "comma", "comma_and"):
@@ -426,6 +426,9 @@ class Clauses(Namer):
             within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
             if lying and noun is not None and noun.kind == "pronoun" and (within or self._behind_its_carrier(head, where)):
                 return head
+        middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
+        if head is not None and head.things and middle and inner.things[-1].many and not inner.frame.each:
+            return head
         if head is not None and head.things and not self._is_pronominal(where):
             thing = inner.things[-1]
             place = noun is not None and noun.kind == "place" and not (noun.value == "centre" and where.whole is None)
@@ -466,7 +469,7 @@ class Clauses(Namer):
         subject = next((n for n in nodes if n.frame is not None), None) or self.subject
         if subject is None:
             return inner
-        if inner.known or where.negated:
+        if inner.told or where.negated or (inner.known and not is_small(subject.things[-1])):
             return subject
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
@@ -509,6 +512,7 @@ class Clauses(Namer):
         frame = node.frame
         for bond in (b for t in node.things for b in self.draft.bonds_of(t)):
             found += [a for a in bond.anchors if isinstance(a, Mention) and not bond.negated]
+        found += [t.host for t in node.things if t.host is not None]
         if frame is not None and frame.head is not None:
             found += frame.head.things
         if frame is not None and self._after_and(node):
@@ -651,10 +655,22 @@ class Clauses(Namer):
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
         roomish = noun.value.rpartition(" ")[2] in _ROOMISH
         with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
+        named_room = self._is_link(after, "mark", "colon") and noun.text.lower().split()[-1] in _ROOMISH
+        if not noun.det and not noun.many and self._colon_ahead():
+            named_room = True
+        if named_room and noun.det in ("a", "") and not noun.many:
+            self._room(replace(noun, kind="room", value="room"))
+            return True
         if not noun.named and (roomish or introduces or with_ or self._is_link(after, "mark")) and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
             return True
         return False
+
+    def _colon_ahead(self) -> bool:
+        """Whether a colon ends what was begun, before any other mark."""
+        marks = (c for c in self.chunks[self.at :] if isinstance(c, Link) and c.sort == "mark")
+        first = next(marks, None)
+        return first is not None and first.value == "colon"
 
     def _room(self, noun: Noun) -> None:
         if self.draft.room and noun.value not in ("room",) and not noun.definite and self.draft.things:
@@ -732,6 +748,7 @@ class Clauses(Namer):
         known = self._known(noun)
         if known:
             self._take_known(noun, known)
+            self.negating = noun.det == "none"
             return
         thing = self._new(noun)
         self._take(thing, noun)
@@ -755,7 +772,7 @@ class Clauses(Namer):
 
     def _is_new_clause(self, noun: Noun) -> bool:
         """Whether a verb of its own follows the noun: ", and two guitars hang on the wall"."""
-        if self.separator == "and" and not self.predicate and not self.existential:
+        if self.separator in ("and", "comma") and not self.predicate and not self.existential and not self.front:
             return False
         index = self.at
         while index < len(self.chunks):
@@ -816,7 +833,7 @@ class Clauses(Namer):
         if text[:1] != ["one"] or noun.count != 1:
             return []
         whole = self.referents.named(noun)
-        if whole is None or not whole.many or (whole.count or 2) < 2:
+        if whole is None or self.referents.total(whole) < 2:
             return []
         return [self.referents.part(whole, 1)]
 
@@ -948,11 +965,8 @@ class Clauses(Namer):
         count = noun.count if noun.count is not None else (None if noun.plural else 1)
         if noun.share:
             count = self._share_of(noun)
-        if "corner" in noun.attributes and not noun.value.startswith("corner"):
-            noun.attributes.remove("corner")
-            cornered = True
-        else:
-            cornered = False
+        cornered = "corner" in noun.text.lower().split()[:-1] and not noun.value.startswith("corner")
+        noun.attributes = [a for a in noun.attributes if a != "corner" or not cornered]
         thing = Mention(noun.value, count, noun.vague, noun.plural, noun.rows, [*noun.attributes], noun.text)
         thing.least, thing.most = noun.least, noun.most
         thing.vague |= noun.share > 0
@@ -1833,6 +1847,9 @@ class Clauses(Namer):
         following = self.peek()
         single = len(size.lengths) == 1 and size.area is None
         roomy = not single and size.area is None and min(length.metres for length in size.lengths) > _ROOMY
+        if single and isinstance(following, Adjective) and following.attributes == ["square"]:
+            size = replace(size, lengths=size.lengths * 2)
+            single = False
         thing = self.frontier[-1].thing if self.frontier else None
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         if roomy and not self.draft.sizes:
@@ -1855,7 +1872,7 @@ _ROOMISH = (
     "club", "hall", "lab", "laboratory", "surgery", "cell", "cabin", "centre", "center", "aisle", "corridor", "store",
     "shop", "salon", "van", "practice", "ward", "nook", "cinema", "closet", "lounge", "den", "lobby", "room", "studio",
     "theatre", "theater", "court", "arena", "base", "station", "depot", "cafeteria", "cottage", "hut", "shed", "barn",
-    "container", "chalet", "bunker", "booth", "greenhouse", "office", "area", "corner", "space", "parlour", "sauna",
+    "container", "chalet", "bar", "pub", "restaurant", "bistro", "cafe", "diner", "stage", "set", "cockpit", "hostel", "bunker", "booth", "greenhouse", "office", "area", "corner", "space", "parlour", "sauna",
     "spa", "kiosk", "stall", "garage", "attic", "basement", "cellar", "vault", "tent", "boat", "ship", "train", "bus",
 )  # fmt: skip
 """Last words of the names of rooms."""

@@ -146,7 +146,7 @@ class Meanings:
         """What the part is a part of: a thing, or else the room."""
         whole = where.whole
         if whole is not None:
-            inner = Where("on", whole)
+            inner = Where("on" if said.value in ("top", "middle", "inside", "in_shelf") else "next_to", whole)
             if whole.kind in ("place", "room", "abstract", "people"):
                 return self._of_room(said, subjects)
             return self.of(inner, subjects, likely, noun)

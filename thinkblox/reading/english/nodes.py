@@ -37,13 +37,15 @@ class Node:
     Attributes:
         things: one, or the several of a subject.
         frame: the list it belongs to; None for an anchor.
-        known: it was named before.
+        known: it was named before, or as if it had been ("the fridge").
+        told: it was named before.
         each: "each desk".
     """
 
     things: list[Mention] = field(default_factory=list)
     frame: Frame | None = None
     known: bool = False
+    told: bool = False
     each: bool = False
 
     @property

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from thinkblox.knowledge.vocabulary import is_abstract, is_person
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.plurals import singular
@@ -239,7 +240,9 @@ class PhraseReader:
     def _measure(self, noun: Noun, at: int) -> int:
         found = grammar().at(self.tokens, at, "measures")
         thing = self.thing_at(at)
-        if found is None or (thing is not None and thing.length > found.length):
+        inner_thing = self.thing_at(at + found.length) if found is not None else None
+        same = thing is not None and inner_thing is not None and inner_thing.entry.value == thing.entry.value
+        if found is None or (thing is not None and thing.length > found.length and not same):
             return 0
         word = self.tokens[at].text
         several = word.endswith("s")
@@ -345,6 +348,8 @@ class PhraseReader:
     # --- nouns and their modifiers
 
     def _units(self, noun: Noun, at: int, units: _Units) -> int:
+        if noun.ordinal and grammar().at(self.tokens, at, "verbs", "participles") is not None:
+            return at
         while at < len(self.tokens) and self.tokens[at].kind != "mark":
             length = self._unit(noun, at, units)
             if not length:
@@ -451,7 +456,7 @@ class PhraseReader:
         if token.owner:
             units.nouns.append(_Unit(token.shown, None, True))
             return 1
-        if token.text.endswith("ly") and len(token.text) > 4 and not self._known(at, "object"):
+        if token.text.endswith("ly") and len(token.text) > 4 and self._known(at + 1, "object") is None:
             return 1 if self._starts_noun(at + 1) and not units.nouns else 0
         if units.nouns and self._is_verb(at, units):
             return 0
@@ -460,7 +465,7 @@ class PhraseReader:
                 return 0
         if len(units.nouns) >= _NAMES:
             return 0
-        if not units.nouns and token.text.endswith(("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive")):
+        if not units.nouns and token.text.endswith(("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")):
             if self._starts_noun(at + 1) and self._has_noun(at + 1):
                 noun.unshown.append(token.shown.lower())
                 units.adjectives += 1
@@ -629,6 +634,12 @@ class PhraseReader:
             if "abstract" in found:
                 noun.kind, noun.value = "abstract", " ".join(words)
                 return True
+        if is_person(words[-1]):
+            noun.kind, noun.value = "people", "people"
+            return True
+        if is_abstract(words[-1]) and noun.count is None:
+            noun.kind, noun.value = "abstract", " ".join(words)
+            return True
         return False
 
     def _size_after(self, noun: Noun) -> None:

@@ -80,7 +80,7 @@ class Referents:
             if usual:
                 return usual[0]
         for thing in candidates[: len(likely)]:
-            if thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps", "wallpieces") or thing in sound:
+            if thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps") or thing in sound:
                 return thing
         if kind in _BY_HABIT and noun:
             usual = [t for t in sound if habits.tie(noun, t.noun) == kind]
@@ -101,7 +101,7 @@ class Referents:
         """What "them" means: a plural thing, or two that were just related or joined."""
         for thing in self._recent():
             family = self.family(thing)
-            if len(family) > 1 and kind == "each" and not set(map(id, family)) & set(map(id, subject)):
+            if len(family) > 1 and kind in ("each", "between") and not set(map(id, family)) & set(map(id, subject)):
                 return tuple(family)
             if thing in subject or any(thing is s.owner or thing.owner is s for s in subject):
                 continue
