@@ -97,7 +97,7 @@ class Draft:
     excluded: set[str] = field(default_factory=set)
     empty: bool = False
     free: list[str] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    rooms: list[str] = field(default_factory=list)
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""

@@ -52,6 +52,8 @@ def _finish(draft: Draft) -> None:
     draft.bonds = [
         b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Mention))
     ]
+    if draft.rooms:
+        draft.unknown.append(f"more than one room: {', '.join(draft.rooms)} left out")
     _drop_impossible_sizes(draft)
     limit_things(draft)
     _drop_general(draft)

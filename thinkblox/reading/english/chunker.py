@@ -115,7 +115,7 @@ class Chunker:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""
         if noun.kind == "pronoun":
             return self._is_pronoun(noun, link)
-        if noun.share:
+        if noun.share or (link.value == "seat" and not self._number_follows(link)):
             return True
         if link.length > 1 and link.sort in ("verbs", "participles") and self.tokens[self.at].text in ("that", "which"):
             return False
@@ -129,6 +129,11 @@ class Chunker:
         if link.sort in ("fillers", "joins"):
             return noun.kind in ("thing", "place", "room") and first is not None
         return False
+
+    def _number_follows(self, link: Function) -> bool:
+        return grammar().at(self.tokens, self.at + link.length, "count") is not None or (
+            self.at + link.length < len(self.tokens) and self.tokens[self.at + link.length].kind == "number"
+        )
 
     def _is_pronoun(self, noun: Noun, link: Function) -> bool:
         if link.sort == "joins":

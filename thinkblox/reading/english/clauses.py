@@ -282,6 +282,10 @@ class Clauses(Namer):
             if where.noun.value.endswith("_wall"):
                 self.opening.wall = where.noun.value
             return
+        if self.opening is not None and not self.frontier and where.noun is not None and where.noun.kind == "thing":
+            for thing in self.anchors(where.noun, [])[0]:
+                bind(self.draft, Bond("next_to", thing, (self.opening.kind,)))
+            return
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
             self._place_node(Node(anchors, self.clause, known=True), where)
@@ -317,6 +321,9 @@ class Clauses(Namer):
         self._relate(subjects, meaning, negated=where.negated)
         if where.negated:
             return
+        if where.second is not None and where.second.kind == "place":
+            opening = Meaning("next_to", (where.second.value.split()[0],))
+            self._relate(subjects, opening)
         if meaning.kind in ("on", "inside") and not meaning.told:
             self._place_carrier(subjects, meaning)
         if node in self.frontier:
@@ -553,6 +560,8 @@ class Clauses(Namer):
             if self._is_laid(subject, meaning, anchors) and not negated:
                 continue
             kind = relation_kind(meaning.kind)
+            if kind == "on" and not negated and self._is_seated_on(subject, anchors):
+                continue
             if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
                 kind = "next_to"
             bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
@@ -569,6 +578,16 @@ class Clauses(Namer):
                     self.referents.pairs.append((subject, anchor))
         if self.opening is not None and not subjects and isinstance(anchors[0], str) and anchors[0].endswith("_wall"):
             self.opening.wall = anchors[0]
+
+    def _is_seated_on(self, table: Mention, seats: tuple[Mention | str, ...]) -> bool:
+        """Put the chairs around a table that "seats eight people on eight chairs"."""
+        if not self.habits.is_in(table.noun, "tables", "desks"):
+            return False
+        if not all(isinstance(s, Mention) and self.habits.is_in(s.noun, "seats", "chairs") for s in seats):
+            return False
+        for seat in seats:
+            bind(self.draft, Bond("around", seat, (table,)))  # type: ignore[arg-type]
+        return True
 
     def _lies_on(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:
         """Whether it was said to lie on these, or for each of these: it is in front of them then."""
@@ -673,8 +692,9 @@ class Clauses(Namer):
         return first is not None and first.value == "colon"
 
     def _room(self, noun: Noun) -> None:
-        if self.draft.room and noun.value not in ("room",) and not noun.definite and self.draft.things:
-            self.draft.notes.append(noun.text)
+        if self._is_another_room(noun):
+            self.draft.rooms.append(noun.text)
+            return
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = noun.value
         self.draft.room_attributes += noun.attributes
@@ -683,6 +703,14 @@ class Clauses(Namer):
             self.draft.sizes.append(noun.size)
         if not self.draft.things:
             self.frontier = []
+
+    def _is_another_room(self, noun: Noun) -> bool:
+        """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
+        if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
+            return False
+        zone = noun.text.lower().split()[-1] in ("area", "corner", "nook", "space", "zone", "section", "side", "set")
+        listed = noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
+        return listed and not zone and noun.value != self.draft.room
 
     def _people(self, noun: Noun) -> None:
         if noun.count and not self.draft.things and not noun.each:
@@ -963,6 +991,8 @@ class Clauses(Namer):
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
         count = noun.count if noun.count is not None else (None if noun.plural else 1)
+        if noun.value == "seat" and not noun.named:
+            noun.value = "chair"
         if noun.share:
             count = self._share_of(noun)
         cornered = "corner" in noun.text.lower().split()[:-1] and not noun.value.startswith("corner")
@@ -1664,6 +1694,8 @@ class Clauses(Namer):
     def _copy(self, whole: Mention, count: int) -> Mention:
         part = replace(whole, count=count, attributes=[*whole.attributes], unshown=[*whole.unshown], states=[*whole.states])
         part.per = [*whole.per]
+        anchors = [a for b in self.draft.bonds_of(whole) for a in b.anchors if isinstance(a, Mention)]
+        part.host = part.host or next(iter(anchors), None)
         self.draft.things.append(part)
         self.draft.bonds += [replace(b, subject=part) for b in self.draft.bonds_of(whole) if b.implied]
         self.referents.speak(part)
