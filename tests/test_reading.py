@@ -163,7 +163,7 @@ OWN = {
     ),
     "A bedroom with a bed, two nightstands on either side of the bed, each with a lamp and an alarm clock.": (
         "1 bed, 2 nightstand, 2 table_lamp, 2 alarm_clock",
-        "nightstand next_to bed, table_lamp on nightstand, alarm_clock on nightstand",
+        "nightstand left_of bed, nightstand right_of bed, table_lamp on nightstand, alarm_clock on nightstand",
     ),
     "A sofa with two cushions, a floor lamp to the left of the sofa and a side table to the right of it.": (
         "1 sofa, 2 pillow, 1 floor_lamp, 1 side_table",
@@ -191,7 +191,7 @@ OWN = {
     ),
     "A sofa with a side table on each side and a lamp on each side table.": (
         "1 sofa, 2 side_table, 2 table_lamp",
-        "side_table next_to sofa, table_lamp on side_table",
+        "side_table left_of sofa, side_table right_of sofa, table_lamp on side_table",
     ),
     "Two armchairs by the fireplace with a small round table between them, and on the table two cups.": (
         "2 armchair, 1 fireplace, 1 coffee_table, 2 cup",
@@ -251,7 +251,7 @@ def counted(brief: Brief) -> dict[str, int]:
 def related(brief: Brief) -> set[str]:
     category = {request.key: request.category for request in brief.requests}
     return {
-        " ".join([category[r.subject], r.kind, *(category.get(a, a) for a in r.anchors)])
+        " ".join([category[r.subject], r.kind, *dict.fromkeys(category.get(a, a) for a in r.anchors)])
         for r in brief.relations
         if r.kind != "in_rows"
     } | {f"{category[r.subject]} in_rows" for r in brief.relations if r.kind == "in_rows"}

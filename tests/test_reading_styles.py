@@ -30,7 +30,7 @@ PROMPTS = {
     ),
     "A sofa with a lamp on either side and a picture above it.": (
         "1 sofa, 2 floor_lamp, 1 picture",
-        "floor_lamp next_to sofa, picture above sofa",
+        "floor_lamp left_of sofa, floor_lamp right_of sofa, picture above sofa",
         "",
     ),
     "A bar with a bar counter and five stools, a shelf with bottles behind the counter, and a jukebox in the corner.": (
@@ -181,7 +181,7 @@ PROMPTS = {
     " dresser with a television. In the far right corner stands a plant.": (
         "1 bed, 2 nightstand, 1 dresser, 1 tv, 1 plant",
         (
-            "bed in_centre centre, nightstand next_to bed, dresser opposite bed, tv on dresser, plant "
+            "bed in_centre centre, nightstand left_of bed, nightstand right_of bed, dresser opposite bed, tv on dresser, plant "
             "in_corner far_wall right_wall"
         ),
         "",
@@ -263,7 +263,7 @@ PROMPTS = {
     "A reception with a desk, two chairs in front of it and one behind it, a sofa along the wall, and a plant on "
     "each side of the sofa.": (
         "1 reception_desk, 3 chair, 1 sofa, 2 plant",
-        ("chair in_front_of reception_desk, chair behind reception_desk, sofa against_wall wall, plant next_to sofa"),
+        ("chair in_front_of reception_desk, chair behind reception_desk, sofa against_wall wall, plant left_of sofa, plant right_of sofa"),
         "",
     ),
     "A bedroom containing one double bed, one wardrobe with a suitcase on top, one desk with one lamp and one "
@@ -306,7 +306,7 @@ PROMPTS = {
         "1 sofa, 1 coffee_table, 1 tv, 1 floor_lamp, 6 picture",
         (
             "sofa in_corner far_wall left_wall, coffee_table in_front_of sofa, tv opposite sofa, floor_lamp "
-            "near window, floor_lamp next_to sofa, picture above sofa"
+            "next_to window, floor_lamp next_to sofa, picture above sofa"
         ),
         "",
     ),

@@ -1,13 +1,26 @@
 """English, read with an open vocabulary: noun phrases, clauses, what they refer to, and what became of every word."""
 
+import re
+from dataclasses import replace
+
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.tokens import Token
 
 __all__ = ["read_english"]
+_POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.)", re.IGNORECASE)
+"""Abbreviations whose points end no sentence."""
+_SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
 
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
-    return Clauses(cut(lexicon, lexicon.tokens(text))).read()
+    text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
+    return Clauses(cut(lexicon, _spelt_out(lexicon.tokens(text)))).read()
+
+
+def _spelt_out(tokens: list[Token]) -> list[Token]:
+    """Words that people shorten, as the lexicon has them."""
+    return [replace(t, text=_SHORT[t.text]) if t.text in _SHORT else t for t in tokens]

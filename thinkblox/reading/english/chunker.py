@@ -28,6 +28,7 @@ _MARKS = {
     "&": "and",
     "+": "and",
 }
+_QUOTES = ('"', "“", "”", "„", "«", "»")
 _LINKS = (
     "mutual",
     "negations",
@@ -66,10 +67,12 @@ class Chunker:
 
     def _next(self) -> Chunk | None:
         token = self.tokens[self.at]
+        if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
+            return quoted
         if token.kind == "mark":
             value = _MARKS.get(token.text)
             return Link("mark", value, self.at, self.at + 1, token.shown) if value else None
-        if token.text == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text in ("/", "o"):
+        if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
             return Link("prepositions", "with", self.at, self.at + 2, "w/")
         about = grammar().at(self.tokens, self.at, "quantifiers")
         if about is not None and about.value == "about":
@@ -82,9 +85,21 @@ class Chunker:
                 return Measured(found[0], self.at, found[1])
         return self._words()
 
+    def _quoted(self) -> Link | None:
+        """Go past words in quotation marks, unless they name what comes right after."""
+        for end in range(self.at + 1, min(self.at + 12, len(self.tokens))):
+            if self.tokens[end].text in _QUOTES:
+                after = self._phrases.read(end + 1) if end + 1 < len(self.tokens) else None
+                if end - self.at < 2 or (after is not None and after.start == end + 1 and not after.det):
+                    return None
+                return Link("fillers", "words", self.at, end + 1, "")
+        return None
+
     def _words(self) -> Chunk:
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        if (doing := self._participle()) is not None:
+            return doing
         if noun is not None and (link is None or self._is_noun(noun, link)):
             return noun
         last = self.made[-1] if self.made else None
@@ -129,6 +144,18 @@ class Chunker:
         if link.sort in ("fillers", "joins"):
             return noun.kind in ("thing", "place", "room") and first is not None
         return False
+
+    def _participle(self) -> Link | None:
+        """Read a verb that no list has after "is": "are chilling in the fridge"."""
+        last = self.made[-1] if self.made else None
+        token = self.tokens[self.at]
+        if not isinstance(last, Link) or last.sort != "verbs" or last.value != "be":
+            return None
+        if not token.text.endswith(("ing", "ed")) or grammar().at(self.tokens, self.at, *_LINKS, "states"):
+            return None
+        if grammar().at(self.tokens, self.at + 1, "prepositions") is None:
+            return None
+        return Link("participles", "stand", self.at, self.at + 1, token.shown)
 
     def _number_follows(self, link: Function) -> bool:
         return grammar().at(self.tokens, self.at + link.length, "count") is not None or (

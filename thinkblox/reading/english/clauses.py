@@ -16,7 +16,7 @@ from thinkblox.reading.english.referents import Referents, is_small
 from thinkblox.reading.sizes import Size
 
 _ENDS = ("stop", "semicolon", "colon", "dash")
-_GROUPS = ("station", "workstation", "set", "setting", "group", "bay", "cubicle", "pod", "cluster", "area", "zone", "unit", "place")
+_GROUPS = ("station", "workstation", "set", "setting", "group", "bay", "cubicle", "pod", "cluster", "area", "zone", "unit", "place", "half", "section", "side", "wing", "row", "quarter")
 """Words for several things together, where "each" then says which."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
@@ -46,6 +46,7 @@ class Clauses(Namer):
         self.fresh: set[int] = set()
         self.said = ""
         self.verb = ""
+        self.bracket: tuple[list[Node], Frame, Node | None, bool] | None = None
         self.ordinals: dict[int, dict[int, Mention]] = {}
 
     def _begin(self) -> None:
@@ -65,6 +66,8 @@ class Clauses(Namer):
         self.excepting = False
         self.existential = False
         self.per_group = 0
+        self.outer: Node | None = None
+        self.crowd = 0
 
     def read(self) -> Draft:
         """Read everything."""
@@ -136,8 +139,29 @@ class Clauses(Namer):
         match link.value:
             case "stop" | "semicolon" | "colon" | "dash":
                 self._end(link.value)
-            case "comma" | "open" | "close" | "and":
+            case "open":
+                self.bracket = (list(self.frontier), self.clause, self.subject, self.predicate)
+                self._separate("comma")
+            case "close" if self.bracket is not None:
+                self._close_bracket()
+            case "comma" | "close" | "and":
                 self._separate("and" if link.value == "and" else "comma")
+
+    def _close_bracket(self) -> None:
+        """Go on with what was spoken of before the brackets; all its parts together."""
+        if self.bracket is None:
+            return
+        frontier, clause, subject, predicate = self.bracket
+        self.bracket = None
+        kept = set(map(id, self.draft.things))
+        for node in frontier:
+            family = [t for thing in node.things for t in self.referents.family(thing)]
+            node.things = [t for t in dict.fromkeys(family) if id(t) in kept]
+        clause.members = [t for m in clause.members for t in self.referents.family(m) if id(t) in kept]
+        self.frontier = [node for node in frontier if node.things]
+        self.clause, self.subject, self.predicate = clause, subject, predicate
+        self.referents.parted = None
+        self.separator = ""
 
     def _end(self, kind: str) -> None:
         """End a clause; after a colon or dash, what follows may tell the parts of what came last."""
@@ -183,17 +207,17 @@ class Clauses(Namer):
             kind = "comma_and"
         elif self.separator in ("and", "comma_and") and kind == "comma":
             kind = self.separator
-        if kind == "and" and self.excluding and self._next_is_excluded():
+        if kind in ("and", "comma") and self.excluding and self._next_is_excluded(bare=kind == "comma"):
             return
         self.excluding = False
         self.separator = kind
         self.relative = None
         self.pending = None
 
-    def _next_is_excluded(self) -> bool:
+    def _next_is_excluded(self, *, bare: bool) -> bool:
         """Whether "without a television and a rug" goes on: a noun without a verb or relation of its own."""
         noun = self._next_noun()
-        if noun is None or noun.kind != "thing":
+        if noun is None or noun.kind != "thing" or (bare and (noun.det or noun.count is not None)):
             return False
         after = self.peek(1)
         return not isinstance(after, Link) or after.sort == "mark"
@@ -235,6 +259,9 @@ class Clauses(Namer):
         index = self._skip_fillers(self.at)
         chunk = self.chunks[index] if index < len(self.chunks) else None
         where = Where(word or link.value, None, negated=self.negating)
+        if self._is_link(chunk, "joins", "which") and chunk.text.lower() in ("which", "whom"):  # type: ignore[union-attr]
+            self.at = index + 1
+            return self._which(where)
         if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
             return where
         if self._leads(where, chunk, index):
@@ -251,6 +278,18 @@ class Clauses(Namer):
             if second is not None and second.kind in ("thing", "place", "pronoun"):
                 where.second = second
                 self.at = self.chunks.index(second, self.at) + 1
+        return where
+
+    def _which(self, where: Where) -> Where:
+        """ "A counter, on which a monitor stands": a clause of its own about what was just named."""
+        outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
+        named = (outer or [n for n in self.frontier if n.things] or ([self.subject] if self.subject else []))[-1:]
+        if named:
+            self.referents.topics.append(named[0].things[-1])
+            self.outer = named[0]
+            self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
+            self.front, self.separator = [], ""
+        where.noun = Noun("pronoun", "it", 0, 0, "which")
         return where
 
     def _leads(self, where: Where, noun: Noun, index: int) -> bool:
@@ -311,7 +350,14 @@ class Clauses(Namer):
         return isinstance(before, Noun) and before.kind == "thing" and isinstance(self.front[-1].anchors[0], Mention)
 
     def _beyond(self, where: Where) -> None:
-        """Words that say where and mean no place that we know."""
+        """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
+        noun = where.noun
+        if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
+            self.frontier, self.subject, self.predicate = [], None, False
+            self.clause = Frame(None, "list", times=self.draft.people, each=True)
+            self.separator = ""
+            if self._is_link(self.peek(), "mark", "comma"):
+                self.at += 1
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
@@ -359,7 +405,9 @@ class Clauses(Namer):
         likely = [self.referents.topics[-1]] if self.referents.topics and not self.clause.members else []
         if self.frontier and self.frontier[-1].things and not likely:
             outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
-            likely = [n.things[-1] for n in (outer or self.frontier[-1:])]
+            last = next(n for n in reversed(self.frontier) if n.things)
+            both_small = noun != "" and self._belongs(noun, "small") and is_small(last.things[-1])
+            likely = [n.things[-1] for n in ([last] if both_small else outer or [last])]
         sides = ("left", "right", "side", "front", "back")
         side = where.noun is not None and where.noun.kind == "part" and where.noun.value in sides
         before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]
@@ -409,7 +457,8 @@ class Clauses(Namer):
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None
-            return isinstance(following, Noun) and following.kind == "thing" and self._is_link(led, "mark", "comma")
+            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and"
+            return isinstance(following, Noun) and following.kind == "thing" and comma
         return False
 
     # --- whom a relation is about
@@ -548,8 +597,34 @@ class Clauses(Namer):
 
     # --- relations
 
+    def _flanks(self, subjects: list[Mention], meaning: Meaning) -> bool:
+        """One of two things "on either side" stands at the left, the other at the right."""
+        anchor = meaning.anchors[0]
+        if not meaning.both or meaning.kind != "next_to" or len(subjects) != 1 or len(meaning.anchors) != 1:
+            return False
+        if not isinstance(anchor, Mention) or anchor.many or meaning.each:
+            return False
+        subject = subjects[0]
+        self._multiply(subject, meaning)
+        if self.referents.total(subject) != 2 or any(b.each for b in self.draft.bonds_of(subject) if not b.implied):
+            return False
+        for bond in self.draft.bonds_of(subject):
+            bond.each &= not bond.implied
+        part = self.referents.part(subject, 1)
+        self.referents.parted = None
+        for one, side in ((part, "left"), (subject, "right")):
+            self.draft.bonds = [b for b in self.draft.bonds if b.subject is not one or not b.implied]
+            bind(self.draft, Bond(relation_kind(f"{side}_of"), one, (anchor,)))
+            one._sides = (side,)  # type: ignore[attr-defined]
+        for node in self.frontier:
+            if node.things == [subject]:
+                node.things = [part, subject]
+        return True
+
     def _relate(self, subjects: list[Mention], meaning: Meaning, *, negated: bool = False) -> None:
         """Bind subjects to what they are related to."""
+        if not negated and self._flanks(subjects, meaning):
+            return
         anchors = tuple(a for a in meaning.anchors if a not in subjects) or meaning.anchors
         for subject in subjects:
             if subject in anchors and len(anchors) == 1:
@@ -675,8 +750,12 @@ class Clauses(Namer):
         roomish = noun.value.rpartition(" ")[2] in _ROOMISH
         with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
         named_room = self._is_link(after, "mark", "colon") and noun.text.lower().split()[-1] in _ROOMISH
-        if not noun.det and not noun.many and self._colon_ahead():
+        sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
+        large = sized and isinstance(size, Measured) and self._is_room_size(size.size)
+        large &= not noun.det or not noun.named
+        if not noun.det and not noun.many and (self._colon_ahead() or large):
             named_room = True
+        named_room |= large
         if named_room and noun.det in ("a", "") and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
             return True
@@ -684,6 +763,12 @@ class Clauses(Namer):
             self._room(replace(noun, kind="room", value="room"))
             return True
         return False
+
+    def _is_room_size(self, size: Size) -> bool:
+        """Whether a size is that of a room rather than of a thing."""
+        sides = [length.metres for length in size.lengths]
+        square = isinstance(said := self.peek(2), Adjective) and said.attributes == ["square"]
+        return size.area is not None or (len(sides) > 1 or square) and min(sides) > 1.0
 
     def _colon_ahead(self) -> bool:
         """Whether a colon ends what was begun, before any other mark."""
@@ -715,6 +800,8 @@ class Clauses(Namer):
     def _people(self, noun: Noun) -> None:
         if noun.count and not self.draft.things and not noun.each:
             self.draft.people = noun.count
+        if noun.count and not self.frontier and not self.clause.members:
+            self.crowd = noun.count
 
     def _place(self, noun: Noun) -> None:
         if self.leaving or "empty" in (*noun.attributes, *noun.states) or "free" in noun.text.lower().split():
@@ -749,6 +836,10 @@ class Clauses(Namer):
             if group is not None:
                 self._take_known(noun, [group])
                 return
+        word = singular(noun.text.rpartition(" ")[2].lower())
+        if word in _GROUPS and (noun.count or 0) > 1:
+            self._take(self._new(noun), noun)
+            return
         if not self.clause.members and self.separator != "and":
             self.frontier = [Node()]
 
@@ -1358,7 +1449,10 @@ class Clauses(Namer):
                 self._begin_again()
             self.existential = True
             return
-        if self.relative is not None:
+        last = self.chunks[self.at - 2] if self.at >= 2 else None
+        if self.outer is not None and self._is_link(last, "mark", "comma", "close") and not self.front_only():
+            self.subject, self.outer = self.outer, None
+        elif self.relative is not None:
             self.subject = self.relative
             self.relative = None
         elif self.subject is None or (self.clause.members and not self.predicate):
@@ -1366,6 +1460,10 @@ class Clauses(Namer):
         if self.subject is None and link.value in ("be", "stand", "hang", "serve"):
             return
         self._predicate(link)
+
+    def front_only(self) -> bool:
+        """Whether only a relation, and nothing that it is about, has been read."""
+        return bool(self.front) and not self.clause.members
 
     def _begin_again(self) -> None:
         topic = self.clause.members[:1]
@@ -1432,7 +1530,15 @@ class Clauses(Namer):
         self.each = False
 
     def _have(self, kind: str) -> None:
+        if self.subject is None and self.crowd:
+            self.pending = self.clause = Frame(None, "list", times=self.crowd, each=True)
+            self.crowd = 0
+            return
         if self.subject is None:
+            return
+        following = self.peek()
+        if isinstance(following, Noun) and following.kind == "abstract":
+            self.at += 1
             return
         thing = self.subject.thing
         if thing is not None and thing in self.groups.values() and (kind == "consist" or self.subject.each):
@@ -1504,7 +1610,9 @@ class Clauses(Namer):
                     self.negating = True
                     return
                 if noun.value == "other" and noun.text.lower() == "another":
+                    said = self.verb
                     self._part_of(whole, 1, noun)
+                    self._again(said)
                     return
                 if noun.value == "other":
                     self.referents.parted = None
@@ -1512,6 +1620,13 @@ class Clauses(Namer):
                     return
                 count = max(1, (whole.count or 2) // 2) if noun.value == "half" else count
                 self._part_of(whole, count)
+
+    def _again(self, verb: str) -> None:
+        """Let the verb before stand for one left out: "one holds a bust, another a horse"."""
+        if verb in ("hold", "carry", "have") and isinstance(self.peek(), Noun):
+            self.subject = self.frontier[0]
+            self._open_of_subject("with" if verb == "have" else verb)
+            self.verb = verb
 
     def _one_before(self) -> Mention | None:
         """The single thing that "one" repeats: "one bin on its left and one on its right"."""
@@ -1619,6 +1734,7 @@ class Clauses(Namer):
             if part is not None:
                 self._look(part, noun)
                 self._resume([part], noun)
+                self._again(self.verb)
                 if self.said in ("hold", "carry", "have") and self._is_link(self.peek(), "mark", "comma"):
                     self.at += 1
                     self.subject = self.frontier[0]
@@ -1705,6 +1821,9 @@ class Clauses(Namer):
         """How many sides are named next, where a number is that of each: "three on each long side"."""
         link = self.peek()
         noun = self._next_noun(1) if self._is_link(link, "prepositions") else None
+        if noun is not None and noun.kind == "part" and self._is_link(link, "prepositions", "per"):
+            self.at = self.chunks.index(noun, self.at) + 1
+            return 2
         if noun is None or noun.kind not in ("part", "place") or noun.det not in ("each", "either", "both"):
             return 1
         if noun.kind == "part":
@@ -1763,6 +1882,13 @@ class Clauses(Namer):
 
     def _not(self, link: Link) -> None:
         noun = self.peek()
+        before = self.chunks[self.at - 2] if self.at >= 2 else None
+        if link.text.lower() == "no" and isinstance(before, Noun) and (noun is None or self._is_link(noun, "mark")):
+            thing = self.frontier[-1].thing if self.frontier else None
+            if thing is not None:
+                self.draft.drop(thing)
+                self.draft.excluded.add(thing.noun)
+            return
         if isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite:
             self.excluding = True
             return
@@ -1802,6 +1928,11 @@ class Clauses(Namer):
         self.excluding = True
 
     def _exclude(self, noun: Noun) -> None:
+        after = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "except") else None
+        if after is not None and after.kind in ("number", "pronoun"):
+            self.at = self.chunks.index(after, self.at) + 1
+            self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
+            return
         self.draft.excluded.add(noun.value)
         if noun.det == "no" and not self.excluding:
             self.frontier = [*self.frontier]

@@ -1,5 +1,7 @@
 """What a preposition and its noun mean: which relation, to what."""
 
+from dataclasses import replace
+
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
@@ -20,6 +22,7 @@ class Meanings:
     def __init__(self, referents: Referents, name: "Namer") -> None:
         self.referents = referents
         self.name = name
+        self.place: Meaning | None = None
 
     def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
         """The relation that `where` gives to `subjects`; None when it says nothing about them.
@@ -30,6 +33,10 @@ class Meanings:
             likely: what a pronoun would mean first.
             noun: the noun of the subject to come.
         """
+        meaning = self._of(where, subjects, likely, noun)
+        return meaning if meaning is not None and meaning.anchors else None
+
+    def _of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
         said = where.noun
         if where.word == "halfway":
             return Meaning("in_centre", ("centre",))
@@ -39,7 +46,8 @@ class Meanings:
             case "part":
                 return self._part(where, said, subjects, likely, noun)
             case "place":
-                return self._place(where, said, subjects, likely, noun)
+                self.place = self._place(where, said, subjects, likely, noun)
+                return replace(self.place) if self.place is not None else None
             case "pronoun":
                 return self._pronoun(where, said, subjects, likely, noun)
             case "number":
@@ -95,6 +103,8 @@ class Meanings:
 
     def _other(self, kind: str, subjects: list[Mention]) -> Meaning | None:
         whole = self.referents.parted
+        if whole is None and self.place is not None:
+            return Meaning(self.place.kind, self.place.anchors)
         self.referents.parted = None
         return self._fitting(Meaning(kind, (whole,), told=True), subjects) if whole is not None else None
 
@@ -147,6 +157,8 @@ class Meanings:
         whole = where.whole
         if whole is not None:
             inner = Where("on" if said.value in ("top", "middle", "inside", "in_shelf") else "next_to", whole)
+            if whole.kind == "place" and whole.value in _OPENINGS:
+                return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
             if whole.kind in ("place", "room", "abstract", "people"):
                 return self._of_room(said, subjects)
             return self.of(inner, subjects, likely, noun)

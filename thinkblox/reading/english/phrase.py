@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from thinkblox.knowledge.vocabulary import is_abstract, is_person
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import Function, grammar
-from thinkblox.reading.english.plurals import singular
+from thinkblox.reading.english.plurals import PAIRS, singular
 from thinkblox.reading.lexicon import LONGEST, Entry, Lexicon, Sort
 from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token
@@ -125,7 +125,7 @@ class PhraseReader:
         if noun.every == 2 and token in ("second", "other"):
             return 1
         found = grammar().at(self.tokens, at, "ordinal")
-        if found is None or noun.det not in ("the", "my"):
+        if found is None or noun.det not in ("the", "my", "a") or (noun.det == "a" and self._starts_noun(at + found.length)):
             return 0
         noun.ordinal = int(found.value)
         noun.count = noun.count or 1
@@ -212,6 +212,8 @@ class PhraseReader:
         if not 0 <= at < len(self.tokens):
             return None
         token = self.tokens[at]
+        if token.kind == "number" and self._is_inner_number(at):
+            return None
         if token.kind == "number":
             whole = token.value == int(token.value) and 0 <= token.value < 10**9
             return (int(token.value), 1) if whole else None
@@ -228,6 +230,16 @@ class PhraseReader:
         if at + length < len(self.tokens) and self.tokens[at + length].text == "dozen":
             return value * 12, length + 1
         return value, length
+
+    def _is_inner_number(self, at: int) -> bool:
+        """Whether a number is the end of a word: "CO2"."""
+        before = self.tokens[at - 1] if at else None
+        return (
+            before is not None
+            and before.kind == "word"
+            and before.text != "x"
+            and before.start + len(before.shown) == self.tokens[at].start
+        )
 
     def _vague(self, noun: Noun, at: int) -> int:
         found = grammar().at(self.tokens, at, "vague")
@@ -256,7 +268,8 @@ class PhraseReader:
             case "group":
                 noun.groups, noun.group = outer or (-1 if several else 1), singular(word)
             case _ if word.startswith("pair"):
-                noun.count = 2 * (outer or 1)
+                words = [token.text for token in self.tokens[at + found.length : at + found.length + 4]]
+                noun.count = (1 if set(words) & set(PAIRS) else 2) * (outer or 1)
             case _:
                 noun.count, noun.vague = (outer or 1) * 3, True
                 noun.least = 1
@@ -276,7 +289,9 @@ class PhraseReader:
         after = self.tokens[at + 1].text
         if after in ("the", "these", "those", "my", "our", "their", "his", "her", "its"):
             noun.of_known = True
-            return 2
+            number = self._number(at + 2)
+            bare = number is not None and not self._starts_noun(at + 2 + number[1])
+            return 2 + number[1] if number is not None and bare else 2
         if after in ("them", "which", "whom"):
             noun.of_known = True
             return 2
@@ -433,6 +448,8 @@ class PhraseReader:
             return 0
         if noun.det in ("other", "both", "all", "half", "none"):
             return 0
+        if self.tokens[at - 1].text in ("this", "that", "these", "those"):
+            return 0
         if self._starts_noun(at + stop.length):
             units.adjectives += 1
             return stop.length
@@ -451,6 +468,8 @@ class PhraseReader:
         if grammar().at(self.tokens, at, "participles", "pronouns") is not None:
             can = (noun.det or noun.count is not None) and not units.nouns and self._starts_noun(at + 1)
             return 1 if can else 0
+        if token.kind == "number" and self._is_inner_number(at) and units.nouns:
+            return 1
         if token.kind != "word":
             return 0
         if token.owner:
@@ -650,6 +669,9 @@ class PhraseReader:
 
     def _headless(self, noun: Noun, at: int, end: int, units: _Units) -> Noun | None:
         """A number, "the left one", or a pronoun."""
+        if self._is_one(end) and noun.det == "each":
+            noun.kind, noun.value, noun.end = "pronoun", "each", end + 1
+            return self._finished(noun)
         if self._is_one(end) and (noun.det or units.adjectives) and not noun.of_known:
             noun.kind, noun.end = "number", end + 1
             noun.plural = self.tokens[end].text == "ones"
@@ -669,6 +691,11 @@ class PhraseReader:
             return self._finished(noun)
         if noun.det == "each":
             noun.kind, noun.value, noun.end = "pronoun", "each", longest
+            return self._finished(noun)
+        if noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
+            noun.kind, noun.named, noun.end = "thing", False, longest
+            noun.value = self.tokens[longest - 1].text
+            noun.attributes.clear()
             return self._finished(noun)
         return None
 

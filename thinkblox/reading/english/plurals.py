@@ -31,3 +31,10 @@ def singular(word: str) -> str:
     if word.endswith(("ches", "shes", "sses", "xes", "zes", "oes")):
         return word[:-2]
     return word[:-1]
+
+
+PAIRS = (
+    "scissors", "pliers", "binoculars", "trousers", "jeans", "headphones", "goggles", "tongs", "tweezers", "pyjamas",
+    "shears", "spectacles", "earphones", "shorts", "tights", "secateurs", "clippers",
+)  # fmt: skip
+"""Nouns of which a pair is one."""

@@ -55,7 +55,8 @@ class Referents:
             for test in tests:
                 if (found := next(filter(test, things), None)) is not None:
                     return found
-        return next((t for t in recent if t.group and t.group == word), None)
+        ending = (t for t in recent if len(word) > 3 and singular(_last_word(t.text)).endswith(word))
+        return next((t for t in recent if t.group and t.group == word), None) or next(ending, None)
 
     def every(self, noun: Noun) -> list[Mention]:
         """All things that "each <noun>" or "the <nouns>" can mean."""
