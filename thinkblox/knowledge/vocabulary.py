@@ -35,30 +35,36 @@ class ThingName:
     attribute: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class _Phrase:
-    category: str
-    attribute: str
-    plural: bool
-    regular: bool
-
-
 def name_of(words: Sequence[str]) -> ThingName | None:
     """The longest name of a thing that the last of these words make up, singular or plural; None where there is none.
 
     Words are in lower case; a hyphen in them is as good as a space.
     """
-    known = _phrases(revision())
     for length in range(min(len(words), _LONGEST), 0, -1):
-        phrase = " ".join(words[len(words) - length :]).replace("-", " ")
-        if found := known.get(phrase):
-            return ThingName(found.category, length, found.plural, found.attribute)
-        head, space, last = phrase.rpartition(" ")
-        for singular in singulars(last):
-            found = known.get(f"{head}{space}{singular}")
-            if found is not None and found.regular:
-                return ThingName(found.category, length, True, found.attribute)
+        if found := thing_called(" ".join(words[len(words) - length :]), length):
+            return found
     return None
+
+
+def thing_called(phrase: str, length: int = 1) -> ThingName | None:
+    """What a whole phrase in lower case names, singular or plural; `length` is its number of words."""
+    known = _phrases(revision())
+    phrase = phrase.replace("-", " ")
+    if found := known.get(phrase):
+        return _named(found, length, plural=False)
+    head, space, last = phrase.rpartition(" ")
+    for singular in singulars(last):
+        found = known.get(f"{head}{space}{singular}")
+        if found is not None and "|" not in found[1]:
+            return _named(found, length, plural=True)
+    return None
+
+
+def _named(found: tuple[str, str], length: int, *, plural: bool) -> ThingName:
+    """The name of the thing that an entry of `_phrases` is about."""
+    category, said = found
+    forms, _, attribute = said.partition(":")
+    return ThingName(category, length, plural or forms.startswith("|"), attribute)
 
 
 def is_abstract(word: str) -> bool:
@@ -91,23 +97,35 @@ def _nouns() -> Mapping[str, frozenset[str]]:
 
 
 @lru_cache(maxsize=1)
-def _phrases(revision: int) -> dict[str, _Phrase]:
-    """Every phrase that names a thing; what a category with a shape of its own is called comes first."""
-    found: dict[str, _Phrase] = {}
-    for name, kind in things().items():
-        for phrase, meaning in _read(name, kind.words):
-            found.setdefault(phrase, meaning)
+def _phrases(revision: int) -> dict[str, tuple[str, str]]:
+    """The category of every phrase that names a thing, and what is said of the phrase.
+
+    That is "" of an ordinary singular, "|" of a plural, "x|" of a singular without a regular plural, and after a colon
+    an attribute. What comes first in the catalogue counts.
+    """
+    found: dict[str, tuple[str, str]] = {}
+    for name, kind in reversed(tuple(things().items())):
+        words = kind.words.lower()
+        if _is_simple(words):
+            found |= dict.fromkeys(words.split(", "), (name, ""))
+        else:
+            found.update(_read(name, words))
     return found
 
 
-def _read(category: str, words: str) -> Iterator[tuple[str, _Phrase]]:
-    """The phrases of a line of words, the irregular plurals with them."""
-    for item in words.lower().split(","):
+def _is_simple(words: str) -> bool:
+    """Whether a list of words has nothing but phrases with regular plurals in it, each after a comma and a space."""
+    return not any(mark in words for mark in "|:-\n") and "  " not in words and words != ""
+
+
+def _read(category: str, words: str) -> Iterator[tuple[str, tuple[str, str]]]:
+    """The phrases of a list of words, the irregular plurals with them."""
+    for item in words.split(","):
         forms, _, attribute = item.strip().partition(":")
         singular, mark, plural = forms.partition("|")
-        if singular:
-            own = singular.replace("-", " ")
-            same = plural == singular
-            yield own, _Phrase(category, attribute, same and own.endswith("s"), not mark)
+        said = f":{attribute}" if attribute else ""
         if plural and plural != singular:
-            yield plural.replace("-", " "), _Phrase(category, attribute, True, False)
+            yield plural.replace("-", " "), (category, "|" + said)
+        if singular:
+            alone = plural == singular and singular.endswith("s")
+            yield singular.replace("-", " "), (category, ("|" if alone else "x|" if mark else "") + said)
