@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import kind_of
 from thinkblox.assets.category import Category
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
@@ -12,14 +12,11 @@ from thinkblox.planning.members import Member, Members
 _PLACE = 0.6
 """Width of a place at a counter [m]."""
 _AXES = ("depth", "width", "height")
-OPEN: Measures = (None, None, None)
 
 
 def size_of(member: Member, members: Members) -> Measures:
     """What the asset of an object must measure [m]."""
-    kind = CATALOGUE.get(member.category)
-    if kind is None:
-        return OPEN
+    kind = kind_of(member.category)
     asked = tuple(s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
     depth, width, height = asked
     return (depth, width or _for_seats(member, members, kind), height)
@@ -27,9 +24,7 @@ def size_of(member: Member, members: Members) -> Measures:
 
 def size_note(request: Request) -> str:
     """The sentence on a size that the prompt asks for and that cannot be made; empty when there is none."""
-    kind = CATALOGUE.get(request.category)
-    if kind is None:
-        return ""
+    kind = kind_of(request.category)
     least, most = kind.size_range
     wrong = [
         f"its {name} can be {least[axis]:g} to {most[axis]:g} m, not {size:g} m"
