@@ -53,15 +53,6 @@ class StandIn:
     like: str
     similarity: float
 
-    @property
-    def said(self) -> str:
-        """For people: "samovar pot (size of a cooking pot)"."""
-        like = CATALOGUE[self.like].noun if self.like in CATALOGUE else ""
-        size = f"size of {_article(like)} {like}" if like and like != self.category.noun else ""
-        unsure = f", {self.similarity:.0%} sure" if self.how == "spelling" else ""
-        plain = "size not known" if self.how == "plain" else ""
-        return f"{self.category.noun} ({size or plain}{unsure})" if size or plain else self.category.noun
-
 
 def stand_in(name: str) -> StandIn:
     """What stands for a noun phrase, whatever it is: the same for the same phrase and catalogue."""
@@ -171,7 +162,3 @@ def _plain(name: str, noun: str) -> Category:
         habits=(*kept.habits, "in_corner corner") if kept.mount == "surface" else kept.habits,
         hanging=kept.hanging,
     )
-
-
-def _article(noun: str) -> str:
-    return "an" if noun[:1] in "aeiou" else "a"

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import structs
 
 from thinkblox.brief import RelationKind
+from thinkblox.plainness import plain_things
 from thinkblox.plan import Plan, Tie
 from thinkblox.scene.landmarks import corners
 from thinkblox.scene.relations import measure
@@ -44,6 +45,7 @@ def report_on(
         complete=verified.valid and there and all(relation.holds for relation in relations),
         notes=(*plan.notes, *doorless, *verified.notes),
         absent=gone,
+        stand_ins=plain_things(scene),
         unknown=plan.brief.unknown,
         relations=relations,
     )
