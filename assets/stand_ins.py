@@ -14,7 +14,7 @@ from typing import Literal
 from thinkblox.assets.catalogue import CATALOGUE, GENERAL_WORDS, revision
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Facts
-from thinkblox.assets.names import ThingName, known_phrases, name_of, thing_called
+from thinkblox.assets.names import ThingName, identifier_of, known_phrases, name_of, thing_called
 from thinkblox.assets.plain import plain_generator
 from thinkblox.assets.plain.places import KEEPING
 
@@ -78,7 +78,7 @@ def noun_of(name: str) -> str:
 
 @lru_cache(maxsize=512)
 def _stand_in(noun: str, revision: int) -> StandIn:
-    name = _identifier(noun)
+    name = identifier_of(noun)
     if name in CATALOGUE:
         return StandIn(
             category=CATALOGUE[name], how="table" if CATALOGUE[name].plain else "catalogue", like=name, similarity=1.0
@@ -88,12 +88,6 @@ def _stand_in(noun: str, revision: int) -> StandIn:
         return StandIn(category=_plain(name, noun), how=how, like="", similarity=0.0)
     made = replace(CATALOGUE[like], name=name, noun=noun, words=noun, senses=(), rooms={}, variants={}, plain=True)
     return StandIn(category=made, how=how, like=like, similarity=similarity)
-
-
-def _identifier(noun: str) -> str:
-    """A category's name for a noun phrase: as ids need it, it begins with a letter."""
-    name = noun.replace(" ", "_")
-    return name if name[0].isalpha() else f"{_NAMELESS}_{name}"
 
 
 def _nearest(noun: str) -> tuple[Finding, str, float]:

@@ -138,7 +138,7 @@ class Lexicon:
         for count in range(len(words), shortest - 1, -1):
             name = thing_called(" ".join(token.text for token in words[:count]), count)
             if name is not None and _is_plain(name.category):
-                return (Entry("object", name.category, name.plural, name.attribute),), count
+                return (Entry("object", name.name, name.plural, name.attribute),), count
         return found, length
 
     def _single(self, token: Token) -> tuple[Entry, ...]:
