@@ -1,10 +1,11 @@
 """What can be placed: procedural furniture and its properties."""
 
-from thinkblox.assets.catalogue import CATALOGUE, GENERAL_WORDS, facts_of, register, revision, unregister
+from thinkblox.assets.catalogue import CATALOGUE, GENERAL_WORDS, register, revision, unregister
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Companion, Facts, Hanging, RowGaps, Use
-from thinkblox.assets.make import category_of, fit_asset, make_asset
+from thinkblox.assets.make import category_of, fit_asset, make_asset, make_thing
 from thinkblox.assets.source import AssetSource, ProceduralAssets
+from thinkblox.assets.stand_ins import StandIn, facts_of, kind_of, stand_in
 
 __all__ = [
     "CATALOGUE",
@@ -16,12 +17,16 @@ __all__ = [
     "Hanging",
     "ProceduralAssets",
     "RowGaps",
+    "StandIn",
     "Use",
     "category_of",
     "facts_of",
     "fit_asset",
+    "kind_of",
     "make_asset",
+    "make_thing",
     "register",
     "revision",
+    "stand_in",
     "unregister",
 ]

@@ -13,7 +13,6 @@ from thinkblox.brief import Place
 from thinkblox.errors import InputError
 
 _NAME = re.compile(r"[a-z][a-z0-9]*(?:_[a-z][a-z0-9]*)*")
-_UNKNOWN = Facts()
 GENERAL_WORDS: Mapping[str, Facts] = MappingProxyType(general_words())
 """What is known of the words that are no categories themselves, such as "any_table"."""
 
@@ -25,11 +24,6 @@ def _all_categories() -> Iterator[Category]:
     taken = {phrase for kind in known.values() for phrase in phrases(kind)} | {kind.noun for kind in shaped.values()}
     yield from shaped.values()
     yield from plain_categories(taken, known)
-
-
-def facts_of(name: str) -> Facts:
-    """What is known of a category; for one that the catalogue does not have, what holds for a thing nobody knows."""
-    return CATALOGUE.get(name, _UNKNOWN)
 
 
 def revision() -> int:

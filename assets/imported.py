@@ -10,7 +10,7 @@ import numpy as np
 from msgspec import structs
 from numpy.typing import NDArray
 
-from thinkblox.assets.catalogue import facts_of
+from thinkblox.assets.catalogue import CATALOGUE
 from thinkblox.scene.asset import Asset, Link, Mount, Shape
 from thinkblox.value import Vec3
 
@@ -45,7 +45,9 @@ def imported_asset(
         provenance=provenance,
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
-    return structs.replace(asset, id=f"{category}-{digest}", gaze=facts_of(category).gaze)
+    return structs.replace(
+        asset, id=f"{category}-{digest}", gaze=CATALOGUE[category].gaze if category in CATALOGUE else "front"
+    )
 
 
 def box_shape(size: Vec3, *, category: str, collide: bool = True) -> Shape:

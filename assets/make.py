@@ -18,11 +18,12 @@ from thinkblox.assets.masses import mass_of
 from thinkblox.assets.palette import style_of
 from thinkblox.assets.sizing import checked_size, size_for
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.stand_ins import kind_of
 from thinkblox.errors import InputError
 from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec3
 
-_PROVENANCE = re.compile(r"procedural:(?P<category>\w+):seed=(?P<seed>\d+)(?::(?P<words>.*))?")
+_PROVENANCE = re.compile(r"(?P<how>procedural|stand_in):(?P<category>\w+):seed=(?P<seed>\d+)(?::(?P<words>.*))?")
 
 
 def make_asset(category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
@@ -37,9 +38,18 @@ def make_asset(category: str, *, seed: int, attributes: Sequence[str] = (), size
     Raises:
         InputError: an unknown category, a negative seed, or a size outside what the category can have.
     """
+    return make_thing(category_of(category).name, seed=seed, attributes=attributes, size=size)
+
+
+def make_thing(name: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
+    """Return a new asset as `make_asset` does, and a plain stand-in for a name that the catalogue does not have.
+
+    Raises:
+        InputError: a negative seed, or a size outside what the thing can have.
+    """
     if seed < 0:
         raise InputError(f"seed {seed} is negative; give 0 or more")
-    kind = category_of(category)
+    kind = kind_of(name)
     return _made(kind.name, seed, tuple(attributes), None if size is None else checked_size(kind, size), revision())
 
 
@@ -53,7 +63,8 @@ def fit_asset(asset: Asset, size: Vec3) -> Asset:
     if not made:
         raise InputError(f"asset {asset.id} cannot be made at another size: its provenance is {asset.provenance!r}")
     words = tuple(w for w in (made["words"] or "").split(",") if w)
-    return make_asset(made["category"], seed=int(made["seed"]), attributes=words, size=size)
+    make = make_asset if made["how"] == "procedural" else make_thing
+    return make(made["category"], seed=int(made["seed"]), attributes=words, size=size)
 
 
 def seed_of(asset: Asset) -> int | None:
@@ -74,7 +85,7 @@ def category_of(name: str) -> Category:
 
 @lru_cache(maxsize=512)
 def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, revision: int) -> Asset:
-    category = CATALOGUE[name]
+    category = kind_of(name)
     words = frozenset(w.lower().replace("_", "-") for w in attributes)
     rng = np.random.default_rng([seed, zlib.crc32(name.encode())])
     drawn = size_for(category, words, rng)
@@ -94,7 +105,8 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
         clearance=category.clearance,
         surfaces=tuple(build.surfaces),
         attributes=attributes,
-        provenance=f"procedural:{name}:seed={seed}" + (f":{','.join(attributes)}" if attributes else ""),
+        provenance=f"{'procedural' if name in CATALOGUE else 'stand_in'}:{name}:seed={seed}"
+        + (f":{','.join(attributes)}" if attributes else ""),
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
     return structs.replace(asset, id=f"{name}-{digest}", gaze=category.gaze)

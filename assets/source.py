@@ -4,9 +4,10 @@ import difflib
 from collections.abc import Sequence
 from typing import Protocol
 
-from thinkblox.assets.catalogue import CATALOGUE, facts_of, phrases
+from thinkblox.assets.catalogue import CATALOGUE, phrases
 from thinkblox.assets.facts import Facts
-from thinkblox.assets.make import category_of, fit_asset, make_asset
+from thinkblox.assets.make import fit_asset, make_thing
+from thinkblox.assets.stand_ins import facts_of, kind_of
 from thinkblox.scene.asset import Asset, Mount
 from thinkblox.value import Vec3
 
@@ -45,7 +46,7 @@ class AssetSource(Protocol):
 
 
 class ProceduralAssets:
-    """The catalogue's own furniture, with the categories that were registered."""
+    """The catalogue's own furniture, with the categories that were registered, and plain stand-ins for all else."""
 
     def find(self, words: str) -> tuple[str, ...]:
         """The categories that the words name, then those that their last words name, then those spelt much alike."""
@@ -63,16 +64,16 @@ class ProceduralAssets:
 
     def size_range(self, category: str) -> tuple[Vec3, Vec3]:
         """Smallest and largest size that the generator makes [m]."""
-        return category_of(category).size_range
+        return kind_of(category).size_range
 
     def usual(self, category: str) -> tuple[Vec3, Mount]:
         """Size and mount that the catalogue gives."""
-        kind = category_of(category)
+        kind = kind_of(category)
         return kind.size, kind.mount
 
     def make(self, category: str, *, seed: int, attributes: Sequence[str] = (), size: Vec3 | None = None) -> Asset:
-        """A new asset of a category, as `make_asset`."""
-        return make_asset(category, seed=seed, attributes=attributes, size=size)
+        """A new asset of a category, as `make_thing`."""
+        return make_thing(category, seed=seed, attributes=attributes, size=size)
 
     def fit(self, asset: Asset, size: Vec3) -> Asset:
         """The same asset made at another size, as `fit_asset`."""

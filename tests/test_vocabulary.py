@@ -1,8 +1,9 @@
 import pytest
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, kind_of
+from thinkblox.assets.names import known_phrases
 from thinkblox.assets.plurals import singulars
-from thinkblox.knowledge.vocabulary import ThingName, is_abstract, is_person, name_of
+from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of, thing_called
 
 
 @pytest.mark.parametrize(
@@ -27,13 +28,29 @@ from thinkblox.knowledge.vocabulary import ThingName, is_abstract, is_person, na
 def test_the_longest_name_at_the_end_of_a_phrase_is_found(
     phrase: str, category: str, length: int, plural: bool
 ) -> None:
-    assert name_of(phrase.split()) == ThingName(category, length, plural)
+    found = name_of(phrase.split())
+    assert found is not None
+    assert (found.category, found.length, found.plural) == (category, length, plural)
+
+
+@pytest.mark.parametrize(
+    ("phrase", "name"),
+    [("samovars", "samovar"), ("bread loaves", "bread_loaf"), ("couches", "sofa"), ("tables", "any_table")],
+)
+def test_what_is_plain_is_asked_for_by_its_own_name(phrase: str, name: str) -> None:
+    found = name_of(phrase.split())
+    assert found is not None
+    assert found.name == name
+    if not name.startswith("any_"):
+        assert kind_of(name).size == CATALOGUE[found.category].size
 
 
 def test_a_name_can_say_more_than_the_thing() -> None:
     found = name_of(["loveseats"])
     assert found is not None
     assert (found.category, found.attribute) == ("sofa", "two-seat")
+    attributes = {found.attribute for phrase in known_phrases() if (found := thing_called(phrase))}
+    assert {"", "queen", "two-seat"} <= attributes
 
 
 @pytest.mark.parametrize("phrase", ["", "gizmotron", "lovely", "wok of"])

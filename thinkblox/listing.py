@@ -1,7 +1,6 @@
 """The catalogue as a table: what may be asked for, by which words, and what comes of it."""
 
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Iterator
 
 from thinkblox.assets import Category
 from thinkblox.value import Value, Vec3
@@ -19,6 +18,7 @@ class CategoryEntry(Value, frozen=True, kw_only=True):
         smallest, largest: what can be made [m].
         attributes: words of a prompt that change its size ("double", "for-6").
         words: English phrases that mean it, in the singular.
+        plain: it is a plain stand-in: its size, mass and colours are meant, not its shape.
     """
 
     name: str
@@ -30,6 +30,7 @@ class CategoryEntry(Value, frozen=True, kw_only=True):
     largest: Vec3
     attributes: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
+    plain: bool = False
 
 
 def listed(category: Category) -> CategoryEntry:
@@ -45,18 +46,12 @@ def listed(category: Category) -> CategoryEntry:
         smallest=smallest,
         largest=largest,
         attributes=(*category.variants, *people),
-        words=_words().get(category.name, ()),
+        words=tuple(dict.fromkeys(_words(category))),
+        plain=category.plain,
     )
 
 
-@cache
-def _words() -> Mapping[str, tuple[str, ...]]:
-    """The English phrases for each category, in the order of the lexicon."""
-    from thinkblox.reading.lexicon import load
-
-    words: dict[str, tuple[str, ...]] = {}
-    for phrase, meanings in load("en").phrases.items():
-        for meaning in meanings:
-            if meaning.sort == "object" and not meaning.plural:
-                words[meaning.value] = (*words.get(meaning.value, ()), " ".join(phrase))
-    return words
+def _words(category: Category) -> Iterator[str]:
+    """The English phrases for a category, in lower case and without their plurals."""
+    for item in category.words.lower().split(","):
+        yield from filter(None, [item.partition(":")[0].partition("|")[0].strip()])

@@ -54,6 +54,8 @@ def _faults(report: Report) -> Iterator[str]:
         yield f"words not understood: {', '.join(report.unknown)}"
     if report.substituted:
         yield f"measured as boxes, for want of a mesh: {', '.join(report.substituted)}"
+    if report.stand_ins:
+        yield f"as plain stand-ins: {', '.join(map(str, report.stand_ins))}"
     yield from (f"unusual: {sentence}" for sentence in report.unusual)
 
 

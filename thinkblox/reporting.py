@@ -7,6 +7,7 @@ from msgspec import structs
 from thinkblox.brief import RelationKind
 from thinkblox.demands import bounds_of, demands_of, placed_of
 from thinkblox.headline import UNKNOWN
+from thinkblox.plainness import plain_things
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.scene.landmarks import corners
 from thinkblox.scene.relations import measure
@@ -45,6 +46,7 @@ def report_on(
         complete=verified.valid and as_asked,
         notes=(*plan.notes, *doorless, *verified.notes),
         absent=(*absent, *missing),
+        stand_ins=plain_things(scene),
         unknown=brief.unknown,
         relations=relations,
         demands=demands,

@@ -280,6 +280,31 @@ class MendingMove(Measurement, frozen=True, kw_only=True):
     needs: float | None = None
 
 
+class PlainThing(Measurement, frozen=True, kw_only=True):
+    """Something that is there as a plain solid of its size and mass, for want of a shape of its own.
+
+    Attributes:
+        name: what it is called ("popcorn machine").
+        ids: of the objects.
+        how: its size is that of an entry of its own ("table"), of what its head noun names ("head"), of what is
+            spelled almost the same ("spelling"), or a middling one ("plain").
+        like: what has the size that it was given, where that is something else ("throne").
+        similarity: how sure that is, 0 to 1.
+    """
+
+    name: str
+    ids: tuple[str, ...]
+    how: Literal["table", "head", "spelling", "plain"] = "table"
+    like: str = ""
+    similarity: float = 1.0
+
+    def __str__(self) -> str:
+        """For people: "dental throne (size of: throne)"."""
+        unsure = f", {self.similarity:.0%} sure" if self.how == "spelling" else ""
+        size = f"size of: {self.like}{unsure}" if self.like else "size not known" if self.how == "plain" else ""
+        return f"{self.name} ({size})" if size else self.name
+
+
 class Report(Measurement, frozen=True, kw_only=True):
     """The verdict on a whole scene.
 
@@ -294,6 +319,7 @@ class Report(Measurement, frozen=True, kw_only=True):
         source: what was read: "thinkblox", "mjcf", "urdf", or a generator whose layout it is.
         unusual: options of a foreign model that make it stand better than it would, in sentences.
         substituted: ids that are measured as boxes, for want of a mesh.
+        stand_ins: what is there as a plain solid of its size and mass, for want of a shape of its own.
         suites: the published criteria that were asked for.
         moves: what was moved to mend faults.
         demands: what else the prompt asks for, and whether it is so.
@@ -320,6 +346,7 @@ class Report(Measurement, frozen=True, kw_only=True):
     source: str = "thinkblox"
     unusual: tuple[str, ...] = ()
     substituted: tuple[str, ...] = ()
+    stand_ins: tuple[PlainThing, ...] = ()
     suites: tuple[SuiteResult, ...] = ()
     moves: tuple[MendingMove, ...] = ()
     notes: tuple[str, ...] = ()

@@ -1,6 +1,6 @@
 """Plain stand-ins: a table of things that have no shape of their own, and the few solids that they are made of.
 
-A line of the table reads ``name; depth width height; mass; shape main accent; place; more words``: lengths along the
+A line of the table reads ``name; depth width height; mass; shape main accent; place; word, word``: lengths along the
 front, across and up [m], the mass [kg], one of SHAPES with two finishes, one of KEEPING, and English words besides the
 name. "name|plural" where the plural is irregular, "name|" where there is none. What a category of the catalogue has a
 word for is not taken from here.
@@ -29,8 +29,8 @@ SHAPES: Mapping[str, Solid] = {
 _ROUND = frozenset("can ball dome bowl bucket bottle cone pillar post fountain tuft heap pendant tripod".split())
 _TWO = frozenset("slab roll soft cloth stack crate stick tool stand platform rack frame cage mat strings".split())
 _SOFT = frozenset("soft cloth heap hung mat".split())
-_COLUMNS = 6
-"""Columns of a line, the words not counted where there are none."""
+_WORDS = 5
+"""The column of the words, which a line need not have."""
 
 
 def plain_categories(taken: Collection[str], names: Collection[str]) -> Iterator[Category]:
@@ -41,31 +41,34 @@ def plain_categories(taken: Collection[str], names: Collection[str]) -> Iterator
     Raises:
         InputError: a line that cannot be read.
     """
-    seen, used = set(taken), set(names)
+    gone, used = frozenset(taken), set(names)
     for where, columns in table_lines():
-        free = [word for word in words_of_line(columns) if not seen.intersection(word.split("|"))]
-        if not free:
-            continue
-        seen.update(form for word in free for form in word.split("|"))
-        name = free[0].partition("|")[0].replace(" ", "_")
-        if name not in used:
+        words = columns[0].replace("_", " ") + (f", {columns[_WORDS]}" if len(columns) > _WORDS else "")
+        name = columns[0].partition("|")[0]
+        if name in used or not gone.isdisjoint(words.replace("|", ", ").split(", ")):
+            free = [word for word in words.split(", ") if gone.isdisjoint(forms_of(word))]
+            name, words = free[0].partition("|")[0].replace(" ", "_") if free else "", ", ".join(free)
+        if name and name not in used:
             used.add(name)
-            yield _category(where, columns, name, ", ".join(free))
+            yield _category(where, columns, name, words)
 
 
 def table_lines() -> Iterator[tuple[str, list[str]]]:
     """The columns of each line of the table, with where it stands."""
     for path in sorted(Path(__file__).parent.glob("*.txt")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if line and not line.startswith("#"):
-                yield f"{path.name}, line {number}", [column.strip() for column in line.split(";")]
+            if line and line[0] != "#":
+                yield f"{path.name}, line {number}", line.split("; ")
 
 
 def words_of_line(columns: list[str]) -> list[str]:
     """Every English phrase of a line as "singular|plural", its name first."""
-    more = columns[5].split(",") if len(columns) >= _COLUMNS else []
-    name = columns[0].replace("_", " ")
-    return list(dict.fromkeys([name, *(word.strip() for word in more if word.strip())]))
+    return [columns[0].replace("_", " "), *(columns[_WORDS].split(", ") if len(columns) > _WORDS else ())]
+
+
+def forms_of(word: str) -> list[str]:
+    """Singular and irregular plural of "singular|plural", as far as there are any."""
+    return [form for form in word.split("|") if form]
 
 
 def _category(where: str, columns: list[str], name: str, words: str) -> Category:
@@ -80,7 +83,7 @@ def _category(where: str, columns: list[str], name: str, words: str) -> Category
             "words": words,
         }
         kind = _kind(columns[3].partition(" ")[0], columns[4], abs(depth - width) < 1e-9)
-    except (ValueError, TypeError, KeyError, InputError) as error:
+    except (ValueError, TypeError, KeyError, IndexError, InputError) as error:
         raise InputError(f"the table of plain things, {where}: {'; '.join(columns)!r}: {error}") from error
     category = copy(kind)
     vars(category).update(made)

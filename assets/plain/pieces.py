@@ -295,12 +295,12 @@ def vehicle(spec: Spec, main: Finish, accent: Finish) -> Build:
 def hung(spec: Spec, main: Finish, accent: Finish) -> Build:
     """Return a cloth that hangs from a bar at the top, in folds."""
     x, y, z = spec.size
-    finish, folds = spec.main(main), 5
-    body: list[Part] = [box(accent, around(0, 0.8 * x), (-y / 2, y / 2), (0.97 * z, z))]
+    finish, folds, thin = spec.main(main), 5, min(0.02, 0.5 * x)
+    body: list[Part] = [box(accent, (-x / 2, x / 2), (-y / 2, y / 2), (0.97 * z, z))]
     for k in range(folds):
         at = -y / 2 + (k + 0.5) * y / folds
-        shift = (0.1 if k % 2 else -0.1) * x
-        body.append(box(finish, around(shift, 0.8 * x), around(at, y / folds), (0, 0.97 * z)))
+        depth = x / 2 - thin / 2
+        body.append(box(finish, around(depth if k % 2 else -depth, thin), around(at, y / folds), (0, 0.97 * z)))
     return Build(body=body)
 
 

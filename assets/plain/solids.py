@@ -179,12 +179,16 @@ def wedge(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def gable(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a ridged body such as a tent, with an entrance of the accent."""
+    """Return a ridged roof down to the ground that is open at its front, such as a tent, on a floor of the accent."""
     x, y, z = spec.size
-    slope = [(-y / 2, 0.0), (y / 2, 0.0), (0.04 * y, z), (-0.04 * y, z)]
-    inner = [(-0.28 * y, 0.0), (0.28 * y, 0.0), (0.0, 0.72 * z)]
-    body = prism(spec.main(main), slope, (-x / 2, 0.49 * x), axis=0)
-    return Build(body=[body, prism(accent, inner, (0.48 * x, x / 2), axis=0)])
+    thin = min(0.03, 0.05 * min(x, y))
+    body = [box(accent, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.5 * thin))]
+    for s in (-1, 1):
+        slope = [(s * y / 2, 0.0), (s * (y / 2 - 2 * thin), 0.0), (0.0, z - 2 * thin), (0.0, z)]
+        body.append(prism(spec.main(main), slope, (-x / 2, x / 2), axis=0))
+    back = [(-0.48 * y, 0.0), (0.48 * y, 0.0), (0.0, 0.94 * z)]
+    body.append(prism(spec.main(main), back, (-x / 2, -x / 2 + thin), axis=0))
+    return Build(body=body)
 
 
 def soft(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -4,12 +4,14 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from operator import itemgetter
-from typing import cast
+from typing import cast, get_args
 
-from thinkblox.assets import Facts, revision
+from thinkblox.assets import Facts, facts_of, revision
 from thinkblox.assets.groups import GROUPS
-from thinkblox.brief import RelationKind
+from thinkblox.brief import Place, RelationKind
 from thinkblox.knowledge.things import things
+
+_PLACES = frozenset(get_args(Place))
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +32,9 @@ class Habits:
 
     def of(self, category: str) -> tuple[Habit, ...]:
         """The habits of a category; none for one that may stand anywhere."""
-        return self.habits.get(category, ())
+        if category in self.habits or category in _PLACES:
+            return self.habits.get(category, ())
+        return tuple(_habit(line, self.groups) for line in facts_of(category).habits)
 
     def group(self, name: str) -> tuple[str, ...]:
         """The categories of a group."""
@@ -38,7 +42,9 @@ class Habits:
 
     def is_in(self, category: str, *names: str) -> bool:
         """Whether a category belongs to one of these groups."""
-        return any(category in self.groups[name] for name in names)
+        if category in self.habits or category in _PLACES:
+            return any(category in self.groups[name] for name in names)
+        return facts_of(category).is_in(*names)
 
     def tie(self, category: str, anchor: str) -> RelationKind | None:
         """How `category` usually relates to `anchor`; None when they have nothing to do with each other."""

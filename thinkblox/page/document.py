@@ -144,6 +144,8 @@ def _facts(report: Report, subject: Subject) -> Markup:
     facts += [("Unusual", sentence) for sentence in report.unusual]
     if report.substituted:
         facts.append(("Boxes for want of a mesh", ", ".join(report.substituted)))
+    if report.stand_ins:
+        facts.append(("Plain stand-ins", ", ".join(map(str, report.stand_ins))))
     if report.unknown:
         facts.append(("Words not understood", ", ".join(report.unknown)))
     facts += [("Note", note) for note in report.notes]

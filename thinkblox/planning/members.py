@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import kind_of
 from thinkblox.brief import Brief, Request
 from thinkblox.plan import Tie
 
@@ -37,21 +37,19 @@ class Member:
 
     @cached_property
     def mount(self) -> str:
-        """What it is placed on; "floor" for what the catalogue does not have."""
-        category = CATALOGUE.get(self.category)
-        return category.mount if category else "floor"
+        """What it is placed on."""
+        return kind_of(self.category).mount
 
     @cached_property
     def footprint(self) -> float:
         """Area it usually covers [m2]."""
-        category = CATALOGUE.get(self.category)
-        return category.size[0] * category.size[1] if category else 0.25
+        size = kind_of(self.category).size
+        return size[0] * size[1]
 
     @cached_property
     def flat(self) -> bool:
         """Whether it is walked on."""
-        category = CATALOGUE.get(self.category)
-        return category is not None and category.flat
+        return kind_of(self.category).flat
 
 
 class Members:

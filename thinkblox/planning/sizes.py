@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import kind_of
 from thinkblox.assets.category import Category
 from thinkblox.assets.make import make_asset
 from thinkblox.assets.sizing import size_for
@@ -20,9 +20,7 @@ OPEN: Measures = (None, None, None)
 
 def size_of(member: Member, members: Members) -> Measures:
     """What the asset of an object must measure [m]."""
-    kind = CATALOGUE.get(member.category)
-    if kind is None:
-        return OPEN
+    kind = kind_of(member.category)
     asked = tuple(s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
     depth, width, height = asked
     if depth is None and width is None and (across := _for_contents(member, members, kind)):
@@ -32,9 +30,7 @@ def size_of(member: Member, members: Members) -> Measures:
 
 def size_note(request: Request) -> str:
     """The sentence on a size that the prompt asks for and that cannot be made; empty when there is none."""
-    kind = CATALOGUE.get(request.category)
-    if kind is None:
-        return ""
+    kind = kind_of(request.category)
     least, most = kind.size_range
     wrong = [
         f"its {name} can be {least[axis]:g} to {most[axis]:g} m, not {size:g} m"

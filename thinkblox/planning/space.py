@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from thinkblox.assets import CATALOGUE, revision
+from thinkblox.assets import kind_of, revision
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Brief, Request
 from thinkblox.knowledge.habits import load_habits
@@ -86,17 +86,16 @@ def across_need(brief: Brief) -> float:
 
 
 def _stands(request: Request) -> bool:
-    category = CATALOGUE.get(request.category)
-    return category is not None and category.mount == "floor" and not category.flat
+    kind = kind_of(request.category)
+    return kind.mount == "floor" and not kind.flat
 
 
 def _own_area(brief: Brief, request: Request) -> float:
-    category = CATALOGUE.get(request.category)
-    if category is None or category.mount != "floor" or category.flat or _belongs_to_seating(brief, request):
+    if not _stands(request) or _belongs_to_seating(brief, request):
         return 0.0
     depth, across, _ = _size(request)
     beside, before = _margins(brief, request)
-    return (across + beside) * (depth + max(before, category.clearance))
+    return (across + beside) * (depth + max(before, kind_of(request.category).clearance))
 
 
 def _margins(brief: Brief, request: Request) -> tuple[float, float]:
@@ -127,8 +126,7 @@ def _belongs_to_seating(brief: Brief, request: Request) -> bool:
 
 
 def _is_against_wall(brief: Brief, request: Request) -> bool:
-    category = CATALOGUE.get(request.category)
-    if category is None or category.mount != "floor" or category.flat:
+    if not _stands(request):
         return False
     own = [r for r in brief.relations if r.subject == request.key]
     if own:
@@ -146,5 +144,4 @@ def _size(request: Request) -> Vec3:
 
 @lru_cache(maxsize=256)
 def _usual_size(category: str, attributes: tuple[str, ...], revision: int) -> Vec3:
-    kind = CATALOGUE.get(category)
-    return size_for(kind, frozenset(attributes), np.random.default_rng(0)) if kind else (0.5, 0.5, 0.5)
+    return size_for(kind_of(category), frozenset(attributes), np.random.default_rng(0))

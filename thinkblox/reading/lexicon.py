@@ -4,11 +4,13 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import takewhile
 from pathlib import Path
 from typing import Literal
 
-from thinkblox.assets import revision
+from thinkblox.assets import CATALOGUE, revision
 from thinkblox.knowledge.things import things
+from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.tokens import Token, fold, tokenise
 
 Sort = Literal[
@@ -121,8 +123,23 @@ class Lexicon:
                 found, length = entries, end - start
             if key not in self.prefixes:
                 break
+        if self.code == ENGLISH:
+            found, length = self._plain(tokens[start : start + most], found, length)
         shown = " ".join(token.shown for token in tokens[start : start + length])
         return Lexeme(shown, found, length, tokens[start])
+
+    def _plain(self, tokens: list[Token], found: tuple[Entry, ...], length: int) -> tuple[tuple[Entry, ...], int]:
+        """The plain thing that the tokens begin with, where its name is longer than what was found, or that is missing.
+
+        The thousands of names of plain things are looked up rather than added one by one, which would take long.
+        """
+        shortest = length if all(entry.sort == "missing" for entry in found) else length + 1
+        words = list(takewhile(lambda token: token.kind == "word", tokens))
+        for count in range(len(words), shortest - 1, -1):
+            name = thing_called(" ".join(token.text for token in words[:count]), count)
+            if name is not None and _is_plain(name.category):
+                return (Entry("object", name.name, name.plural, name.attribute),), count
+        return found, length
 
     def _single(self, token: Token) -> tuple[Entry, ...]:
         if token.kind == "number":
@@ -172,7 +189,7 @@ def _load(code: str, revision: int) -> Lexicon:
     path = Path(__file__).parent / "lexicon" / f"{code}.toml"
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     if code == ENGLISH:
-        data["objects"] = {name: kind.words for name, kind in things().items()}
+        data["objects"] = {name: kind.words for name, kind in things().items() if not _is_plain(name)}
     contractions = {fold(short): tuple(fold(whole).split()) for short, whole in data.get("contractions", {}).items()}
     lexicon = Lexicon(
         code=code,
@@ -192,6 +209,10 @@ def _load(code: str, revision: int) -> Lexicon:
             number, _, phrase = item.partition(" ")
             lexicon.add(phrase, Entry("count" if sort == "count" else "vague", number))
     return lexicon
+
+
+def _is_plain(name: str) -> bool:
+    return name in CATALOGUE and CATALOGUE[name].plain
 
 
 def _split(phrases: str) -> Iterator[str]:
