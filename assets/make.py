@@ -16,6 +16,7 @@ from thinkblox.assets.category import Category
 from thinkblox.assets.finish import fitted, links_of
 from thinkblox.assets.masses import mass_of
 from thinkblox.assets.palette import style_of
+from thinkblox.assets.repaint import repainted
 from thinkblox.assets.sizing import checked_size, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.errors import InputError
@@ -89,7 +90,7 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
         mass=mass_of(category, size),
         friction=category.friction,
         mount=category.mount,
-        links=links_of(build, size),
+        links=repainted(links_of(build, size), words),
         front=build.front or category.front,
         clearance=category.clearance,
         surfaces=tuple(build.surfaces),

@@ -7,28 +7,12 @@ from math import dist
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, WICKER, WOODS
-from thinkblox.scene.asset import Asset, Material, Shape
+from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
+from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3
 
-SHARE = 0.2
-"""Least share of the visible faces that shows a colour or a material."""
-SAME_COLOUR = 0.16
-"""Largest distance in sRGB between a colour and what goes by its name."""
 _ROUND_SHARE, _ROUND = 0.7, 0.03
 """Least share of the plan that a round part covers, and how far its plan may be from a circle."""
-_MATERIALS: dict[str, frozenset[Material]] = {
-    "wooden": frozenset({"wood"}),
-    "metal": frozenset({"metal"}),
-    "glass": frozenset({"glass"}),
-    "leather": frozenset({"leather"}),
-    "fabric": frozenset({"fabric"}),
-    "upholstered": frozenset({"fabric", "leather"}),
-    "stone": frozenset({"stone"}),
-    "marble": frozenset({"stone"}),
-    "plastic": frozenset({"plastic"}),
-    "ceramic": frozenset({"ceramic"}),
-    "paper": frozenset({"paper"}),
-}
 
 
 def realised(asset: Asset, attribute: str) -> bool:
@@ -39,30 +23,16 @@ def realised(asset: Asset, attribute: str) -> bool:
     word = attribute.lower().replace("_", "-").replace(" ", "-")
     rule = _RULES.get(word)
     if word in COLOURS:
-        return _share(asset, lambda shape: dist(shape.colour, COLOURS[word]) <= SAME_COLOUR) >= SHARE
-    if word in _MATERIALS:
-        return _share(asset, lambda shape: shape.material in _MATERIALS[word]) >= SHARE
-    if word in WOODS:
-        return _share(asset, lambda shape: dist(shape.colour, WOODS[word].colour) <= SAME_COLOUR) >= SHARE
+        return shows_colour(asset.links, COLOURS[word])
+    if word in MATERIALS or word in WOODS:
+        return shows_finish(asset.links, word)
     if rule is not None:
         return rule(asset)
     return _heeded(asset, attribute)
 
 
-def _share(asset: Asset, shows: Callable[[Shape], bool]) -> float:
-    """Share of the faces of all shapes, seen as boxes, that belong to shapes of a kind."""
-    shapes = _shapes(asset)
-    whole = sum(map(_faces, shapes))
-    return sum(_faces(shape) for shape in shapes if shows(shape)) / whole if whole else 0.0
-
-
 def _shapes(asset: Asset) -> list[Shape]:
     return [shape for link in asset.links for shape in link.shapes]
-
-
-def _faces(shape: Shape) -> float:
-    x, y, z = shape.size
-    return x * y + y * z + z * x
 
 
 def _is_round(asset: Asset) -> bool:
@@ -99,12 +69,12 @@ def _is_oval(asset: Asset) -> bool:
 def _brightness(asset: Asset) -> float:
     """Mean brightness of its faces, 0 to 1."""
     shapes = _shapes(asset)
-    whole = sum(map(_faces, shapes))
-    return sum(_faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
+    whole = sum(map(faces, shapes))
+    return sum(faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
 
 
 def _is_wicker(asset: Asset) -> bool:
-    return _share(asset, lambda shape: dist(shape.colour, WICKER.colour) <= 0.5 * SAME_COLOUR) >= SHARE
+    return share(asset.links, lambda shape: dist(shape.colour, WICKER.colour) <= 0.5 * SAME_COLOUR) >= SHARE
 
 
 _RULES: dict[str, Callable[[Asset], bool]] = {
