@@ -65,12 +65,10 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
     for word in named:
         finish = _FINISHES.get(word)
         if finish is not None and not shows_finish(found, word):
-            found = _dressed(
-                found, lambda shape, f=finish: structs.replace(shape, colour=f.colour, material=f.material)
-            )
+            found = _dressed(found, finish.colour, finish.material)
     for word in named:
         if word in COLOURS and not shows_colour(found, COLOURS[word]):
-            found = _dressed(found, lambda shape, c=COLOURS[word]: structs.replace(shape, colour=c))
+            found = _dressed(found, COLOURS[word], None)
     return found
 
 
@@ -100,8 +98,8 @@ def faces(shape: Shape) -> float:
     return x * y + y * z + z * x
 
 
-def _dressed(links: Sequence[Link], change: Callable[[Shape], Shape]) -> tuple[Link, ...]:
-    """The links with all shapes changed that have the finish with the largest faces."""
+def _dressed(links: Sequence[Link], colour: Vec3, material: Material | None) -> tuple[Link, ...]:
+    """The links with another colour, and material, for all shapes that have the finish with the largest faces."""
     areas: dict[tuple[Vec3, Material], float] = {}
     for shape in (shape for link in links for shape in link.shapes):
         if shape.material not in _KEPT:
@@ -110,7 +108,10 @@ def _dressed(links: Sequence[Link], change: Callable[[Shape], Shape]) -> tuple[L
     if not areas:
         return tuple(links)
     largest = max(areas, key=lambda key: areas[key])
-    return tuple(
-        structs.replace(link, shapes=tuple(change(s) if (s.colour, s.material) == largest else s for s in link.shapes))
-        for link in links
-    )
+
+    def dressed(shape: Shape) -> Shape:
+        if (shape.colour, shape.material) != largest:
+            return shape
+        return structs.replace(shape, colour=colour, material=material or shape.material)
+
+    return tuple(structs.replace(link, shapes=tuple(map(dressed, link.shapes))) for link in links)

@@ -4,15 +4,18 @@ from collections.abc import Callable, Iterable
 from functools import lru_cache
 from math import dist
 
+from shapely import MultiPoint
+
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, WICKER, WOODS
 from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
+from thinkblox.assets.states import shows_state
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3
 
-_ROUND_SHARE, _ROUND = 0.7, 0.03
-"""Least share of the plan that a round part covers, and how far its plan may be from a circle."""
+_ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
+"""Least share of the plan that a round part covers, how far its sides may differ, and what of its box it may fill."""
 
 
 def realised(asset: Asset, attribute: str) -> bool:
@@ -28,7 +31,7 @@ def realised(asset: Asset, attribute: str) -> bool:
         return shows_finish(asset.links, word)
     if rule is not None:
         return rule(asset)
-    return _heeded(asset, attribute)
+    return _heeded(asset, attribute) or shows_state(asset, word)
 
 
 def _shapes(asset: Asset) -> list[Shape]:
@@ -45,10 +48,17 @@ def _is_round(asset: Asset) -> bool:
 
 
 def _covers(shape: Shape, a: int, b: int, size: Vec3) -> bool:
-    curved = shape.kind in ("cylinder", "sphere", "ellipsoid", "capsule") or shape.smooth
+    whole = max(size[a], size[b])
+    if shape.kind in ("cylinder", "sphere"):
+        return shape.size[0] >= _ROUND_SHARE * whole
     wide, deep = shape.size[a], shape.size[b]
     even = abs(wide - deep) <= _ROUND * max(wide, deep)
-    return curved and even and max(wide, deep) >= _ROUND_SHARE * max(size[a], size[b])
+    if not even or max(wide, deep) < _ROUND_SHARE * whole:
+        return False
+    if shape.kind != "hull":
+        return shape.kind == "ellipsoid"
+    outline = MultiPoint([(point[a], point[b]) for point in shape.points]).convex_hull
+    return bool(outline.area <= _CIRCLE * wide * deep)
 
 
 def _is_square(asset: Asset) -> bool:
