@@ -12,7 +12,9 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
     "lit": frozenset({"candle"}),
     "empty": frozenset(
-        "waste_bin basket laundry_basket bowl vase glass cup plate tray bathtub bookcase shelving_unit wall_shelf".split()
+        (
+            "basket bathtub bookcase bowl cup glass laundry_basket plate shelving_unit tray vase wall_shelf waste_bin"
+        ).split()
     ),
 }
 """Categories that are made so and in no other way, by state."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from thinkblox.assets import CATALOGUE
+from thinkblox.assets.mounting import mount_of
 from thinkblox.brief import Brief, Request
 from thinkblox.plan import Tie
 
@@ -39,7 +40,7 @@ class Member:
     def mount(self) -> str:
         """What it is placed on; "floor" for what the catalogue does not have."""
         category = CATALOGUE.get(self.category)
-        return category.mount if category else "floor"
+        return mount_of(category, self.request.attributes) if category else "floor"
 
     @cached_property
     def footprint(self) -> float:
