@@ -15,7 +15,9 @@ from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.category import Category
 from thinkblox.assets.finish import fitted, links_of
 from thinkblox.assets.masses import mass_of
+from thinkblox.assets.mounting import mount_of
 from thinkblox.assets.palette import style_of
+from thinkblox.assets.repaint import repainted
 from thinkblox.assets.sizing import checked_size, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.stand_ins import kind_of
@@ -99,8 +101,8 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
         size=size,
         mass=mass_of(category, size),
         friction=category.friction,
-        mount=category.mount,
-        links=links_of(build, size),
+        mount=mount_of(category, words),
+        links=repainted(links_of(build, size), words),
         front=build.front or category.front,
         clearance=category.clearance,
         surfaces=tuple(build.surfaces),

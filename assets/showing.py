@@ -4,31 +4,18 @@ from collections.abc import Callable, Iterable
 from functools import lru_cache
 from math import dist
 
+from shapely import MultiPoint
+
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, WICKER, WOODS
-from thinkblox.scene.asset import Asset, Material, Shape
+from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
+from thinkblox.assets.states import shows_state
+from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3
 
-SHARE = 0.2
-"""Least share of the visible faces that shows a colour or a material."""
-SAME_COLOUR = 0.16
-"""Largest distance in sRGB between a colour and what goes by its name."""
-_ROUND_SHARE, _ROUND = 0.7, 0.03
-"""Least share of the plan that a round part covers, and how far its plan may be from a circle."""
-_MATERIALS: dict[str, frozenset[Material]] = {
-    "wooden": frozenset({"wood"}),
-    "metal": frozenset({"metal"}),
-    "glass": frozenset({"glass"}),
-    "leather": frozenset({"leather"}),
-    "fabric": frozenset({"fabric"}),
-    "upholstered": frozenset({"fabric", "leather"}),
-    "stone": frozenset({"stone"}),
-    "marble": frozenset({"stone"}),
-    "plastic": frozenset({"plastic"}),
-    "ceramic": frozenset({"ceramic"}),
-    "paper": frozenset({"paper"}),
-}
+_ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
+"""Least share of the plan that a round part covers, how far its sides may differ, and what of its box it may fill."""
 
 
 def realised(asset: Asset, attribute: str) -> bool:
@@ -39,30 +26,16 @@ def realised(asset: Asset, attribute: str) -> bool:
     word = attribute.lower().replace("_", "-").replace(" ", "-")
     rule = _RULES.get(word)
     if word in COLOURS:
-        return _share(asset, lambda shape: dist(shape.colour, COLOURS[word]) <= SAME_COLOUR) >= SHARE
-    if word in _MATERIALS:
-        return _share(asset, lambda shape: shape.material in _MATERIALS[word]) >= SHARE
-    if word in WOODS:
-        return _share(asset, lambda shape: dist(shape.colour, WOODS[word].colour) <= SAME_COLOUR) >= SHARE
+        return shows_colour(asset.links, COLOURS[word])
+    if word in MATERIALS or word in WOODS:
+        return shows_finish(asset.links, word)
     if rule is not None:
         return rule(asset)
-    return _heeded(asset, attribute)
-
-
-def _share(asset: Asset, shows: Callable[[Shape], bool]) -> float:
-    """Share of the faces of all shapes, seen as boxes, that belong to shapes of a kind."""
-    shapes = _shapes(asset)
-    whole = sum(map(_faces, shapes))
-    return sum(_faces(shape) for shape in shapes if shows(shape)) / whole if whole else 0.0
+    return _heeded(asset, attribute) or shows_state(asset, word)
 
 
 def _shapes(asset: Asset) -> list[Shape]:
     return [shape for link in asset.links for shape in link.shapes]
-
-
-def _faces(shape: Shape) -> float:
-    x, y, z = shape.size
-    return x * y + y * z + z * x
 
 
 def _is_round(asset: Asset) -> bool:
@@ -75,10 +48,17 @@ def _is_round(asset: Asset) -> bool:
 
 
 def _covers(shape: Shape, a: int, b: int, size: Vec3) -> bool:
-    curved = shape.kind in ("cylinder", "sphere", "ellipsoid", "capsule") or shape.smooth
+    whole = max(size[a], size[b])
+    if shape.kind in ("cylinder", "sphere"):
+        return shape.size[0] >= _ROUND_SHARE * whole
     wide, deep = shape.size[a], shape.size[b]
     even = abs(wide - deep) <= _ROUND * max(wide, deep)
-    return curved and even and max(wide, deep) >= _ROUND_SHARE * max(size[a], size[b])
+    if not even or max(wide, deep) < _ROUND_SHARE * whole:
+        return False
+    if shape.kind != "hull":
+        return shape.kind == "ellipsoid"
+    outline = MultiPoint([(point[a], point[b]) for point in shape.points]).convex_hull
+    return bool(outline.area <= _CIRCLE * wide * deep)
 
 
 def _is_square(asset: Asset) -> bool:
@@ -99,12 +79,12 @@ def _is_oval(asset: Asset) -> bool:
 def _brightness(asset: Asset) -> float:
     """Mean brightness of its faces, 0 to 1."""
     shapes = _shapes(asset)
-    whole = sum(map(_faces, shapes))
-    return sum(_faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
+    whole = sum(map(faces, shapes))
+    return sum(faces(s) * (0.3 * s.colour[0] + 0.59 * s.colour[1] + 0.11 * s.colour[2]) for s in shapes) / whole
 
 
 def _is_wicker(asset: Asset) -> bool:
-    return _share(asset, lambda shape: dist(shape.colour, WICKER.colour) <= 0.5 * SAME_COLOUR) >= SHARE
+    return share(asset.links, lambda shape: dist(shape.colour, WICKER.colour) <= 0.5 * SAME_COLOUR) >= SHARE
 
 
 _RULES: dict[str, Callable[[Asset], bool]] = {

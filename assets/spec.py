@@ -44,10 +44,11 @@ class Spec:
 
     def main(self, usual: Finish) -> Finish:
         """Return the finish of its main parts: `usual` unless a colour or a wood was asked for."""
-        if named := wood_of(self.words):
+        named, colour = wood_of(self.words), colour_of(self.words)
+        if colour:
+            return Finish(colour, named.material if named else usual.material)
+        if named:
             return named
-        if colour := colour_of(self.words):
-            return Finish(colour, usual.material)
         return self._of_material(usual) if usual.material == "wood" else usual
 
     def _of_material(self, usual: Finish) -> Finish:

@@ -7,10 +7,14 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "folded": frozenset({"blanket", "towels"}),
     "made": frozenset({"bed", "hospital_bed", "bunk_bed", "crib"}),
     "stacked": frozenset({"book_stack"}),
+    "swivel": frozenset({"office_chair"}),
+    "folding": frozenset({"folding_table", "ironing_board", "ladder", "drying_rack"}),
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
     "lit": frozenset({"candle"}),
     "empty": frozenset(
-        {"waste_bin", "basket", "laundry_basket", "bowl", "vase", "glass", "cup", "plate", "tray", "bathtub"}
+        (
+            "basket bathtub bookcase bowl cup glass laundry_basket plate shelving_unit tray vase wall_shelf waste_bin"
+        ).split()
     ),
 }
 """Categories that are made so and in no other way, by state."""
@@ -20,6 +24,8 @@ _SHUT = frozenset({"closed", "shut"})
 def shows_state(asset: Asset, state: str) -> bool:
     """Whether an asset is seen in a state: doors and drawers are shut, a laptop is open, a bed is made."""
     word = state.lower().strip()
+    if word == "empty" and {"filled", "full"} & set(asset.attributes):
+        return False
     if word in _SHUT:
         return any(link.joint is not None for link in asset.links)
     return asset.category in _ALWAYS.get(word, frozenset())

@@ -193,6 +193,8 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
             "opens": asset.opens,
             "surface_heights": [surface.position[2] for surface in asset.surfaces],
             "wanted": [describe_tie(tie) for tie in self.target.ties],
+            **({"unwanted": [describe_tie(tie) for tie in self.target.denied]} if self.target.denied else {}),
+            **({"keep_free": self.plan.free} if self.plan.free else {}),
         }
 
 

@@ -180,6 +180,7 @@ class Placing:
     ) -> World | None:
         """Measure a round of proposals and commit the best valid one, or with `first` the first one."""
         start = time.perf_counter()
+        small = self.asset.mount == "surface"  # the first that is as asked is taken: of many small things, many tries
         tries: list[Try] = []
         valid: list[tuple[int, Proposal, Verdict]] = []
         for item in read:
@@ -191,7 +192,7 @@ class Placing:
                 continue
             if done.valid:
                 valid.append((len(tries) - 1, item, done.verdict))
-                if first:
+                if first or (small and self._unmet(item) == 0):
                     break
             else:
                 self.failed.append((item, done.verdict))

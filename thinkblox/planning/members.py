@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.mounting import mount_of
 from thinkblox.brief import Brief, Request
 from thinkblox.plan import Tie
 
@@ -38,7 +39,7 @@ class Member:
     @cached_property
     def mount(self) -> str:
         """What it is placed on."""
-        return kind_of(self.category).mount
+        return mount_of(kind_of(self.category), self.request.attributes)
 
     @cached_property
     def footprint(self) -> float:

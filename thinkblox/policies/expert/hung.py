@@ -12,14 +12,15 @@ from thinkblox.scene.saying import turned
 
 PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
+USED_FROM_ABOVE, FLOATING = 1.1, 0.2
+"""Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
 BACK_GAP = 0.002
 """Between a hung thing and its wall [m]: touching, without cutting in."""
 
 
 def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     """Along each wall at eye height or where such things hang; the middle of a free stretch costs least."""
-    middle = situation.facts.hanging.middle
-    z = min(max(0.0, middle - situation.size[2] / 2), situation.room.height - situation.size[2])
+    z = _height(situation)
     if situation.facts.hanging.windows != "no":
         yield from at_windows(situation)
     watched = is_watched(situation)
@@ -35,6 +36,14 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
                 top = z + lift + situation.size[2]
                 if z + lift >= 0.0 and top <= situation.room.height:
                     yield hang(situation, wall, along, z + lift, why="it hangs where it is seen", cost=cost + abs(lift))
+
+
+def _height(situation: Situation) -> float:
+    """Height of the base: the middle at eye level, or low for furniture that is used from above [m]."""
+    middle = situation.facts.hanging.middle - situation.size[2] / 2
+    stands = situation.kind(situation.target).mount != "wall" and situation.asset.surfaces
+    low = stands and situation.size[2] < USED_FROM_ABOVE
+    return min(max(0.0, FLOATING if low else middle), situation.room.height - situation.size[2])
 
 
 def is_watched(situation: Situation) -> bool:
@@ -58,10 +67,7 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
         half = situation.size[1] / 2
         if abs((wall.yaw - anchor.yaw) % 360.0 - 180.0) > 20.0 or inward < 1.0 or wall.length < 2 * half:
             continue
-        z = min(
-            max(0.0, situation.facts.hanging.middle - situation.size[2] / 2),
-            situation.room.height - situation.size[2],
-        )
+        z = _height(situation)
         for shift in (0.0, 0.3, -0.3, 0.6, -0.6, 1.0, -1.0, 1.5, -1.5):
             place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
             yield hang(situation, wall, place, z, why=f"it faces {anchor.id}", cost=0.5 * abs(place - along))

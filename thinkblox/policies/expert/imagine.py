@@ -26,6 +26,8 @@ ELSEWHERE = 12.0
 def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
     ties = tuple(sorted(situation.target.ties, key=lambda tie: not _looks_at_place(tie)))
+    seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
+    ties = tuple(tie for tie in ties if tie.kind != "facing" or tie.anchors not in seated)
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and all(tie.kind != "in_rows" for tie in ties):

@@ -24,6 +24,8 @@ SHRINK = (1.0, 0.85, 0.7, 0.6)
 """Sizes tried, as shares, for what is too large for every surface of its support."""
 OFF = 30.0
 """Cost of reaching over the edge of a round surface."""
+ALIKE = 0.01
+"""Lengths that differ by less are the same [m]."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -192,7 +194,7 @@ def _idea(
 ) -> Idea:
     local = (surface.position[0] + spot[0], surface.position[1] + spot[1])
     if surface.round:
-        cost += _off_ellipse(situation, surface, spot, size)
+        cost += _off_ellipse(situation, surface, spot, size, turn)
     x, y = anchor.to_room(local)
     z = anchor.position[2] + surface.position[2]
     yaw = (anchor.yaw + turn) % 360.0
@@ -204,9 +206,15 @@ def _idea(
     return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id, *situation.seats))
 
 
-def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2, size: Vec3) -> float:
-    reach = max(size[0], size[1]) / 2 if situation.asset.front == "any" else math.hypot(size[0], size[1]) / 2
-    a, b = surface.size[0] / 2 - reach, surface.size[1] / 2 - reach
+def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2, size: Vec3, turn: float) -> float:
+    """What it costs to reach over the edge of a round surface; a thing that is round itself does so with no corners."""
+    a, b = surface.size[0] / 2, surface.size[1] / 2
+    if situation.asset.front == "any" and abs(size[0] - size[1]) < ALIKE:
+        a, b, corner = a - size[0] / 2, b - size[1] / 2, (abs(spot[0]), abs(spot[1]))
+    else:
+        deep, wide = (size[1], size[0]) if turn % 180.0 else (size[0], size[1])
+        corner = (abs(spot[0]) + deep / 2, abs(spot[1]) + wide / 2)
     if min(a, b) <= 0.0:
-        return 0.0 if math.hypot(*spot) < 0.01 and not surface.within else OFF
-    return 0.0 if (spot[0] / a) ** 2 + (spot[1] / b) ** 2 <= 1.0 else OFF
+        return 0.0 if math.hypot(*spot) < ALIKE and not surface.within else OFF
+    inside = (corner[0] / a) ** 2 + (corner[1] / b) ** 2 <= 1.0
+    return 0.0 if inside or (math.hypot(*spot) < ALIKE and not surface.within) else OFF

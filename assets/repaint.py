@@ -1,0 +1,117 @@
+"""Colours and materials that a prompt names, brought to what a generator made without them."""
+
+from collections.abc import Callable, Iterable, Sequence
+from math import dist
+
+from msgspec import structs
+
+from thinkblox.assets.palette import (
+    CLAY,
+    COLOURS,
+    LINEN,
+    MARBLE,
+    OAK,
+    PALE_GLASS,
+    PAPER,
+    STEEL,
+    WHITE_PLASTIC,
+    WICKER,
+    WOODS,
+)
+from thinkblox.assets.part import Finish
+from thinkblox.scene.asset import Link, Material, Shape
+from thinkblox.value import Vec3
+
+SHARE = 0.2
+"""Least share of the visible faces that shows a colour or a material."""
+SAME_COLOUR = 0.16
+"""Largest distance in sRGB between a colour and what goes by its name."""
+MATERIALS: dict[str, frozenset[Material]] = {
+    "wooden": frozenset({"wood"}),
+    "metal": frozenset({"metal"}),
+    "glass": frozenset({"glass"}),
+    "leather": frozenset({"leather"}),
+    "fabric": frozenset({"fabric"}),
+    "upholstered": frozenset({"fabric", "leather"}),
+    "stone": frozenset({"stone"}),
+    "marble": frozenset({"stone"}),
+    "plastic": frozenset({"plastic"}),
+    "ceramic": frozenset({"ceramic"}),
+    "paper": frozenset({"paper"}),
+}
+"""What the words of materials are made of."""
+_FINISHES: dict[str, Finish] = {
+    "wooden": OAK,
+    "metal": STEEL,
+    "glass": Finish(PALE_GLASS.colour, "glass"),
+    "leather": Finish((0.48, 0.29, 0.18), "leather"),
+    "fabric": LINEN,
+    "stone": MARBLE,
+    "marble": MARBLE,
+    "plastic": WHITE_PLASTIC,
+    "ceramic": CLAY,
+    "paper": PAPER,
+    "wicker": WICKER,
+    **WOODS,
+}
+_KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
+"""What gives light, shows a picture or grows keeps its look."""
+
+
+def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
+    """The links with the largest finish changed, where words ask for a colour or a material that nothing shows."""
+    found = tuple(links)
+    named = sorted(set(words))
+    for word in named:
+        finish = _FINISHES.get(word)
+        if finish is not None and not shows_finish(found, word):
+            found = _dressed(found, finish.colour, finish.material)
+    for word in named:
+        if word in COLOURS and not shows_colour(found, COLOURS[word]):
+            found = _dressed(found, COLOURS[word], None)
+    return found
+
+
+def shows_colour(links: Iterable[Link], colour: Vec3) -> bool:
+    """Whether enough of what is seen has about that colour."""
+    return share(links, lambda shape: dist(shape.colour, colour) <= SAME_COLOUR) >= SHARE
+
+
+def shows_finish(links: Iterable[Link], word: str) -> bool:
+    """Whether enough of what is seen is of the material that a word means; a kind of wood is told by its colour."""
+    made = list(links)
+    if word in MATERIALS:
+        return share(made, lambda shape: shape.material in MATERIALS[word]) >= SHARE
+    return shows_colour(made, _FINISHES[word].colour)
+
+
+def share(links: Iterable[Link], shows: Callable[[Shape], bool]) -> float:
+    """Share of the faces of all shapes, seen as boxes, that belong to shapes of a kind."""
+    shapes = [shape for link in links for shape in link.shapes]
+    whole = sum(map(faces, shapes))
+    return sum(faces(shape) for shape in shapes if shows(shape)) / whole if whole else 0.0
+
+
+def faces(shape: Shape) -> float:
+    """Area of three faces of the box around a shape [m2]."""
+    x, y, z = shape.size
+    return x * y + y * z + z * x
+
+
+def _dressed(links: Sequence[Link], colour: Vec3, material: Material | None) -> tuple[Link, ...]:
+    """The links with another colour, and material, for all shapes that have the finish with the largest faces."""
+    areas: dict[tuple[Vec3, Material], float] = {}
+    for shape in (shape for link in links for shape in link.shapes):
+        if shape.material not in _KEPT:
+            key = (shape.colour, shape.material)
+            areas[key] = areas.get(key, 0.0) + faces(shape)
+    if not areas:
+        return tuple(links)
+    largest = max(areas, key=lambda key: areas[key])
+
+    def dressed(shape: Shape) -> Shape:
+        if (shape.colour, shape.material) != largest:
+            return shape
+        return structs.replace(shape, colour=colour, material=material or shape.material)
+
+    return tuple(structs.replace(link, shapes=tuple(map(dressed, link.shapes))) for link in links)
