@@ -1,7 +1,8 @@
 """Whether a finished room is what its prompt demands, row by row."""
 
 from collections.abc import Sequence
-from itertools import chain, combinations, product
+from itertools import chain
+from math import comb
 from typing import Any
 
 from thinkblox.evaluation import element_rules, object_rules
@@ -17,8 +18,6 @@ from thinkblox.evaluation.tallies import JudgedRow
 from thinkblox.evaluation.vocabulary import load_vocabulary
 from thinkblox.evaluation.walls import Enclosure
 
-MAX_GROUPS = 20_000
-"""Most groups of objects that are tried for one relation."""
 SIZE_TOLERANCE = 0.06
 """By how much a side of the floor may differ, for feet that were rounded [m]."""
 _LISTED = 4
@@ -86,11 +85,15 @@ class _RoomJudge:
         ]
         if missing:
             return _relation_row("object relation", row, False, f"not there: {', '.join(missing)}")
-        found = [
-            (f"{', '.join(s.id for s in subjects)} -> {anchor.id}", _all_hold(rules, anchor, subjects, self._room))
-            for anchor, subjects in self._groups(row, rules)
-        ]
-        return _counted("object relation", row, found)
+        wanted = {category: row.subjects.count(category) for category in dict.fromkeys(row.subjects)}
+        groups, found = 0, []
+        for anchor in self._all(row.anchor):
+            others = {c: [b for b in self._all(c) if b is not anchor] for c in wanted}
+            look = _round_about if "surround" in rules else _one_by_one
+            number, seen = look(rules, anchor, others, wanted, self._room)
+            groups += number
+            found += seen
+        return _counted("object relation", row, groups, found)
 
     def element_relation(self, row: ElementRelation) -> JudgedRow:
         """Of how many objects the relation to the part of the room holds."""
@@ -101,7 +104,7 @@ class _RoomJudge:
         if not self._of[row.category]:
             return _relation_row("architecture", row, False, f"not there: {row.category}")
         found = [(b.id, element_rules.holds(rule, b, part, self._room)) for b in self._all(row.category)]
-        return _counted("architecture", row, found)
+        return _counted("architecture", row, sum(ruling.holds for _, ruling in found), found)
 
     def absence(self, category: str) -> JudgedRow:
         """Whether nothing is there that is of the category and counts for no demanded one."""
@@ -117,23 +120,44 @@ class _RoomJudge:
     def _all(self, category: str) -> list[Body]:
         return [self._bodies[id] for id in self._of[category]]
 
-    def _groups(self, row: ObjectRelation, rules: Sequence[ObjectRule]) -> list[tuple[Body, tuple[Body, ...]]]:
-        """One anchor and its subjects, in every way, as in SceneEval; round an anchor only the nearest are tried.
 
-        Of sixteen chairs at four tables, four can be chosen in 1820 ways, none of which but one is meant for a table.
-        """
-        groups: list[tuple[Body, tuple[Body, ...]]] = []
-        wanted = {category: row.subjects.count(category) for category in dict.fromkeys(row.subjects)}
-        for anchor in self._all(row.anchor):
-            others = {c: [b for b in self._all(c) if b is not anchor] for c in wanted}
-            if "surround" in rules:
-                others = {c: _nearest(anchor, bodies, wanted[c]) for c, bodies in others.items()}
-            chosen = product(*(combinations(others[c], n) for c, n in wanted.items()))
-            groups += [
-                (anchor, tuple(b for bodies in choice for b in bodies))
-                for choice, _ in zip(chosen, range(MAX_GROUPS), strict=False)
-            ]
-        return groups
+Seen = list[tuple[str, Ruling]]
+"""What was looked at, in words, and what came of it."""
+
+
+def _one_by_one(
+    rules: Sequence[ObjectRule],
+    anchor: Body,
+    others: dict[str, list[Body]],
+    wanted: dict[str, int],
+    room: Enclosure,
+) -> tuple[int, Seen]:
+    """In how many ways the wanted subjects can be chosen so that each stands in the relation to the anchor."""
+    seen: Seen = []
+    groups = 1
+    for category, bodies in others.items():
+        rulings = [(f"{b.id} -> {anchor.id}", _all_hold(rules, anchor, (b,), room)) for b in bodies]
+        groups *= comb(sum(ruling.holds for _, ruling in rulings), wanted[category])
+        seen += rulings
+    return groups, seen
+
+
+def _round_about(
+    rules: Sequence[ObjectRule],
+    anchor: Body,
+    others: dict[str, list[Body]],
+    wanted: dict[str, int],
+    room: Enclosure,
+) -> tuple[int, Seen]:
+    """Whether the nearest of the wanted subjects stand round the anchor.
+
+    Of sixteen chairs at four tables, four can be chosen in 1820 ways, none of which but one is meant for a table.
+    """
+    chosen = [body for category, bodies in others.items() for body in _nearest(anchor, bodies, wanted[category])]
+    if len(chosen) < sum(wanted.values()):
+        return 0, []
+    ruling = _all_hold(rules, anchor, chosen, room)
+    return int(ruling.holds), [(f"{', '.join(body.id for body in chosen)} -> {anchor.id}", ruling)]
 
 
 def _nearest(anchor: Body, bodies: Sequence[Body], number: int) -> list[Body]:
@@ -148,11 +172,11 @@ def _all_hold(rules: Sequence[ObjectRule], anchor: Body, subjects: Sequence[Body
     return Ruling(all(f.holds for f in found), "; ".join(f.says for f in found))
 
 
-def _counted(kind: Any, row: ObjectRelation | ElementRelation, found: Sequence[tuple[str, Ruling]]) -> JudgedRow:
-    holding = [who for who, finding in found if finding.holds]
-    met = row.met_by(len(holding))
-    others = [f"{who}: {finding.says}" for who, finding in found if not finding.holds]
-    says = f"holds {len(holding)} times" + (f" ({_list(holding)})" if holding else "")
+def _counted(kind: Any, row: ObjectRelation | ElementRelation, number: int, found: Seen) -> JudgedRow:
+    holding = [who for who, ruling in found if ruling.holds]
+    met = row.met_by(number)
+    others = [f"{who}: {ruling.says}" for who, ruling in found if not ruling.holds]
+    says = f"holds for {number}" + (f" ({_list(holding)})" if holding else "")
     if not met and others:
         says += f"; not for {_list(others)}"
     return _relation_row(kind, row, met, says)
