@@ -28,11 +28,13 @@ class Cell:
         kind: "door" is hinged at the outer side, "glass" a glazed one, "flap" is hinged at the bottom.
         weight: its share of the bay's height.
         shelves: boards inside.
+        shows: whether things can be put on its floor and boards though a door is before them.
     """
 
     kind: Literal["open", "drawer", "door", "glass", "flap"]
     weight: float = 1.0
     shelves: int = 0
+    shows: bool = False
 
 
 @dataclass(frozen=True)
@@ -166,10 +168,10 @@ def _fill_bay(
             build.body.append(box(finish, (back + 0.008, front), inner, around(low, BOARD)))
         name = f"{cell.kind} {number + 1}.{index + 1}"
         shelves = _shelves(build, finish, cell, (back + 0.008, front), inner, clear)
-        if cell.kind == "open":
+        if cell.kind == "open" or cell.shows:
             build.surfaces += _named(shelves, name)
-        else:
-            if cell.kind in ("door", "glass"):
+        if cell.kind != "open":
+            if cell.kind in ("door", "glass") and not cell.shows:
                 build.surfaces += [structs.replace(s, within=True) for s in _named(shelves, name)]
             face = _Face(
                 (front + GAP, outer),

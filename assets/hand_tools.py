@@ -10,6 +10,8 @@ from thinkblox.assets.tubes import ring
 
 Head = Callable[[Finish, Range, float, float], list[Part]]
 """Makes a head of a finish over a range along x, whose right end meets the grip, as wide and high as given [m]."""
+_FLAT = 1 / 0.9
+"""Stretches a grip whose lowest tenth is cut off, so that it lies flat, to its full height."""
 
 
 def lying_tool(
@@ -29,7 +31,9 @@ def lying_tool(
     def generate(spec: Spec) -> Build:
         x, y, z = spec.size
         start, held = (0.5 - share) * x, spec.main(grip or metal)
-        outline = [(v, w + thick * z / 2) for v, w in oval(slim * y, thick * z, sides=12, squareness=3.0)]
+        outline = [
+            (v, _FLAT * thick * z * (max(w, -0.4) + 0.4)) for v, w in oval(slim * y, 1.0, sides=12, squareness=3.0)
+        ]
         handle = prism(held, outline, (start, x / 2), axis=0, smooth=True)
         return Build(body=[handle, *head(metal if grip else held, (-x / 2, start), y, z)])
 

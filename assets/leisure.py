@@ -239,7 +239,7 @@ def dumbbell(spec: Spec) -> Build:
     x, y, z = spec.size
     iron = spec.main(IRON)
     heads = [
-        prism(iron, [(u, w + z / 2) for w, u in oval(1.155 * z, x, sides=6)], (s * 0.24 * y, s * y / 2), axis=1)
+        prism(iron, [(u, w + z / 2) for u, w in oval(x, 1.155 * z, sides=6)], (s * 0.24 * y, s * y / 2), axis=1)
         for s in (-1, 1)
     ]
     grip = cylinder(CHROME, around(0, 0.3 * z), around(0, 0.5 * y), around(z / 2, 0.3 * z), axis=1)

@@ -135,14 +135,16 @@ def cupboard(spec: Spec) -> Build:
 def china_cabinet(spec: Spec) -> Build:
     """Return glazed doors above wooden ones."""
     count = max(2, round(spec.size[1] / 0.5))
-    return cabinet(spec, [[Cell("door", 1.0), Cell("glass", 1.7, 2)]] * count, plinth=0.06, finish=spec.wood)
+    return cabinet(
+        spec, [[Cell("door", 1.0), Cell("glass", 1.7, 2, shows=True)]] * count, plinth=0.06, finish=spec.wood
+    )
 
 
 def display_cabinet(spec: Spec) -> Build:
     """Return a cabinet of glazed doors from the plinth to the top, its shelves seen."""
     count = max(1, round(spec.size[1] / 0.5))
     rows = max(1, round(spec.size[2] / 0.42))
-    return cabinet(spec, [[Cell("glass", 1.0, rows - 1)]] * count, plinth=0.06, finish=spec.wood)
+    return cabinet(spec, [[Cell("glass", 1.0, rows - 1, shows=True)]] * count, plinth=0.06, finish=spec.wood)
 
 
 def filing_cabinet(spec: Spec) -> Build:

@@ -50,7 +50,7 @@ def main() -> int:
     render_top(scene).save(out / "top.png", optimize=True)
     overview().save(out / "rooms.png", optimize=True)
     assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE) if not CATALOGUE[name].plain]
-    contact_sheet(assets, columns=14, size=110).save(out / "catalogue.png", optimize=True)
+    contact_sheet(assets, columns=14, size=110).quantize(256).save(out / "catalogue.png", optimize=True)
     return 0
 
 

@@ -34,6 +34,8 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
         _tie_to_place(relation, subjects)
     elif relation.subject in keys:
         _tie_among(relation, subjects)
+    elif len(keys) > 1 and relation.kind not in _TOGETHER:
+        _share_out(relation, subjects, [member for key in keys for member in members.by_request[key]], members)
     elif len(keys) > 1 or relation.kind == "between":
         anchors = [member for key in keys for member in members.by_request[key]]
         for index, subject in enumerate(subjects):

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.reading.lexicon import LONGEST, Entry, Lexeme, Lexicon
 from thinkblox.reading.phrases import Connective, Item, Phrase, PhraseKind, Unknown
 from thinkblox.reading.sizes import Size, read_size
@@ -272,8 +273,11 @@ class _NounPhrase:
 
     def _head(self, lexeme: Lexeme) -> bool:
         lexeme = self._without_verb(lexeme)
+        bare = not self.determined and self.phrase.count is None
         verb = not self.determined and lexeme.entry("word", value="filler") is not None
-        noun = None if verb else lexeme.entry("object") or lexeme.entry("room", "place", "missing")
+        shade = lexeme.entry("attribute")
+        said_of = bare and shade is not None and shade.value in COLOURS  # "the sofa is orange" names no fruit
+        noun = None if verb or said_of else lexeme.entry("object") or lexeme.entry("room", "place", "missing")
         entry = noun or self._part(lexeme) or self._word(lexeme)
         if entry is None:
             return False
