@@ -232,7 +232,7 @@ PROMPTS = {
     ),
     "A laundry room with two washing machines next to each other, a dryer on the right of them, a shelf above the"
     " machines with detergent and a basket.": (
-        "2 washing_machine, 1 dryer, 1 wall_shelf, 1 detergent, 1 basket",
+        "2 washing_machine, 1 dryer, 1 wall_shelf, 1 laundry_detergent, 1 basket",
         ("washing_machine next_to washing_machine, dryer right_of washing_machine, wall_shelf above washing_machine"),
         "",
     ),
@@ -263,7 +263,9 @@ PROMPTS = {
     "A reception with a desk, two chairs in front of it and one behind it, a sofa along the wall, and a plant on "
     "each side of the sofa.": (
         "1 reception_desk, 3 chair, 1 sofa, 2 plant",
-        ("chair in_front_of reception_desk, chair behind reception_desk, sofa against_wall wall, plant left_of sofa, plant right_of sofa"),
+        (
+            "chair in_front_of reception_desk, chair behind reception_desk, sofa against_wall wall, plant left_of sofa, plant right_of sofa"
+        ),
         "",
     ),
     "A bedroom containing one double bed, one wardrobe with a suitcase on top, one desk with one lamp and one "

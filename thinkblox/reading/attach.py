@@ -50,7 +50,9 @@ def bind(draft: Draft, bond: Bond) -> None:
         else:
             bond = _turned(bond, anchor)
     if bond.subject.owner is not None and not bond.implied:
-        bond.each |= bond.kind != "between" and any(_is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds)
+        bond.each |= bond.kind != "between" and any(
+            _is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds
+        )
         draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
     draft.bonds.append(bond)
 

@@ -3,8 +3,8 @@
 import math
 from typing import Literal, get_args
 
-from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.assets import CATALOGUE
+from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_types
@@ -12,8 +12,8 @@ from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import assume, stock
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
-from thinkblox.reading.grammar import Walker
 from thinkblox.reading.english import read_english
+from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import read_items
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size

@@ -79,7 +79,11 @@ class Chunker:
             found = read_size(self.lexicon, self.tokens, self.at + about.length)
             if found is not None:
                 return Measured(found[0], self.at, found[1])
-        if token.kind == "number" or token.text in ("nan", "inf", "infinity") or grammar().at(self.tokens, self.at, "count"):
+        if (
+            token.kind == "number"
+            or token.text in ("nan", "inf", "infinity")
+            or grammar().at(self.tokens, self.at, "count")
+        ):
             found = read_size(self.lexicon, self.tokens, self.at)
             if found is not None:
                 return Measured(found[0], self.at, found[1])

@@ -16,11 +16,42 @@ from thinkblox.reading.english.referents import Referents, is_small
 from thinkblox.reading.sizes import Size
 
 _ENDS = ("stop", "semicolon", "colon", "dash")
-_GROUPS = ("station", "workstation", "set", "setting", "group", "bay", "cubicle", "pod", "cluster", "area", "zone", "unit", "place", "half", "section", "side", "wing", "row", "quarter")
+_GROUPS = (
+    "station",
+    "workstation",
+    "set",
+    "setting",
+    "group",
+    "bay",
+    "cubicle",
+    "pod",
+    "cluster",
+    "area",
+    "zone",
+    "unit",
+    "place",
+    "half",
+    "section",
+    "side",
+    "wing",
+    "row",
+    "quarter",
+)
 """Words for several things together, where "each" then says which."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
-_BY_OWNER = ("next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far")
+_BY_OWNER = (
+    "next_to",
+    "near",
+    "in_front_of",
+    "behind",
+    "left_of",
+    "right_of",
+    "at_foot_of",
+    "between",
+    "opposite",
+    "far",
+)
 _JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 _SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to")
@@ -104,7 +135,9 @@ class Clauses(Namer):
         return chunk if isinstance(chunk, Noun) else None
 
     def _is_filler(self, chunk: Chunk) -> bool:
-        return isinstance(chunk, Link) and chunk.sort in ("fillers",) or isinstance(chunk, Adjective) and not chunk.attributes
+        return (isinstance(chunk, Link) and chunk.sort in ("fillers",)) or (
+            isinstance(chunk, Adjective) and not chunk.attributes
+        )
 
     def _is_link(self, chunk: Chunk | None, sort: str, *values: str) -> bool:
         return isinstance(chunk, Link) and chunk.sort == sort and (not values or chunk.value in values)
@@ -212,7 +245,8 @@ class Clauses(Namer):
         self.excluding = False
         self.separator = kind
         self.relative = None
-        self.pending = None
+        if self.pending is not None and (self.pending.members or kind != "comma"):
+            self.pending = None
 
     def _next_is_excluded(self, *, bare: bool) -> bool:
         """Whether "without a television and a rug" goes on: a noun without a verb or relation of its own."""
@@ -220,7 +254,7 @@ class Clauses(Namer):
         if noun is None or noun.kind != "thing" or (bare and (noun.det or noun.count is not None)):
             return False
         after = self.peek(1)
-        return not isinstance(after, Link) or after.sort == "mark"
+        return not isinstance(after, Link) or after.sort == "mark" or after.value in ("or", "and")
 
     # --- prepositions
 
@@ -273,7 +307,12 @@ class Clauses(Namer):
             if whole is not None:
                 where.whole = whole
                 self.at = self.chunks.index(whole, self.at) + 1
-        if link.value == "between" and self._is_link(self.peek(), "joins", "and") and chunk.kind != "pronoun" and not chunk.many:
+        if (
+            link.value == "between"
+            and self._is_link(self.peek(), "joins", "and")
+            and chunk.kind != "pronoun"
+            and not chunk.many
+        ):
             second = self._next_noun(1)
             if second is not None and second.kind in ("thing", "place", "pronoun"):
                 where.second = second
@@ -335,9 +374,9 @@ class Clauses(Namer):
             return
         node = self._subject_of(where)
         if node is None:
-            if where.noun is not None and where.noun.kind == "thing" and where.noun.det not in ("the", "each", "my"):
-                self._set_front(where)
-            elif where.noun is not None:
+            if (
+                where.noun is not None and where.noun.kind == "thing" and where.noun.det not in ("the", "each", "my")
+            ) or where.noun is not None:
                 self._set_front(where)
             return
         self._place_node(node, where)
@@ -411,7 +450,10 @@ class Clauses(Namer):
         sides = ("left", "right", "side", "front", "back")
         side = where.noun is not None and where.noun.kind == "part" and where.noun.value in sides
         before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]
-        if before and (side or where.word in _SIDEWARD or where.word == "on"):
+        repeated = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and a.many]
+        if repeated and where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each":
+            likely = repeated
+        elif before and (side or where.word in _SIDEWARD or where.word == "on"):
             likely = before if side or where.word != "on" else [*likely, *before]
         if where.noun is not None and where.noun.kind in ("part", "place") and where.whole is None:
             likely = likely if where.noun.det in ("my", "each", "either", "") and where.noun.kind == "part" else []
@@ -480,7 +522,12 @@ class Clauses(Namer):
         if head is not None and head.things and self._is_pronominal(where) and where.word in _BY_OWNER:
             lying = [b for b in self.draft.bonds_of(inner.things[-1]) if b.implied and b.kind in ("on", "inside")]
             within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
-            if lying and noun is not None and noun.kind == "pronoun" and (within or self._behind_its_carrier(head, where)):
+            if (
+                lying
+                and noun is not None
+                and noun.kind == "pronoun"
+                and (within or self._behind_its_carrier(head, where))
+            ):
                 return head
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
         if head is not None and head.things and middle and inner.things[-1].many and not inner.frame.each:
@@ -530,7 +577,12 @@ class Clauses(Namer):
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
             return subject
-        if where.noun is not None and where.noun.kind == "part" and where.noun.value == "middle" and not is_small(thing):
+        if (
+            where.noun is not None
+            and where.noun.kind == "part"
+            and where.noun.value == "middle"
+            and not is_small(thing)
+        ):
             return inner
         if self._is_pronominal(where) and where.noun is not None:
             return subject if not is_small(thing) and is_small(subject.things[-1]) else inner
@@ -543,14 +595,20 @@ class Clauses(Namer):
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
-        kind = "against_wall" if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value else kind
+        kind = (
+            "against_wall"
+            if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value
+            else kind
+        )
         group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
         if group is None or not self._belongs(thing.noun, group):
             return node
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         free: list[Mention] = []
         for member in reversed(frame.members):
-            if (member in taken and member is not thing) or (member is not thing and not self._belongs(member.noun, group)):
+            if (member in taken and member is not thing) or (
+                member is not thing and not self._belongs(member.noun, group)
+            ):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
@@ -768,7 +826,7 @@ class Clauses(Namer):
         """Whether a size is that of a room rather than of a thing."""
         sides = [length.metres for length in size.lengths]
         square = isinstance(said := self.peek(2), Adjective) and said.attributes == ["square"]
-        return size.area is not None or (len(sides) > 1 or square) and min(sides) > 1.0
+        return size.area is not None or ((len(sides) > 1 or square) and min(sides) > 1.0)
 
     def _colon_ahead(self) -> bool:
         """Whether a colon ends what was begun, before any other mark."""
@@ -794,7 +852,9 @@ class Clauses(Namer):
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
             return False
         zone = noun.text.lower().split()[-1] in ("area", "corner", "nook", "space", "zone", "section", "side", "set")
-        listed = noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
+        listed = (
+            noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
+        )
         return listed and not zone and noun.value != self.draft.room
 
     def _people(self, noun: Noun) -> None:
@@ -808,7 +868,7 @@ class Clauses(Namer):
             self._free(noun.value)
             return
         name = noun.value.split()[0]
-        if name in ("window", "door") and noun.det == "no" or (self.excluding and name in ("window", "door")):
+        if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
             self.draft.openings.append(Gap(name, 0))
         elif name in ("window", "door") and not noun.definite:
             self.opening = Gap(name, noun.count or (2 if noun.plural else 1))
@@ -891,7 +951,8 @@ class Clauses(Namer):
 
     def _is_new_clause(self, noun: Noun) -> bool:
         """Whether a verb of its own follows the noun: ", and two guitars hang on the wall"."""
-        if self.separator in ("and", "comma") and not self.predicate and not self.existential and not self.front:
+        fresh = not self.predicate and not self.existential
+        if (self.separator == "and" and fresh) or (self.separator == "comma" and fresh and not self.front):
             return False
         index = self.at
         while index < len(self.chunks):
@@ -975,7 +1036,7 @@ class Clauses(Namer):
 
     def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known."""
-        if noun.det == "each" and not noun.named or noun.value.rpartition(" ")[2] in _GROUPS:
+        if (noun.det == "each" and not noun.named) or noun.value.rpartition(" ")[2] in _GROUPS:
             group = self.groups.get(singular(noun.text.rpartition(" ")[2].lower()))
             if group is not None:
                 return (group,), True
@@ -1063,7 +1124,12 @@ class Clauses(Namer):
             return
         for thing, where in ((part, side), (whole, other)):
             for bond in self.draft.bonds_of(thing):
-                if bond.kind == "next_to" and bond.anchors and isinstance(bond.anchors[0], Mention) and part is not whole:
+                if (
+                    bond.kind == "next_to"
+                    and bond.anchors
+                    and isinstance(bond.anchors[0], Mention)
+                    and part is not whole
+                ):
                     bond.kind = relation_kind(f"{where}_of")
 
     def _whole(self, besides: Sequence[Mention]) -> Mention | None:
@@ -1242,14 +1308,31 @@ class Clauses(Namer):
         for front in list(self.front):
             listed = len(self.clause.members) > len(things)
             thing = things[-1]
-            off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted") and thing.noun in self._catalogue()
+            off = (
+                front.kind == "on"
+                and not self.habits.is_in(thing.noun, "small", "fitted")
+                and thing.noun in self._catalogue()
+            )
             wall = front.anchors and isinstance(front.anchors[0], str)
             if listed and (off and not wall) and not self.clause.closing:
                 self.front.remove(front)
                 continue
             if listed and self._is_told_next():
                 continue
-            if listed and front.kind not in ("on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner", "at", "per", "around"):
+            if listed and front.kind not in (
+                "on",
+                "inside",
+                "above",
+                "against_wall",
+                "next_to",
+                "near",
+                "behind",
+                "in_front_of",
+                "in_corner",
+                "at",
+                "per",
+                "around",
+            ):
                 continue
             self._relate(things, replace(front.meaning), negated=front.where.negated)
 
@@ -1331,7 +1414,11 @@ class Clauses(Namer):
             case "line":
                 self._where(self._read_where(Link("prepositions", "along", 0, 0)))
             case "hang":
-                if self._is_link(self.peek(), "prepositions", "from") and (n := self._next_noun(1)) and n.kind == "thing":
+                if (
+                    self._is_link(self.peek(), "prepositions", "from")
+                    and (n := self._next_noun(1))
+                    and n.kind == "thing"
+                ):
                     self.at += 1
                     self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
 
@@ -1394,7 +1481,11 @@ class Clauses(Namer):
         usual = self.habits.tie(thing.noun, head.noun)
         small = self._belongs(thing.noun, "small")
         small |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
-        shelves = self.habits.is_in(head.noun, "shelves", "containers") if "containers" in self._groups() else self.habits.is_in(head.noun, "shelves")
+        shelves = (
+            self.habits.is_in(head.noun, "shelves", "containers")
+            if "containers" in self._groups()
+            else self.habits.is_in(head.noun, "shelves")
+        )
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
                 return usual
@@ -1412,7 +1503,9 @@ class Clauses(Namer):
                     return "inside"
                 if usual:
                     return str(usual)
-                surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges") or head.noun not in self._catalogue()
+                surfaces = (
+                    self.habits.is_in(head.noun, "surfaces", "beds", "lounges") or head.noun not in self._catalogue()
+                )
                 contains = self._contains(head, shelves=shelves)
                 seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
                 flat = singular(head.text.rpartition(" ")[2].lower()) in _FLAT
@@ -1440,6 +1533,9 @@ class Clauses(Namer):
             if self.subject is None and self.clause.members and not self.separator:
                 self.subject = self._whole_subject()
                 self._open_of_subject("with")
+            return
+        if link.value == "other":
+            self.frontier, self.subject, self.pending = [], None, None
             return
         if link.value == "leave":
             self.leaving = True
@@ -1508,7 +1604,11 @@ class Clauses(Namer):
             case "seat":
                 self._seat()
             case "hang":
-                if self._is_link(self.peek(), "prepositions", "from") and (n := self._next_noun(1)) and n.kind == "thing":
+                if (
+                    self._is_link(self.peek(), "prepositions", "from")
+                    and (n := self._next_noun(1))
+                    and n.kind == "thing"
+                ):
                     self.at += 1
                     self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
 
@@ -1635,6 +1735,10 @@ class Clauses(Namer):
         last = self.clause.members[-1]
         return last if last.count == 1 and last.text.lower().startswith("one ") else None
 
+    def another(self, thing: Mention) -> Mention:
+        """One more of a kind."""
+        return self._copy_of(thing)
+
     def _copy_of(self, thing: Mention) -> Mention:
         """Another of the same kind."""
         copy = Mention(thing.noun, 1, attributes=[*thing.attributes], unshown=[*thing.unshown], text=thing.text)
@@ -1700,6 +1804,7 @@ class Clauses(Namer):
         separated = self.separator
         if separated and self.clause.members:
             self._begin()
+        self.subject, self.predicate = None, False
         self.clause.members += [t for t in things if t not in self.clause.members]
         self.frontier = [Node(list(things), self.clause, known=True, each=noun.value == "each")]
         self._apply_front(things)
@@ -1708,6 +1813,10 @@ class Clauses(Namer):
         """A number that stands for some of several: "two by the window", "three of them chrome"."""
         if noun.rows and not noun.of_known:
             self._arrange(noun)
+            return
+        told = self._is_link(self.peek(), "prepositions") and (each := self._next_noun(1)) is not None
+        if self.bracket is not None and told and each is not None and each.kind == "pronoun" and each.value == "each":
+            self.at += 2
             return
         whole = self._whole([])
         if whole is None:
@@ -1728,6 +1837,10 @@ class Clauses(Namer):
             self._look(whole, noun)
             self.referents.parted = None
             self._resume([whole], noun)
+            return
+        if noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
+            self.referents.settle(whole)
+            self._part_of(whole, max(1, (whole.count or 0) // noun.ordinal), noun)
             return
         if noun.side or noun.ordinal:
             part = self.some_of(noun, [])
@@ -1794,7 +1907,9 @@ class Clauses(Namer):
             return False
         if noun is not None and (noun.of_known or noun.attributes or noun.unshown):
             return False
-        return any(not bond.implied for bond in self.draft.bonds_of(whole)) and self._is_link(self.peek(), "prepositions")
+        return any(not bond.implied for bond in self.draft.bonds_of(whole)) and self._is_link(
+            self.peek(), "prepositions"
+        )
 
     def _speak_of_part(self, part: Mention, noun: Noun | None) -> None:
         if noun is not None:
@@ -1808,7 +1923,9 @@ class Clauses(Namer):
         self.predicate = False
 
     def _copy(self, whole: Mention, count: int) -> Mention:
-        part = replace(whole, count=count, attributes=[*whole.attributes], unshown=[*whole.unshown], states=[*whole.states])
+        part = replace(
+            whole, count=count, attributes=[*whole.attributes], unshown=[*whole.unshown], states=[*whole.states]
+        )
         part.per = [*whole.per]
         anchors = [a for b in self.draft.bonds_of(whole) for a in b.anchors if isinstance(a, Mention)]
         part.host = part.host or next(iter(anchors), None)
@@ -1914,9 +2031,7 @@ class Clauses(Namer):
                 self.at += 1
                 where = self._read_where(link)  # type: ignore[arg-type]
                 self._set_front(where)
-        elif after is None or self._is_link(after, "mark"):
-            self.draft.empty = True
-        elif self._is_link(after, "prepositions", "in"):
+        elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
             self.draft.empty = True
 
     def _only(self) -> None:
@@ -2003,7 +2118,12 @@ class Clauses(Namer):
     def _measured(self, size: Size) -> None:
         """Read a size: of the thing just before or after it, or of the room."""
         before = self.chunks[self.at - 2] if self.at >= 2 else None
-        if isinstance(before, Link) and before.sort in ("mark", "fillers") and before.value in ("open", "comma") and self.at >= 3:
+        if (
+            isinstance(before, Link)
+            and before.sort in ("mark", "fillers")
+            and before.value in ("open", "comma")
+            and self.at >= 3
+        ):
             before = self.chunks[self.at - 3]
         if self._is_link(before, "prepositions", "of") and self.at >= 3:
             before = self.chunks[self.at - 3]
@@ -2017,13 +2137,17 @@ class Clauses(Namer):
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         if roomy and not self.draft.sizes:
             self.draft.sizes.append(size)
-        elif isinstance(following, Link) and following.sort == "prepositions" and following.value in ("from", "far", "away"):
+        elif (
+            isinstance(following, Link)
+            and following.sort == "prepositions"
+            and following.value in ("from", "far", "away")
+        ):
             self.draft.unknown.append(f"{size.text} {following.text}")
         elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
             following.size = size
         elif isinstance(before, Noun) and before.kind == "thing" and thing is not None and not ceiling:
             thing.size = thing.size or size
-        elif isinstance(before, Noun) and before.kind == "room" or not self.draft.things:
+        elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things:
             self.draft.sizes.append(size)
         elif thing is not None and single and size.area is None and not ceiling:
             thing.size = thing.size or size

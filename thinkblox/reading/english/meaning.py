@@ -10,7 +10,15 @@ from thinkblox.reading.english.referents import Referents, is_small
 
 _OPENINGS = ("window", "door")
 _AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
-_NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_to", "to": "next_to", "from": "on", "on_top": "on"}
+_NAMED = {
+    "in": "inside",
+    "by": "next_to",
+    "along": "next_to",
+    "against": "next_to",
+    "to": "next_to",
+    "from": "on",
+    "on_top": "on",
+}
 _SIDES = {"left": "left_of", "right": "right_of", "front": "in_front_of", "back": "behind"}
 _ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
@@ -23,6 +31,7 @@ class Meanings:
         self.referents = referents
         self.name = name
         self.place: Meaning | None = None
+        self.anchor: tuple[str, Mention] | None = None
 
     def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
         """The relation that `where` gives to `subjects`; None when it says nothing about them.
@@ -46,6 +55,7 @@ class Meanings:
             case "part":
                 return self._part(where, said, subjects, likely, noun)
             case "place":
+                self.anchor = None
                 self.place = self._place(where, said, subjects, likely, noun)
                 return replace(self.place) if self.place is not None else None
             case "pronoun":
@@ -61,7 +71,18 @@ class Meanings:
     def _elided(self, word: str, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
         """ "a mirror above", "with a mug inside"."""
         kind = _NAMED.get(word, word)
-        if kind not in ("above", "under", "behind", "inside", "opposite", "next_to", "near", "between", "around", "outside"):
+        if kind not in (
+            "above",
+            "under",
+            "behind",
+            "inside",
+            "opposite",
+            "next_to",
+            "near",
+            "between",
+            "around",
+            "outside",
+        ):
             return None
         if kind == "between":
             return Meaning(kind, self.referents.several(subjects, kind), told=True)
@@ -89,7 +110,11 @@ class Meanings:
         if said.value == "other":
             return self._other(kind, subjects)
         plural = [t for t in likely if t.many]
-        anchors = tuple(plural[:1]) if plural and (kind != "between" or likely[:1] == plural[:1]) else self.referents.several(subjects, kind)
+        anchors = (
+            tuple(plural[:1])
+            if plural and (kind != "between" or likely[:1] == plural[:1])
+            else self.referents.several(subjects, kind)
+        )
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
@@ -103,6 +128,8 @@ class Meanings:
 
     def _other(self, kind: str, subjects: list[Mention]) -> Meaning | None:
         whole = self.referents.parted
+        if whole is None and self.anchor is not None and kind == self.anchor[0] and not self.anchor[1].many:
+            return self._fitting(Meaning(kind, (self.name.another(self.anchor[1]),), told=True), subjects)
         if whole is None and self.place is not None:
             return Meaning(self.place.kind, self.place.anchors)
         self.referents.parted = None
@@ -176,7 +203,11 @@ class Meanings:
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
         if said.value == "middle" and said.det != "my" and not (alone and likely):
             return self._of_room(said, subjects)
-        if said.value in ("middle", "side", "left", "right", "front", "back", "end") and not likely and said.det != "my":
+        if (
+            said.value in ("middle", "side", "left", "right", "front", "back", "end")
+            and not likely
+            and said.det != "my"
+        ):
             if not self.referents.topics or (subjects and where.word in ("on", "at") and said.value in _ROOM_SIDES):
                 return self._of_room(said, subjects)
             if not subjects and not noun:
@@ -208,7 +239,9 @@ class Meanings:
     def _middle(self, subjects: list[Mention], whole: Mention, noun: str) -> str:
         name = subjects[-1].noun if subjects else noun
         habits = load_habits()
-        return "in_centre" if habits.is_in(name, "small", "fitted") or not habits.is_in(name, *_STANDING) else "in_centre"
+        return (
+            "in_centre" if habits.is_in(name, "small", "fitted") or not habits.is_in(name, *_STANDING) else "in_centre"
+        )
 
     def _is_seat(self, subjects: list[Mention], whole: Mention, noun: str) -> bool:
         habits = load_habits()
@@ -307,6 +340,7 @@ class Meanings:
             second, _ = self.name.anchors(where.second, subjects)
             anchors = (*anchors, *second)
         each = said.each or where.word == "per"
+        self.anchor, self.place = (kind, anchors[0]), None
         meaning = Meaning(kind, anchors, each=each, told=told)
         return self._fitting(meaning, subjects, word=where.word)
 
@@ -322,7 +356,9 @@ class Meanings:
         name = subjects[-1].noun if subjects else noun
         usual = habits.tie(name, anchor.noun) if name else None
         if meaning.kind == "at":
-            seated = "around" if habits.is_in(anchor.noun, "tables") else "at" if habits.is_in(name, "seats") else "next_to"
+            seated = (
+                "around" if habits.is_in(anchor.noun, "tables") else "at" if habits.is_in(name, "seats") else "next_to"
+            )
             meaning.kind = usual if usual in ("at", "around") else seated if name else "at"
         elif meaning.kind in ("per", "for"):
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
@@ -338,6 +374,10 @@ class Namer:
 
     def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known."""
+        raise NotImplementedError
+
+    def another(self, thing: Mention) -> Mention:
+        """One more of a kind: "a printer on one cabinet, a fax on another"."""
         raise NotImplementedError
 
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from thinkblox.knowledge.vocabulary import is_abstract, is_person
+from thinkblox.knowledge.vocabulary import is_abstract, is_person, thing_called
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.plurals import PAIRS, singular
@@ -125,7 +125,11 @@ class PhraseReader:
         if noun.every == 2 and token in ("second", "other"):
             return 1
         found = grammar().at(self.tokens, at, "ordinal")
-        if found is None or noun.det not in ("the", "my", "a") or (noun.det == "a" and self._starts_noun(at + found.length)):
+        if (
+            found is None
+            or noun.det not in ("the", "my", "a")
+            or (noun.det == "a" and self._starts_noun(at + found.length))
+        ):
             return 0
         noun.ordinal = int(found.value)
         noun.count = noun.count or 1
@@ -453,7 +457,7 @@ class PhraseReader:
         if self._starts_noun(at + stop.length):
             units.adjectives += 1
             return stop.length
-        if stop.length > 1 or self.tokens[at].text in ("is", "are", "was", "has", "have", "needs", "gets"):
+        if stop.length > 1 or stop.value == "be" or self.tokens[at].text in ("is", "are", "was", "has", "have", "needs", "gets"):
             return 0
         units.nouns.append(_Unit(self.tokens[at].shown))
         return 1
@@ -506,10 +510,14 @@ class PhraseReader:
         word = self.tokens[at].text
         if not word.endswith(("s", "ed", "ing")) or word.endswith("ss"):
             return False
-        return at + 1 < len(self.tokens) and (
-            grammar().at(self.tokens, at + 1, "determiners", "prepositions", "quantifiers", "count", "pronouns")
-            is not None
-        ) and units.nouns[-1].known is not None
+        return (
+            at + 1 < len(self.tokens)
+            and (
+                grammar().at(self.tokens, at + 1, "determiners", "prepositions", "quantifiers", "count", "pronouns")
+                is not None
+            )
+            and units.nouns[-1].known is not None
+        )
 
     def _has_noun(self, at: int) -> bool:
         """Whether the phrase goes on to a noun within a few words."""
@@ -601,6 +609,10 @@ class PhraseReader:
             if unit.owner and unit.known is not None and unit.known.entry.sort == "object":
                 noun.owner = unit.known.entry.value
         last = nouns[-1]
+        part = grammar().phrases.get(tuple(last.text.lower().split()), ())
+        if len(nouns) > 1 and nouns[-2].owner and nouns[-2].known is not None and dict(part).get("parts"):
+            noun.kind, noun.value, noun.owner = "part", dict(part)["parts"], nouns[-2].known.entry.value
+            return
         if len(nouns) > 1 and last.text.lower() in PARTS_OF_THINGS and (whole := nouns[-2].known) is not None:
             if whole.entry.sort == "object":
                 self._known_head(noun, whole)
@@ -677,6 +689,9 @@ class PhraseReader:
             noun.plural = self.tokens[end].text == "ones"
             noun.count = noun.count or (None if noun.plural else 1)
             return self._finished(noun)
+        if noun.det == "each" and noun.count == 1 and not units.adjectives:
+            noun.kind, noun.value, noun.end = "pronoun", "each", max(end, at)
+            return self._finished(noun)
         pronoun = grammar().at(self.tokens, noun.start, "pronouns")
         longest = max(end, at)
         if pronoun is not None and noun.start + pronoun.length >= longest and not units.adjectives:
@@ -735,6 +750,24 @@ class PhraseReader:
                 found = Known(entries[0], index + 1 - at, others)
             if key not in self.lexicon.prefixes:
                 break
+        if "object" in sorts:
+            found = self._plain(at, found)
+        return found
+
+    def _plain(self, at: int, found: Known | None) -> Known | None:
+        """The name of a thing that the catalogue only has a stand-in for, where it is longer than what was found."""
+        words: list[str] = []
+        for token in self.tokens[at : at + LONGEST]:
+            if token.kind != "word":
+                break
+            words.append(token.text)
+        least = found.length if found is not None else 0
+        for length in range(len(words), least, -1):
+            named = thing_called(" ".join(words[:length]), length)
+            if named is not None:
+                others = self.lexicon.phrases.get(tuple(words[:length]), ())
+                entry = Entry("object", named.category, named.plural, named.attribute)
+                return Known(entry, length, tuple(e for e in others if e.sort in ("attribute", "room")))
         return found
 
 

@@ -67,7 +67,9 @@ class Referents:
         same = [t for t in self.draft.things if t.noun == first.noun and t.asked]
         return [t for t in same if singular(_last_word(t.text)) in (word, singular(_last_word(first.text)))] or [first]
 
-    def single(self, subject: Mention | None, kind: str, likely: Sequence[Mention] = (), noun: str = "") -> Mention | None:
+    def single(
+        self, subject: Mention | None, kind: str, likely: Sequence[Mention] = (), noun: str = ""
+    ) -> Mention | None:
         """What "it" means as the anchor of a relation; `likely` comes before what was spoken of last."""
         noun = noun or (subject.noun if subject is not None else "")
         if kind == "opposite" and noun in load_habits().group("screens"):
@@ -81,7 +83,7 @@ class Referents:
             if usual:
                 return usual[0]
         for thing in candidates[: len(likely)]:
-            if thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps") or thing in sound:
+            if (thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps")) or thing in sound:
                 return thing
         if kind in _BY_HABIT and noun:
             usual = [t for t in sound if habits.tie(noun, t.noun) == kind]
@@ -106,7 +108,9 @@ class Referents:
                 return tuple(family)
             if thing in subject or any(thing is s.owner or thing.owner is s for s in subject):
                 continue
-            pair = next((p for p in reversed(self.pairs) if thing in p and not set(map(id, p)) & set(map(id, subject))), None)
+            pair = next(
+                (p for p in reversed(self.pairs) if thing in p and not set(map(id, p)) & set(map(id, subject))), None
+            )
             if pair and (kind == "between" or not thing.many):
                 return pair
             if thing.many and not (is_small(thing) and kind in ("between", "around")):
@@ -195,7 +199,9 @@ def fits(thing: Mention, kind: str, noun: str = "") -> bool:
     match kind:
         case "on" | "inside":
             carries = habits.is_in(thing.noun, "surfaces", "beds", "lounges", "tops", "seats", "covers", "storage")
-            return carries or (noun != "" and habits.tie(noun, thing.noun) == "on") or not habits.is_in(thing.noun, *_BARE)
+            return (
+                carries or (noun != "" and habits.tie(noun, thing.noun) == "on") or not habits.is_in(thing.noun, *_BARE)
+            )
         case "at_foot_of":
             return habits.is_in(thing.noun, "beds")
         case "above" | "under":
