@@ -53,8 +53,8 @@ PROMPTS = {
         "",
     ),
     "Laundry: washer, dryer next to it, shelf above both with detergent bottles, hamper.": (
-        "1 washing_machine, 1 dryer, 1 wall_shelf, 3 dish_soap, 1 laundry_basket",
-        "dryer next_to washing_machine, wall_shelf above dryer washing_machine, dish_soap on wall_shelf",
+        "1 washing_machine, 1 dryer, 1 wall_shelf, 3 detergent_bottle, 1 laundry_basket",
+        "dryer next_to washing_machine, wall_shelf above dryer washing_machine, detergent_bottle on wall_shelf",
         "",
     ),
     "A hospital room with two beds separated by a curtain, a nightstand next to each bed, a TV mounted on the "
@@ -232,7 +232,7 @@ PROMPTS = {
     ),
     "A laundry room with two washing machines next to each other, a dryer on the right of them, a shelf above the"
     " machines with detergent and a basket.": (
-        "2 washing_machine, 1 dryer, 1 wall_shelf, 1 laundry_detergent, 1 basket",
+        "2 washing_machine, 1 dryer, 1 wall_shelf, 1 detergent, 1 basket",
         ("washing_machine next_to washing_machine, dryer right_of washing_machine, wall_shelf above washing_machine"),
         "",
     ),

@@ -143,6 +143,8 @@ class Chunker:
         first = self._phrases.thing_at(self.at)
         if first is not None and first.length > link.length:
             return True
+        if noun.kind == "place" and noun.end - noun.start > link.length and link.value == "opposite":
+            return True
         if link.sort == "prepositions" and link.value in ("around",):
             return noun.kind == "thing" and noun.end - noun.start > 1 and not self._after_noun()
         if link.sort in ("fillers", "joins"):

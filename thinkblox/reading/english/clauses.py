@@ -99,6 +99,7 @@ class Clauses(Namer):
         self.per_group = 0
         self.outer: Node | None = None
         self.crowd = 0
+        self.held: list[Front] = []
 
     def read(self) -> Draft:
         """Read everything."""
@@ -177,8 +178,16 @@ class Clauses(Namer):
                 self._separate("comma")
             case "close" if self.bracket is not None:
                 self._close_bracket()
+            case "comma" if self.held:
+                self._release()
             case "comma" | "close" | "and":
                 self._separate("and" if link.value == "and" else "comma")
+
+    def _release(self) -> None:
+        """Go on after a relative clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
+        front, self.held = self.held, []
+        self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
+        self.front, self.separator, self.pending = front, "", None
 
     def _close_bracket(self) -> None:
         """Go on with what was spoken of before the brackets; all its parts together."""
@@ -209,10 +218,10 @@ class Clauses(Namer):
         if kind == "stop":
             self.referents.parted = None
             self.fresh.clear()
-        if things and not self.excluding:
-            self.referents.topics.append(things[0])
-        elif self.subject is not None and self.subject.thing is not None:
+        if self.subject is not None and self.subject.thing is not None:
             self.referents.topics.append(self.subject.thing)
+        elif things and not self.excluding:
+            self.referents.topics.append(things[0])
         self._begin()
         self.front = front
         self.opening = None
@@ -232,6 +241,10 @@ class Clauses(Namer):
                 self._end("stop")
             case "which":
                 self.relative = next((n for n in reversed(self.frontier) if n.things), None)
+                if self.relative is None and self.front and not self.clause.members:
+                    anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+                    self.relative = Node(anchors, None, known=True) if anchors else None
+                    self.held, self.front = self.front, []
                 self.separator = ""
 
     def _separate(self, kind: str) -> None:
@@ -615,7 +628,7 @@ class Clauses(Namer):
 
     def _belongs(self, noun: str, group: str) -> bool:
         """Whether a noun belongs to a group of things; what nobody knows counts as small."""
-        return self.habits.is_in(noun, group) or (group == "small" and noun not in self._catalogue())
+        return self.habits.is_in(noun, group)
 
     def _catalogue(self) -> set[str]:
         return set(self.habits.known())
@@ -735,8 +748,7 @@ class Clauses(Namer):
             return False
         if self.habits.is_in(subject.noun, "seats", "tables", "lamps") or not meaning.each:
             return False
-        carried = is_small(subject) or subject.noun not in self._catalogue()
-        if not carried or (meaning.kind == "on" and meaning.told):
+        if not is_small(subject) or (meaning.kind == "on" and meaning.told):
             return False
         tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
         if not tables:
@@ -806,6 +818,11 @@ class Clauses(Namer):
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
         roomish = noun.value.rpartition(" ")[2] in _ROOMISH
+        whole = self._next_noun(1) if self._is_link(after, "prepositions", "of") and not noun.det else None
+        if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
+            self.at += 2
+            self._room(replace(noun, kind="room", value="room"))
+            return True
         with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
         named_room = self._is_link(after, "mark", "colon") and noun.text.lower().split()[-1] in _ROOMISH
         sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
@@ -909,6 +926,8 @@ class Clauses(Namer):
             return
         if self._is_capacity(noun):
             return
+        if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
+            return
         word = noun.text.rpartition(" ")[2].lower()
         if noun.definite and word in PARTS_OF_THINGS and self._is_link(self.peek(), "prepositions", "of"):
             whole = self._next_noun(1)
@@ -989,7 +1008,7 @@ class Clauses(Namer):
             return [found] if found is not None else []
         bare = not noun.det and noun.count is None and not noun.plural and noun.named
         if not (noun.definite or (bare and self._is_repeated(noun))):
-            return []
+            return self._one_and_other(noun)
         first = self.referents.named(noun)
         if first is None:
             return []
@@ -1006,6 +1025,24 @@ class Clauses(Namer):
         if not noun.plural and first.many and noun.det == "the" and first.count:
             return [first]
         return [first]
+
+    def _one_and_other(self, noun: Noun) -> list[Mention]:
+        """ "One cot has a bag on it, the other has not": one of those that were named."""
+        if not noun.text.lower().startswith("one ") or self.separator:
+            return []
+        for chunk in self.chunks[self.at :]:
+            if self._is_link(chunk, "mark", "stop"):
+                return []
+            if isinstance(chunk, Noun) and (chunk.det == "other" or chunk.value == "other"):
+                break
+        else:
+            return []
+        whole = self.referents.named(noun)
+        family = self.referents.family(whole) if whole is not None else []
+        if len(family) > 1:
+            self.referents.parted = family[-1]
+            return family[:1]
+        return self._one_named(noun)
 
     def _one_named(self, noun: Noun) -> list[Mention]:
         """ "One side table" of two that were named: "on one side table stands a lamp"."""
@@ -1308,11 +1345,7 @@ class Clauses(Namer):
         for front in list(self.front):
             listed = len(self.clause.members) > len(things)
             thing = things[-1]
-            off = (
-                front.kind == "on"
-                and not self.habits.is_in(thing.noun, "small", "fitted")
-                and thing.noun in self._catalogue()
-            )
+            off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted")
             wall = front.anchors and isinstance(front.anchors[0], str)
             if listed and (off and not wall) and not self.clause.closing:
                 self.front.remove(front)
@@ -1503,9 +1536,7 @@ class Clauses(Namer):
                     return "inside"
                 if usual:
                     return str(usual)
-                surfaces = (
-                    self.habits.is_in(head.noun, "surfaces", "beds", "lounges") or head.noun not in self._catalogue()
-                )
+                surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
                 contains = self._contains(head, shelves=shelves)
                 seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
                 flat = singular(head.text.rpartition(" ")[2].lower()) in _FLAT
@@ -1676,7 +1707,7 @@ class Clauses(Namer):
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""
         for thing in self.groups.values():
-            if thing in self.draft.things and thing.noun not in self._catalogue():
+            if thing in self.draft.things and thing.noun not in self.habits.known():
                 self.draft.drop(thing)
                 self.draft.unknown.append(thing.text)
 
@@ -1687,11 +1718,16 @@ class Clauses(Namer):
         match noun.value:
             case "each":
                 self._each(following)
+            case "former" | "latter":
+                found = self.referents.of_two(noun.value)
+                self._resume([found] if found is not None else [], noun)
             case "it":
                 found = self.referents.single(None, "", self._spoken_of())
                 self._resume([found] if found is not None else [], noun)
             case "them":
                 self._resume(list(self.referents.several([], "")), noun)
+                if noun.text.lower().startswith("both") and self.frontier:
+                    self.frontier[0].each = self.each = True
             case "all":
                 things = [t for t in self.clause.members if t in self.draft.things]
                 if things:
@@ -1709,6 +1745,8 @@ class Clauses(Namer):
                     self._resume([whole], noun)
                     self.negating = True
                     return
+                if noun.text.lower() == "another" and self.referents.parted is None and self._repeat():
+                    return
                 if noun.value == "other" and noun.text.lower() == "another":
                     said = self.verb
                     self._part_of(whole, 1, noun)
@@ -1716,14 +1754,30 @@ class Clauses(Namer):
                     return
                 if noun.value == "other":
                     self.referents.parted = None
+                    said = self.said or self.verb
                     self._resume([whole], noun)
+                    self._again(said)
                     return
                 count = max(1, (whole.count or 2) // 2) if noun.value == "half" else count
                 self._part_of(whole, count)
 
+    def _repeat(self) -> bool:
+        """Read "a rack on the left and another on the right": one more of what was named last."""
+        node = self.frontier[-1] if self.frontier else None
+        thing = node.thing if node is not None else None
+        if node is None or node.frame is None or thing is None or thing.many:
+            return False
+        copy = self._copy_of(thing)
+        self._member(copy, node.frame)
+        self._push(Node([copy], node.frame))
+        return True
+
     def _again(self, verb: str) -> None:
         """Let the verb before stand for one left out: "one holds a bust, another a horse"."""
-        if verb in ("hold", "carry", "have") and isinstance(self.peek(), Noun):
+        comma = self._is_link(self.peek(), "mark", "comma")
+        after = self.peek(1) if comma else self.peek()
+        if verb in ("hold", "carry", "have") and isinstance(after, Noun) and after.kind == "thing":
+            self.at += comma
             self.subject = self.frontier[0]
             self._open_of_subject("with" if verb == "have" else verb)
             self.verb = verb
@@ -1751,6 +1805,8 @@ class Clauses(Namer):
         return [t for t in (*self.referents.topics[-1:],) if not t.many]
 
     def _each(self, following: Chunk | None) -> None:
+        if self.crowd:
+            return
         if isinstance(following, Noun) and following.kind == "thing" and following.det == "a":
             group = next((t for t in self.groups.values() if t in self.draft.things), None)
             if group is not None:
@@ -1813,6 +1869,9 @@ class Clauses(Namer):
         """A number that stands for some of several: "two by the window", "three of them chrome"."""
         if noun.rows and not noun.of_known:
             self._arrange(noun)
+            return
+        bounded = noun.least is not None or noun.most is not None
+        if bounded and not noun.of_known and not self._is_link(self.peek(), "prepositions"):
             return
         told = self._is_link(self.peek(), "prepositions") and (each := self._next_noun(1)) is not None
         if self.bracket is not None and told and each is not None and each.kind == "pronoun" and each.value == "each":
@@ -1996,6 +2055,10 @@ class Clauses(Namer):
                 self._nothing()
             case "only":
                 self._only()
+            case "exclude":
+                self.excluding = True
+            case "gone":
+                self._gone()
 
     def _not(self, link: Link) -> None:
         noun = self.peek()
@@ -2016,8 +2079,21 @@ class Clauses(Namer):
                 self.predicate = self.subject is not None
         self.negating = True
 
+    def _gone(self) -> None:
+        """ "The popcorn machine is gone": it must not be there."""
+        things = self.subject.things if self.subject is not None and self.predicate else []
+        for thing in things:
+            self.draft.drop(thing)
+            self.draft.excluded.add(thing.noun)
+
     def _nothing(self) -> None:
         after = self.peek()
+        but = self.peek(2)
+        besides = self._is_link(but, "joins", "but") or self._is_link(but, "prepositions", "except")
+        if self._is_link(after, "prepositions", "on") and besides and self.subject is not None:
+            self.at += 3
+            self._open_of_subject("carry")
+            return
         if self._is_link(after, "prepositions", "except"):
             self.draft.empty = True
         elif self._is_link(after, "prepositions", "on"):

@@ -107,6 +107,9 @@ class Meanings:
             found = self._single(kind, subjects, likely, noun)
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
+        if said.value in ("former", "latter"):
+            found = self.referents.of_two(said.value)
+            return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
             return self._other(kind, subjects)
         plural = [t for t in likely if t.many]
@@ -305,7 +308,9 @@ class Meanings:
     def _wall(self, word: str, said: Noun, name: str, several: int, *, each: bool) -> Meaning | None:
         text = said.text.lower()
         if name == "wall":
-            if "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
+            if "opposite walls" in text or "facing walls" in text:
+                several = several or 2
+            elif "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
                 name = "opposite_wall"
             elif said.count == 1 and text.startswith("one"):
                 name = "one_wall"
@@ -392,7 +397,7 @@ def _is_open(shelves: Mention) -> bool:
 
 def is_small_name(name: str) -> bool:
     """Whether a noun means what lies or stands on other things."""
-    return load_habits().is_in(name, "small") or name not in load_habits().known()
+    return load_habits().is_in(name, "small")
 
 
 def likely_of(node: Node | None) -> list[Mention]:

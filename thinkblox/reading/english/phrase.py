@@ -56,7 +56,14 @@ class PhraseReader:
     def read(self, start: int, *, after_preposition: bool = False) -> Noun | None:
         """The noun phrase that begins at `start`, or None."""
         noun = Noun("abstract", "", start, start)
+        pronoun = grammar().at(self.tokens, start, "pronouns")
+        if pronoun is not None and pronoun.value in ("former", "latter"):
+            noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
+            return self._finished(noun)
         at = self._before(noun, start)
+        if noun.ordinal and self._number(at) is not None:
+            noun.kind, noun.end = "number", at
+            return self._finished(noun)
         self.group = noun.det in ("all", "both", "other", "half", "none")
         if self._part(noun, at, after_preposition=after_preposition):
             return self._finished(noun)
@@ -377,8 +384,13 @@ class PhraseReader:
         return at
 
     def _unit(self, noun: Noun, at: int, units: _Units) -> int:
+        if self.tokens[at].text in ("x", "one", "ones") and (units.nouns or units.adjectives or noun.det):
+            return 0
         if self.tokens[at].text == "x":
             return 0
+        if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
+            units.nouns.append(_Unit(self._text(at, at + part.length)))
+            return part.length
         known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
         stop = grammar().at(self.tokens, at, *_STOPS)
         if not units.nouns and (length := self._side(noun, at)):
@@ -453,6 +465,8 @@ class PhraseReader:
         if noun.det in ("other", "both", "all", "half", "none"):
             return 0
         if self.tokens[at - 1].text in ("this", "that", "these", "those"):
+            return 0
+        if stop.sort == "verbs" and grammar().at(self.tokens, at + stop.length, "determiners", "count", "quantifiers"):
             return 0
         if self._starts_noun(at + stop.length):
             units.adjectives += 1
@@ -766,7 +780,7 @@ class PhraseReader:
             named = thing_called(" ".join(words[:length]), length)
             if named is not None:
                 others = self.lexicon.phrases.get(tuple(words[:length]), ())
-                entry = Entry("object", named.category, named.plural, named.attribute)
+                entry = Entry("object", named.name or named.category, named.plural, named.attribute)
                 return Known(entry, length, tuple(e for e in others if e.sort in ("attribute", "room")))
         return found
 

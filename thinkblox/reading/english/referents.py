@@ -120,6 +120,14 @@ class Referents:
             return (standing[1], standing[0])
         return tuple(standing[:1])
 
+    def of_two(self, which: str) -> Mention | None:
+        """The former or the latter of the two things that were spoken of last."""
+        recent = list(dict.fromkeys(reversed(self.spoken[-_MEMORY:])))[:2]
+        if len(recent) < 2:
+            return None
+        order = sorted(recent, key=self.draft.things.index) if set(recent) <= set(self.draft.things) else recent[::-1]
+        return order[0] if which == "former" else order[1]
+
     def family(self, thing: Mention) -> list[Mention]:
         """All the parts of the several that a thing was set apart from, or that were set apart from it."""
         for whole, parts in self.parts.items():
