@@ -113,5 +113,6 @@ def _rank(member: Member, number: int) -> _Rank:
     stage = 2 if member.flat else _STAGES[member.mount]
     dependent = any(anchor.rsplit("_", 1)[-1].isdigit() for tie in member.ties for anchor in tie.anchors)
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
-    weight = member.footprint + _NAMED_PLACE_BONUS * named
+    shared_out = any(tie.spread for tie in member.ties)
+    weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out)
     return (stage + int(dependent and stage == 0), -round(weight, 6), number)

@@ -1,0 +1,267 @@
+"""What a brief asks for besides the usual: planned, placed by the expert, measured, and said in the last line."""
+
+import pytest
+
+from thinkblox import printing
+from thinkblox.assets.make import make_asset
+from thinkblox.assets.showing import realised
+from thinkblox.assets.states import shows_state
+from thinkblox.brief import Brief, OpeningRequest, Relation, RelationKind, Request
+from thinkblox.generate import Generation, generate_room
+from thinkblox.headline import shortfalls
+from thinkblox.placing import Effort
+from thinkblox.plan import Plan
+from thinkblox.planning import plan_brief
+from thinkblox.scene.room import Room, rectangle
+from thinkblox.verdict import Demand
+
+
+class Told:
+    """A briefer that has been told the brief."""
+
+    def __init__(self, brief: Brief) -> None:
+        self._brief = brief
+
+    def brief(self, prompt: str) -> Brief:
+        return self._brief
+
+
+def made(brief: Brief, *, room: Room | None = None) -> Generation:
+    return generate_room(brief.prompt, seed=1, room=room, briefer=Told(brief), effort=Effort(restarts=1))
+
+
+def request(category: str, count: int = 1, *, key: str = "", **said: object) -> Request:
+    return Request(key=key or category, category=category, count=count, **said)  # type: ignore[arg-type]
+
+
+def relation(kind: RelationKind, subject: str, *anchors: str, **said: object) -> Relation:
+    return Relation(kind=kind, subject=subject, anchors=anchors, **said)  # type: ignore[arg-type]
+
+
+def brief(*parts: Request | Relation, **said: object) -> Brief:
+    return Brief(
+        prompt="told",
+        requests=tuple(p for p in parts if isinstance(p, Request)),
+        relations=tuple(p for p in parts if isinstance(p, Relation)),
+        **said,  # type: ignore[arg-type]
+    )
+
+
+WHOLE = {
+    "dining": brief(
+        request("dining_table"),
+        request("chair", 4),
+        request("chair", 2, key="heads"),
+        request("candle"),
+        relation("at_long_side", "chair", "dining_table"),
+        relation("at_short_side", "heads", "dining_table"),
+        relation("in_centre", "candle", "dining_table"),
+        room_type="dining_room",
+    ),
+    "inside": brief(
+        request("shelving_unit", 2),
+        request("jar", 8),
+        request("basket"),
+        request("toy", 2),
+        request("book"),
+        request("fridge"),
+        request("bottle", 2),
+        relation("inside", "jar", "shelving_unit"),
+        relation("inside", "toy", "basket"),
+        relation("outside", "book", "basket"),
+        relation("inside", "bottle", "fridge"),
+    ),
+    "walls": brief(
+        request("bed", 2, attributes=("single",)),
+        request("desk", 2),
+        request("pendant_lamp"),
+        request("bookcase", 2),
+        relation("against_wall", "bed", "one_wall"),
+        relation("against_wall", "desk", "opposite_wall"),
+        relation("against_wall", "bookcase", "wall", spread=2),
+        relation("on", "pendant_lamp", "ceiling"),
+        width=6.0,
+        depth=5.0,
+    ),
+    "denied": brief(
+        request("sofa", 2),
+        request("plant"),
+        request("floor_lamp"),
+        relation("back_to_back", "sofa", "sofa"),
+        relation("in_corner", "plant", "corner", negated=True),
+        relation("near", "floor_lamp", "door", negated=True),
+        relation("far", "floor_lamp", "plant"),
+        excluded=("tv",),
+        width=7.0,
+        depth=6.0,
+    ),
+    "office": brief(
+        request("desk"),
+        request("office_chair"),
+        request("armchair", 2),
+        relation("facing", "desk", "door"),
+        relation("behind", "office_chair", "desk"),
+        relation("in_front_of", "armchair", "desk"),
+        width=5.0,
+        depth=5.0,
+    ),
+    "mounted": brief(
+        request("shelving_unit", attributes=("wall-mounted",)),
+        request("chair", 2, least=1, most=4, attributes=("red", "wooden")),
+        request("laptop", states=("open",)),
+        request("table", attributes=("round",)),
+        relation("on", "shelving_unit", "wall"),
+        openings=(OpeningRequest(kind="window", count=0),),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_all_as_asked(name: str) -> None:
+    result = made(WHOLE[name])
+    assert shortfalls(result.report) == ()
+    assert result.report.complete
+    assert printing.outcome(result.report) == "all as asked"
+
+
+SHORT = {
+    "attribute": (brief(request("bathtub", unshown=("clawfoot",))), "not shown: clawfoot bathtub"),
+    "state": (brief(request("dishwasher", states=("open",))), "noted, not shown: open dishwasher"),
+    "unknown": (brief(request("table"), unknown=("sprocketed",)), "not understood: sprocketed"),
+    "missing": (brief(request("table"), missing=("two dragons",)), "not made: two dragons"),
+    "size": (brief(request("table", size=(None, 30.0, None))), "table: "),
+    "inside": (
+        brief(request("table"), request("cup"), relation("inside", "cup", "table")),
+        "not so: cup_1 inside table_1",
+    ),
+    "excluded": (brief(request("office_chair"), excluded=("chair",)), "not wanted, but there: office_chair_1"),
+}
+
+
+@pytest.mark.parametrize("name", SHORT)
+def test_what_is_not_as_asked_is_said_in_the_last_line(name: str) -> None:
+    asked, says = SHORT[name]
+    report = made(asked).report
+    assert report.valid
+    assert not report.complete
+    assert says in printing.outcome(report)
+    assert printing.outcome(report).startswith("passed, but not all as asked: ")
+
+
+def test_a_room_that_is_given_is_held_against_the_prompt() -> None:
+    asked = brief(request("table"), width=5.0, depth=4.0)
+    assert "room: 4 m by 3 m, asked for 5 m by 4 m" in printing.outcome(made(asked, room=rectangle(4.0, 3.0)).report)
+    assert made(asked, room=rectangle(4.0, 5.0)).report.complete
+
+
+def test_at_least_is_enough_even_where_more_were_planned() -> None:
+    few = made(brief(request("bed", 9, least=1)), room=rectangle(4.0, 3.0)).report
+    demand = next(d for d in few.demands if d.kind == "count")
+    assert demand.holds
+    assert demand.wanted == "at least 1"
+    assert any(absence.asked for absence in few.absent)
+    all_asked = made(brief(request("bed", 9)), room=rectangle(4.0, 3.0)).report
+    assert not all_asked.complete
+    assert any(phrase.startswith("bed: ") and phrase.endswith("asked for 9") for phrase in shortfalls(all_asked))
+
+
+def test_the_middle_stays_free() -> None:
+    asked = brief(request("sofa"), request("table"), request("plant", 3), free=("centre",), width=5.0, depth=5.0)
+    free = next(d for d in made(asked).report.demands if d.kind == "free")
+    assert free.holds, free.measured
+
+
+def test_a_wall_stays_free_but_for_what_is_called_there() -> None:
+    asked = brief(
+        request("projector_screen"),
+        request("bookcase", 3),
+        request("sofa"),
+        relation("on", "projector_screen", "north_wall"),
+        free=("north_wall",),
+        width=5.0,
+        depth=5.0,
+    )
+    free = next(d for d in made(asked).report.demands if d.kind == "free")
+    assert free.holds, free.measured
+
+
+def plan(asked: Brief) -> Plan:
+    return plan_brief(asked, rectangle(5.0, 4.0))
+
+
+def test_what_is_excluded_is_not_assumed() -> None:
+    asked = brief(
+        request("sofa"), request("wall_tv", asked=False), relation("facing", "sofa", "wall_tv"), excluded=("tv",)
+    )
+    assert [target.id for target in plan(asked).targets] == ["sofa_1"]
+    assert plan(asked).target("sofa_1").ties == plan(brief(request("sofa"))).target("sofa_1").ties
+
+
+def test_what_must_not_be_beside_something_comes_after_it() -> None:
+    asked = brief(request("wardrobe"), request("stool"), relation("next_to", "wardrobe", "stool", negated=True))
+    targets = plan(asked).targets
+    assert [target.id for target in targets] == ["stool_1", "wardrobe_1"]
+    assert targets[1].denied[0].anchors == ("stool_1",)
+    assert not any(tie.kind == "next_to" for tie in targets[1].ties)
+
+
+def test_two_that_must_not_be_beside_each_other_are_placed_all_the_same() -> None:
+    asked = brief(
+        request("wardrobe"),
+        request("stool"),
+        relation("next_to", "wardrobe", "stool", negated=True),
+        relation("near", "stool", "wardrobe", negated=True),
+    )
+    assert sorted(target.id for target in plan(asked).targets) == ["stool_1", "wardrobe_1"]
+
+
+def test_opposite_walls_are_opposite() -> None:
+    sides = {tie.anchors[0] for target in plan(WHOLE["walls"]).targets for tie in target.ties if tie.asked}
+    assert {"north_wall", "south_wall"} <= sides or {"east_wall", "west_wall"} <= sides
+
+
+@pytest.mark.parametrize(
+    ("category", "word", "shown"),
+    [
+        ("chair", "red", True),
+        ("fridge", "red", True),
+        ("plant", "red", False),
+        ("plant", "green", True),
+        ("bench", "metal", True),
+        ("table", "wooden", True),
+        ("table", "round", True),
+        ("mirror", "round", True),
+        ("wardrobe", "round", False),
+        ("table", "rectangular", True),
+        ("floor_lamp", "tall", True),
+        ("sofa", "three-seat", True),
+        ("sofa", "leather", True),
+        ("wardrobe", "sliding", False),
+        ("office_chair", "swivel", True),
+        ("bookcase", "filled", True),
+        ("bookcase", "empty", True),
+        ("chair", "haunted", False),
+    ],
+)
+def test_whether_an_attribute_is_seen(category: str, word: str, shown: bool) -> None:
+    assert realised(make_asset(category, seed=3, attributes=(word,)), word) is shown
+
+
+@pytest.mark.parametrize("words", [("red",), ("red", "wooden"), ("black", "metal"), ("leather", "green")])
+def test_colour_and_material_are_both_seen(words: tuple[str, ...]) -> None:
+    for category in ("chair", "sofa", "bench", "wardrobe", "table", "fridge"):
+        asset = make_asset(category, seed=2, attributes=words)
+        assert [word for word in words if not realised(asset, word)] == []
+
+
+def test_states_that_are_seen() -> None:
+    assert shows_state(make_asset("laptop", seed=1), "open")
+    assert not shows_state(make_asset("dishwasher", seed=1), "open")
+    assert shows_state(make_asset("dishwasher", seed=1), "closed")
+    assert not shows_state(make_asset("bookcase", seed=1, attributes=("filled",)), "empty")
+
+
+def test_a_long_list_is_cut_short() -> None:
+    report = made(brief(request("table", unshown=("a", "b", "c", "d", "e", "f")))).report
+    assert printing.outcome(report).endswith("; and 2 more")
+    assert all(isinstance(demand, Demand) for demand in report.demands)
