@@ -34,6 +34,8 @@ def revision() -> int:
 def register(category: Category) -> None:
     """Add a category for the rest of this process: prompts, habits and expert know it from now on.
 
+    It takes its name and words from plain things that have them, but not from what has a shape.
+
     Raises:
         InputError: the name is not in snake_case or exists; an English word of it means something else already; or
             a habit, a sense or its companion names a category that there is not.
@@ -41,9 +43,10 @@ def register(category: Category) -> None:
     where = f"category {category.name!r}"
     if not _NAME.fullmatch(category.name):
         raise InputError(f"{where}: a name must be in snake_case, such as 'tea_trolley'")
-    if category.name in CATALOGUE or category.name in GENERAL_WORDS:
+    shaped = {name: kind for name, kind in CATALOGUE.items() if not kind.plain}
+    if category.name in shaped or category.name in GENERAL_WORDS:
         raise InputError(f"{where} exists already; choose another name")
-    owners = {phrase: name for name, kind in {**GENERAL_WORDS, **CATALOGUE}.items() for phrase in phrases(kind)}
+    owners = {phrase: name for name, kind in {**GENERAL_WORDS, **shaped}.items() for phrase in phrases(kind)}
     for phrase in phrases(category):
         if phrase in owners:
             raise InputError(f"{where}: {phrase!r} means {owners[phrase]!r} already; take it out of its words")
@@ -57,10 +60,13 @@ def register(category: Category) -> None:
 
 def unregister(name: str) -> None:
     """Take a registered category away again; raises InputError for a name that was not registered."""
-    if name in _built_in or name not in _rows:
-        added = ", ".join(sorted(_rows.keys() - _built_in)) or "none"
+    if _rows.get(name) is _built_in.get(name):
+        added = ", ".join(sorted(n for n, kind in _rows.items() if kind is not _built_in.get(n))) or "none"
         raise InputError(f"category {name!r} was not registered; registered are: {added}")
-    del _rows[name]
+    if name in _built_in:
+        _rows[name] = _built_in[name]
+    else:
+        del _rows[name]
     _revisions[0] += 1
 
 
@@ -81,7 +87,7 @@ def _named(kind: Facts) -> Iterator[str]:
 
 
 _rows = {category.name: category for category in _all_categories()}
-_built_in = frozenset(_rows)
+_built_in = dict(_rows)
 _revisions = [0]
 
 CATALOGUE: Mapping[str, Category] = MappingProxyType(_rows)

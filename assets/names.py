@@ -86,9 +86,11 @@ def _named(found: _Meaning, singular: str, length: int, *, plural: bool) -> Thin
 
 @lru_cache(maxsize=1)
 def _phrases(revision: int) -> dict[str, _Meaning]:
-    """What every phrase means that names a thing; what comes first in the catalogue counts."""
+    """What every phrase means that names a thing; what has a shape counts before what is plain."""
     found: dict[str, _Meaning] = {}
-    for name, kind in reversed(tuple({**CATALOGUE, **GENERAL_WORDS}.items())):
+    shaped = {**GENERAL_WORDS, **{name: kind for name, kind in CATALOGUE.items() if not kind.plain}}
+    plain = {name: kind for name, kind in CATALOGUE.items() if kind.plain}
+    for name, kind in (*plain.items(), *shaped.items()):
         if _is_simple(kind.words):
             found |= dict.fromkeys(kind.words.split(", "), _Meaning(name))
         else:

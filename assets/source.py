@@ -83,7 +83,7 @@ class ProceduralAssets:
 def _by_phrase() -> dict[str, tuple[str, ...]]:
     """The categories by what they are called: their names, nouns and English words."""
     found: dict[str, tuple[str, ...]] = {}
-    for name, category in CATALOGUE.items():
+    for name, category in sorted(CATALOGUE.items(), key=lambda item: item[1].plain):
         for phrase in dict.fromkeys((name.replace("_", " "), category.noun.lower(), *phrases(category))):
             found[phrase] = (*found.get(phrase, ()), name)
     return found

@@ -342,7 +342,7 @@ def target(id: str, category: str = "chair") -> Target:
         (write_step(["x"], action="swap", id="table_1", other="sofa_1"), "table_1", "action"),
         (write_step(["x"], action="swap", id="table_1", other="vase_1"), "table_1", "action"),
         (write_step(["x"], id="table_1", position=(3.0, 1.0, 0.0), yaw=0.0, size=(1.0, 1.0, 1.0)), "table_1", "action"),
-        (write_step(["x"], action="replace", id="crate_1", category="hoverboard"), "crate_1", "action"),
+        (write_step(["x"], action="replace", id="crate_1", category="hoverboard"), "crate_1", None),
         ('<think></think><answer>{"action": "move", "id": "table_1"}</answer>', "table_1", "fields"),
         ('<think></think><answer>{"action": "remove", "id": "table_1", "yaw": 2}</answer>', "table_1", "fields"),
         ('<think></think><answer>{"action": "eat", "id": "table_1"}</answer>', "table_1", "fields"),

@@ -71,6 +71,19 @@ def test_what_is_registered_wins() -> None:
         unregister("orrery")
 
 
+def test_what_is_registered_takes_its_name_and_words_from_plain_things() -> None:
+    plain = CATALOGUE["wok"]
+    register(kind(name="wok", noun="wok", words="wok, frying pan"))
+    try:
+        assert [stand_in(name).how for name in ("wok", "skillet")] == ["catalogue", "table"]
+        found = thing_called("frying pans")
+        assert found is not None
+        assert found.name == "wok"
+    finally:
+        unregister("wok")
+    assert CATALOGUE["wok"] is plain
+
+
 def test_every_head_leads_to_a_thing() -> None:
     assert [head for head, phrase in _heads().items() if thing_called(phrase) is None] == []
     assert [head for head in _heads() if thing_called(head) is not None and head not in ("board", "stand")] == []

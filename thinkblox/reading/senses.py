@@ -20,10 +20,11 @@ def choose_senses(draft: Draft) -> None:
 
 
 def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> str:
+    hung = any(b.anchors == ("ceiling",) for b in bonds if b.subject is thing)
     facts = {
-        "attr": set(thing.attributes),
+        "attr": {*thing.attributes, *(["hanging"] if hung else [])},
         "room": {room},
-        "rel": {str(b.kind) for b in bonds if b.subject is thing},
+        "rel": {_relation(b) for b in bonds if b.subject is thing},
         "to": {a.noun for b in bonds if b.subject is thing for a in b.anchors if isinstance(a, Mention)},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
         "has": company,
@@ -32,6 +33,12 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
         if all(_holds(condition, facts, thing) for condition in conditions):
             return category
     return thing.noun
+
+
+def _relation(bond: Bond) -> str:
+    """The relation by which a sense is known; what hangs on a wall is against it."""
+    on_wall = bond.kind == "on" and bond.anchors and isinstance(bond.anchors[0], str) and bond.anchors[0].endswith("wall")
+    return "against_wall" if on_wall else str(bond.kind)
 
 
 def _holds(condition: str, facts: dict[str, set[str]], thing: Mention) -> bool:
