@@ -84,3 +84,11 @@ def test_no_id_of_any_file_ends_in_a_line_break(tmp_path: Path, old: str) -> Non
         (folder / name).write_text(text.replace(old, f'{old[:-1]}\\n"'))
         with pytest.raises(InputError):
             read(folder)
+
+
+def test_a_key_that_is_not_known_is_named_in_print(tmp_path: Path) -> None:
+    file = tmp_path / "room.json"
+    file.write_text('{"floor": [], "a\\n\\u001b[2J": 1}')
+    with pytest.raises(InputError, match=r"a\\n\\x1b\[2J") as caught:
+        read_json(file, Room)
+    assert str(caught.value).isprintable()
