@@ -8,6 +8,7 @@ from typing import get_args
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Facts
 from thinkblox.assets.families import categories, general_words
+from thinkblox.assets.figures import check_figures
 from thinkblox.brief import Place
 from thinkblox.errors import InputError
 
@@ -37,14 +38,16 @@ def register(category: Category) -> None:
     """Add a category for the rest of this process: prompts, habits and expert know it from now on.
 
     Raises:
-        InputError: the name is not in snake_case or exists; an English word of it means something else already; or
-            a habit, a sense or its companion names a category that there is not.
+        InputError: the name is not in snake_case or exists; an English word of it means something else already; a
+            size, a mass or another number that no such thing has, or a generator that cannot be called; or a habit, a
+            sense or its companion names a category that there is not.
     """
     where = f"category {category.name!r}"
     if not _NAME.fullmatch(category.name):
         raise InputError(f"{where}: a name must be in snake_case, such as 'tea_trolley'")
     if category.name in CATALOGUE or category.name in GENERAL_WORDS:
         raise InputError(f"{where} exists already; choose another name")
+    check_figures(category, where)
     owners = {phrase: name for name, kind in {**GENERAL_WORDS, **CATALOGUE}.items() for phrase in phrases(kind)}
     for phrase in phrases(category):
         if phrase in owners:

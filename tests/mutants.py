@@ -109,7 +109,7 @@ def numberless_json(text: bytes, rng: random.Random) -> bytes:
 
 def numberless_xml(text: str, rng: random.Random) -> str:
     """A text of XML in which one number is none."""
-    return _replaced(text, _NUMBER, rng.choice(("x", "1.0.0", "nan", "inf", "1e300", "?")), rng)
+    return _replaced(text, _NUMBER, rng.choice(("x", "1.0.0", "nan", "inf", "?")), rng)
 
 
 def places(document: Any) -> Iterator[tuple[Any, Any]]:
