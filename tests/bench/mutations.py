@@ -35,9 +35,9 @@ STARTING = 15.0
 """What a command may take besides its limit [s]."""
 STATUS = {0: "passed", 1: "failed", 2: "refused"}
 WORKS: tuple[tuple[float, dict[str, object], tuple[str, ...]], ...] = (
-    (0.02, {"fix": True, "out": "mended.json"}, ("--fix", "--out", "mended.json")),
-    (0.01, {"page": "page.html"}, ("--html", "page.html")),
-    (0.01, {"suites": ("molmospaces", "sceneeval")}, ("--suite", "molmospaces,sceneeval")),
+    (0.005, {"fix": True, "out": "mended.json"}, ("--fix", "--out", "mended.json")),
+    (0.005, {"page": "page.html"}, ("--html", "page.html")),
+    (0.005, {"suites": ("molmospaces", "sceneeval")}, ("--suite", "molmospaces,sceneeval")),
 )
 """How often what is asked for besides, and how; models can neither be mended nor written."""
 COLUMNS = ("refused", "failed", "passed", "broken", "over the limit")
@@ -152,9 +152,9 @@ def shared(home: Path, seeds: Sequence[int], commands: int, limit: float) -> dic
         for number, seed in enumerate(seeds):
             place.mutated(seed, tallies, command=bool(commands) and number % max(1, len(seeds) // commands) == 0)
             if number % 500 == 499:
-                print(f"{number + 1} of {len(seeds)}", file=sys.stderr, flush=True)
-                for fault in (fault for tally in tallies.values() for fault in tally.faults):
-                    print(f"  {fault}", file=sys.stderr, flush=True)
+                faults = [fault for tally in tallies.values() for fault in tally.faults]
+                so_far = [f"{number + 1} of {len(seeds)}", *table(tallies), *faults]
+                print("\n".join(so_far), file=sys.stderr, flush=True)
     finally:
         place.worker.end()
     return tallies
