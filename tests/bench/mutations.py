@@ -179,7 +179,7 @@ def _row(name: str, tally: Tally) -> str:
     return f"{name:12}{tally.ends.total():9d}{ends}{tally.seconds:9.1f}{tally.memory / 2**20:10.0f}"
 
 
-def main() -> int:
+def main(argv: Sequence[str] | None = None) -> int:
     """Print the table and every fault; status 1 when there is one."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--count", type=int, default=2000)
@@ -187,7 +187,7 @@ def main() -> int:
     parser.add_argument("--commands", type=int, default=40, help="so many of them by command too")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--limit", type=float, default=60.0, help="what one may take [s]")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(argv)
     seeds = range(arguments.seed * 10**8, arguments.seed * 10**8 + arguments.count)
     tallies: dict[str, Tally] = collections.defaultdict(Tally)
     begin = time.monotonic()
