@@ -8,6 +8,7 @@ from typing import get_args
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Facts
 from thinkblox.assets.families import categories, general_words
+from thinkblox.assets.figures import check_figures
 from thinkblox.assets.plain import plain_categories
 from thinkblox.brief import Place
 from thinkblox.errors import InputError
@@ -37,8 +38,9 @@ def register(category: Category) -> None:
     It takes its name and words from plain things that have them, but not from what has a shape.
 
     Raises:
-        InputError: the name is not in snake_case or exists; an English word of it means something else already; or
-            a habit, a sense or its companion names a category that there is not.
+        InputError: the name is not in snake_case or exists; an English word of it means something else already; a
+            size, a mass or another number that no such thing has, or a generator that cannot be called; or a habit, a
+            sense or its companion names a category that there is not.
     """
     where = f"category {category.name!r}"
     if not _NAME.fullmatch(category.name):
@@ -46,6 +48,7 @@ def register(category: Category) -> None:
     shaped = {name: kind for name, kind in CATALOGUE.items() if not kind.plain}
     if category.name in shaped or category.name in GENERAL_WORDS:
         raise InputError(f"{where} exists already; choose another name")
+    check_figures(category, where)
     owners = {phrase: name for name, kind in {**GENERAL_WORDS, **shaped}.items() for phrase in phrases(kind)}
     for phrase in phrases(category):
         if phrase in owners:

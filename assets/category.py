@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, get_args
 
 from thinkblox.assets.facts import Facts
 from thinkblox.assets.part import Build
@@ -10,6 +10,8 @@ from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Mount
 from thinkblox.value import Vec3
 
+Front = Literal["one", "two", "any"]
+FRONTS = get_args(Front)
 Generator = Callable[[Spec], Build]
 
 
@@ -42,7 +44,7 @@ class Category(Facts):
     size: Vec3
     mass: float
     mount: Mount = "floor"
-    front: Literal["one", "two", "any"] = "one"
+    front: Front = "one"
     friction: float = 0.5
     clearance: float = 0.0
     variation: float = 0.06

@@ -67,6 +67,18 @@ def _check_ours(out: Path, overwrite: bool) -> None:
         raise InputError(f"{out}: already holds a room; choose another folder, or ask for it to be overwritten")
 
 
+def check_pictures(out: Path) -> None:
+    """Make sure that pictures can be written to a folder, which need not exist, before they are drawn.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    if os.path.lexists(out) and not out.is_dir():
+        raise InputError(f"{out}: is not a folder; name one for the pictures")
+    check_writable(out / PICTURES[0])
+    sweep_pictures(out)
+
+
 def sweep_pictures(out: Path) -> None:
     """Take away what was left behind by processes that were killed while they drew pictures into a folder."""
     for work in leftovers(out / PICTURES[0]):

@@ -34,7 +34,7 @@ class ExportFormat:
         says: what it writes, in a few words.
 
     Raises:
-        InputError: a name or a suffix that cannot be one.
+        InputError: a name or a suffix that cannot be one, or a writer that cannot be called.
     """
 
     name: str
@@ -47,6 +47,9 @@ class ExportFormat:
             raise InputError(f"{self.name!r} cannot name a format; use small letters, digits, '_' and '-'")
         if not _SUFFIX.fullmatch(self.suffix) or self.suffix == ".json":
             raise InputError(f"{self.suffix!r} cannot end a format's file; use a dot, small letters and digits")
+
+        if not callable(self.write):
+            raise InputError(f"the format {self.name!r} cannot be written by {self.write!r}; give a function")
 
     @property
     def file(self) -> str:

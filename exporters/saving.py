@@ -213,11 +213,23 @@ class _Writing:
                 self._files[name] = ManifestFile(name=name, kind=kind, format=format, says=says.get(name, ""))
 
     def export(self, format: ExportFormat, inventory: "Inventory") -> None:
-        """Write one format; raises InputError when its writer did not write its file."""
+        """Write one format; raises InputError when its writer did not write its file, or changed one that was there."""
+        before = {name: self._state(name) for name in self._files}
         format.write(inventory, self._room / format.file)
+        for name, state in before.items():
+            if self._state(name) != state:
+                raise InputError(f"the format {format.name!r} changed {name}, which is not its own")
         if not (self._room / format.file).is_file():
             raise InputError(f"the format {format.name!r} wrote no {format.file}; its writer is given that path")
         self.found("format", {format.file: format.says}, format.name)
+
+    def _state(self, name: str) -> tuple[int, ...]:
+        """What changes when a file is written again; nothing for one that is gone."""
+        try:
+            found = (self._room / name).stat()
+        except FileNotFoundError:
+            return ()
+        return (found.st_ino, found.st_size, found.st_mtime_ns)
 
     def finish(self, inventory: "Inventory", chosen: Sequence[ExportFormat]) -> None:
         """Write the manifest."""

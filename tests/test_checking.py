@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -183,3 +184,40 @@ def test_the_models_in_a_folder_are_listed(tmp_path: Path) -> None:
         (tmp_path / name).write_text("x")
     with pytest.raises(InputError, match=r"to be measured: there are a\.xml, b\.urdf$"):
         verify_file(tmp_path)
+
+
+@pytest.mark.parametrize("value", ["nan", "inf", "-1", "0", "-inf", "1e999", "x", ""])
+@pytest.mark.parametrize("option", ["--height", "--short-side", "--max-move", "--timeout", "--room-size"])
+def test_numbers_that_no_option_can_have(
+    room: Path, option: str, value: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["verify", str(room), f"{option}={value if option != '--room-size' else f'4,{value}'}"])
+    assert ended.value.code == 2
+    assert option in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "match"),
+    [
+        ({"height": float("nan")}, "height: nan; it must be 1.5 to 50 m"),
+        ({"height": 1.0}, "height: 1.0; it must be 1.5 to 50 m"),
+        ({"height": "3"}, "height: '3'"),
+        ({"height": True}, "height: True"),
+        ({"short_side": float("inf")}, "short side: inf; it must be 0.5 to 100 m"),
+        ({"max_move": -1.0}, "max move: -1.0; it must be above 0 and at most 100 m"),
+        ({"room_size": (4.0, float("nan"))}, "a room of 4.0 x nan m"),
+        ({"room_size": (4.0,)}, "give two or three lengths"),
+        ({"seed": -1}, "the seed is -1"),
+        ({"seed": 2**63}, "the seed is"),
+    ],
+)
+def test_options_that_cannot_be_are_refused_whatever_the_file(room: Path, options: dict[str, Any], match: str) -> None:
+    with pytest.raises(InputError, match=match):
+        verify_file(room, VerifyOptions(**options))
+
+
+@pytest.mark.parametrize("timeout", [0.0, -1.0, float("nan"), float("inf"), "60"])
+def test_a_timeout_is_more_than_nothing(room: Path, timeout: Any) -> None:
+    with pytest.raises(InputError, match="a timeout of"):
+        verify_file(room, timeout=timeout)

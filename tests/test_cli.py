@@ -230,6 +230,14 @@ def test_verify_of_nothing_says_so(tmp_path, capsys):
     assert "gone.json" in capsys.readouterr().err
 
 
+def test_pictures_that_cannot_be_written_are_not_drawn(tmp_path, capsys):
+    (tmp_path / "taken").write_text("mine")
+    for out in (tmp_path / "taken", tmp_path / "taken" / "deeper"):
+        assert main(["render", str(tmp_path / "gone.json"), "--out", str(out)]) == 2
+        assert "is not a folder" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["taken"]
+
+
 def test_render_draws_both_pictures(tmp_path, capsys):
     assert main(["generate", CHAIR, "--out", str(tmp_path / "room"), "--no-pictures"]) == 0
     capsys.readouterr()

@@ -4,6 +4,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from msgspec import structs
@@ -105,6 +106,28 @@ def test_a_writer_that_writes_nothing_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"'lazy' wrote no scene\.lazy"):
         save(tmp_path / "room", "lazy")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("write", [None, "scene.txt"])
+def test_a_writer_can_be_called(write: Any) -> None:
+    with pytest.raises(InputError, match="'mine' cannot be written by"):
+        ExportFormat(name="mine", suffix=".x", write=write, says="")
+
+
+def test_a_writer_changes_no_file_of_ours(tmp_path: Path) -> None:
+    def over(inventory: Inventory, path: Path) -> None:
+        path.write_text("mine")
+        path.with_name("scene.json").write_text("mine too")
+
+    def away(inventory: Inventory, path: Path) -> None:
+        path.write_text("mine")
+        path.with_name("report.json").unlink()
+
+    for write, name in ((over, "scene.json"), (away, "report.json")):
+        register(ExportFormat(name="greedy", suffix=".x", write=write, says=""), replace=True)
+        with pytest.raises(InputError, match=rf"'greedy' changed {name}"):
+            save(tmp_path / "room", "greedy")
+        assert list(tmp_path.iterdir()) == []
 
 
 def test_extra_files_are_kept_as_they_are(tmp_path: Path) -> None:

@@ -1,7 +1,6 @@
 """Whatever a model's text holds, it is measured or refused: nothing crashes, hangs or raises anything else."""
 
 import math
-import random
 import re
 import shutil
 from pathlib import Path
@@ -12,6 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.foreign_models import MODELS
+from tests.mutants import mutated_xml
 from thinkblox.errors import InputError
 from thinkblox.sim.engine_errors import ENGINE_ERRORS
 from thinkblox.sim.foreign.model_report import model_report
@@ -22,41 +22,6 @@ from thinkblox.sim.workers.guard import guarded
 TABLE_FILE = "table_description/urdf/table.urdf"
 RICH = (MODELS / "rich.xml").read_text()
 TABLE = re.sub(r"<mesh filename=[^>]*scale[^>]*>", '<box size=".1 .1 .1"/>', (MODELS / TABLE_FILE).read_text())
-VALUES = (
-    "", "0", "-1", "1e308", "-1e308", "1e-308", "1e9", "2147483648", "-2147483649", "nan", "inf", "0 0 0", "0 0 0 0",
-    "1 2", "x", "true", "free", "mesh", "hfield", "plane", "../a", "/etc/passwd", "room.xml", "\u00e9", "a" * 5000,
-    "1 " * 3000,
-)  # fmt: skip
-NUMBERS = "0 -1 7 0.001 1e308 -1e308 1e-308 1e9 2147483648 inf -inf 1e4 90 -0.3".split()
-TAGS = "body geom joint freejoint site mesh replicate frame include link robot flexcomp composite attach plugin".split()
-
-
-def mutated(text: str, seed: int, times: int) -> str:
-    """The text with some values, names, tags or stretches changed."""
-    chance = random.Random(seed)
-    for _ in range(times):
-        kind = chance.randrange(9)
-        if kind >= 5:
-            text = _replace(text, r'(?<=[" ])-?[\d.]+(?=[" ])', chance.choice(NUMBERS), chance)
-        elif kind <= 1:
-            text = _replace(text, r'"[^"]*"', f'"{chance.choice(VALUES)}"', chance)
-        elif kind == 2:
-            text = _replace(text, r"(?<=<)\w+", chance.choice(TAGS), chance)
-        elif kind == 3:
-            text = _replace(text, r' \w+="[^"]*"', "", chance)
-        else:
-            start, end = sorted(chance.randrange(len(text) + 1) for _ in range(2))
-            end = min(end, start + 60)
-            text = text[:start] + text[start:end] * chance.choice((0, 2, 30)) + text[end:]
-    return text
-
-
-def _replace(text: str, pattern: str, by: str, chance: random.Random) -> str:
-    found = list(re.finditer(pattern, text))
-    if not found:
-        return text
-    match = chance.choice(found)
-    return text[: match.start()] + by + text[match.end() :]
 
 
 def outcomes(file: Path, texts: tuple[str, ...], opened: Path | None = None) -> list[str]:
@@ -103,7 +68,7 @@ def _engine_takes(path: Path) -> bool:
 @given(seeds=st.lists(st.integers(0, 2**32), min_size=40, max_size=40), times=st.integers(1, 6))
 def test_mutated_models_are_measured_or_refused(tmp_path: Path, name: str, seeds: list[int], times: int) -> None:
     seed_text = RICH if name == "room.xml" else TABLE
-    texts = tuple(mutated(seed_text, seed, times) for seed in seeds)
+    texts = tuple(mutated_xml(seed_text, seed, times) for seed in seeds)
     found = guarded(outcomes, tmp_path / name, texts, seconds=120.0)
     assert set(found) <= {"measured", "refused"}
 
@@ -122,7 +87,7 @@ def test_models_of_several_files_are_measured_or_refused(
     room = tmp_path / "room"
     shutil.copytree(MODELS / "room", room, dirs_exist_ok=True)
     text = (MODELS / "room" / name).read_text()
-    texts = tuple(mutated(text, seed, times) for seed in seeds)
+    texts = tuple(mutated_xml(text, seed, times) for seed in seeds)
     found = guarded(outcomes, room / name, texts, room / "room.xml", seconds=120.0)
     assert set(found) <= {"measured", "refused"}
 

@@ -1,5 +1,6 @@
 """Any URDF opens: meshes found as ROS finds them, link names kept, and a floor under what would fall for ever."""
 
+import re
 import shutil
 from pathlib import Path
 
@@ -244,3 +245,11 @@ def test_an_include_in_a_urdf_reads_nothing(tmp_path: Path) -> None:
     (tmp_path / "part.xml").write_text("<x><option timestep='0.5'/></x>")
     subject = opened(tmp_path, f'<mujoco><include file="{tmp_path}/part.xml"/></mujoco>', link("a"))
     assert subject.model.opt.timestep < 0.5
+
+
+@pytest.mark.parametrize("value", ["inf", "-inf", "Infinity", "1e999"])
+@pytest.mark.parametrize("name", ["ixx", "iyz"])
+def test_an_infinite_inertia_is_refused(tmp_path: Path, name: str, value: str) -> None:
+    inertial = re.sub(f'{name}="[01]"', f'{name}="{value}"', INERTIAL)
+    with pytest.raises(InputError, match=rf'model\.urdf:1: <inertia>: {name}="{value}" is not a finite number'):
+        opened(tmp_path, link("a", inertial + SHAPE))

@@ -15,6 +15,7 @@ from tests.layout_rooms import BEDROOM, WRITERS, write
 from thinkblox.errors import InputError
 from thinkblox.importing import FORMATS, detect, read_layout
 from thinkblox.importing.layout import ForeignLayout
+from thinkblox.importing.library import Library
 
 DATA = Path(__file__).parent / "data" / "layouts"
 BOXED = [f for f in FORMATS if f not in ("metaspatial", "sceneeval")]
@@ -331,6 +332,14 @@ def test_too_many_objects(tmp_path):
     raw = WRITERS["layoutgpt"](BEDROOM)
     raw[0]["object_list"] *= 401
     _refused(_written(tmp_path, json.dumps(raw)), "2005 objects; at most 2000")
+
+
+def test_the_mesh_of_one_name_is_looked_for_once(tmp_path, monkeypatch):
+    looked = []
+    monkeypatch.setattr(Library, "_under", lambda self, relative: looked.append(relative))
+    library = Library(roots=(tmp_path,))
+    assert [library.asset("bed_1") for _ in range(3)] == [None] * 3
+    assert len(looked) == len(set(looked)) > 0
 
 
 def test_transforms_that_are_none(tmp_path):

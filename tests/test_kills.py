@@ -14,8 +14,8 @@ from thinkblox.exporters.folder import check_folder
 from thinkblox.scene.scene import load_scene
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="sees when a process heeds stops")
-KILLS = int(os.environ.get("THINKBLOX_KILLS", "120"))
-"""How often commands are killed in all."""
+KILLS = int(os.environ.get("THINKBLOX_KILLS", "40"))
+"""How often each command is killed, half of it where there is something to replace."""
 OLD, NEW = "A room with a chair.", "A room with a stool."
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
@@ -72,9 +72,10 @@ def test_a_killed_generate_leaves_the_old_or_the_new_room(tmp_path: Path, overwr
     done("generate", OLD, "--out", tmp_path / "old", "--no-pictures")
     whole = seconds_of(command("generate", NEW, "--out", tmp_path / "new", "--no-pictures"))
     seen: dict[str, int] = {}
-    for kill in range(KILLS // 3):
+    for kill in range(KILLS // 2):
         if overwrite and not out.exists():
             subprocess.run(["cp", "-r", tmp_path / "old", out], check=True)
+        there = {path.name for path in out.parent.iterdir()}  # with what those left behind that were killed
         number = SIGNALS[kill % len(SIGNALS)]
         # The end, where a room is put in place, is what most of them are to hit.
         after = whole * (rng.random() if kill % 2 else rng.uniform(0.7, 1.0))
@@ -85,7 +86,7 @@ def test_a_killed_generate_leaves_the_old_or_the_new_room(tmp_path: Path, overwr
         if status == 130:
             assert ("nothing was written" in errors) == (found != NEW), errors
         if number != signal.SIGKILL:
-            assert [p.name for p in out.parent.iterdir()] in ([], ["room"])
+            assert {path.name for path in out.parent.iterdir()} <= {*there, "room"}
         whole *= 0.97 if status == 0 else 1.01  # the machine is not always as fast
         seen[f"{status} {found}"] = seen.get(f"{status} {found}", 0) + 1
         subprocess.run(["rm", "-rf", out], check=True)
@@ -105,7 +106,7 @@ def test_a_killed_verify_leaves_the_old_or_the_new_files(tmp_path: Path, overwri
     whole = seconds_of(arguments)
     new = {path: path.read_bytes() for path in (out, page)}
     old = dict.fromkeys(new, b"mine") if overwrite else {}
-    for kill in range(KILLS // 6):
+    for kill in range(KILLS // 2):
         for path in new:
             path.unlink(missing_ok=True)
             if overwrite:
@@ -122,3 +123,48 @@ def test_a_killed_verify_leaves_the_old_or_the_new_files(tmp_path: Path, overwri
             assert ("nothing was written" in errors) == (found == old)
     done(*arguments[3:], "--overwrite")
     assert {path: path.read_bytes() for path in home.iterdir()} == new
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("overwrite", [False, True], ids=["new", "overwrite"])
+def test_a_killed_render_leaves_the_old_or_the_new_pictures(tmp_path: Path, overwrite: bool) -> None:
+    home, rng = tmp_path / "home", random.Random(overwrite)
+    home.mkdir()
+    done("generate", NEW, "--out", tmp_path / "room", "--no-pictures")
+    done("render", tmp_path / "room", "--size", 96)
+    names = ("preview.png", "top.png")
+    drawn = {name: (tmp_path / "room" / name).read_bytes() for name in names}
+    arguments = command("render", tmp_path / "room", "--size", 64, "--out", home)
+    whole = seconds_of(arguments)
+    new = {name: (home / name).read_bytes() for name in names}
+    old = drawn if overwrite else {}
+    for kill in range(KILLS // 2):
+        for name in names:
+            (home / name).unlink(missing_ok=True)
+            if overwrite:
+                (home / name).write_bytes(old[name])
+        there = {path.name for path in home.iterdir()}  # with what those left behind that were killed
+        number = SIGNALS[kill % len(SIGNALS)]
+        after = whole * (rng.random() if kill % 2 else rng.uniform(0.7, 1.0))
+        status, errors = killed(arguments, number, after)
+        check_status(number, status, errors)
+        whole *= 0.97 if status == 0 else 1.01
+        found = {name: (home / name).read_bytes() for name in names if (home / name).exists()}
+        assert set(found) >= set(old)
+        assert all(data in (new[name], old.get(name)) for name, data in found.items())
+        if status == 130:
+            assert ("nothing was written" in errors) == (found == old), errors
+        if number != signal.SIGKILL:
+            assert {path.name for path in home.iterdir()} <= {*there, *names}
+    done(*arguments[3:])
+    assert {path.name: path.read_bytes() for path in home.iterdir()} == new
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["assets list", "assets list --json", "schema scene"])
+def test_a_killed_listing_ends_as_stopped(name: str) -> None:
+    arguments, rng = command(*name.split()), random.Random(name)
+    whole = seconds_of(arguments)
+    for kill in range(KILLS // 3):
+        number = SIGNALS[kill % len(SIGNALS)]
+        check_status(number, *killed(arguments, number, whole * rng.random()))

@@ -1,5 +1,6 @@
 """What is believed at once is what a second of simulation says."""
 
+import mujoco
 import pytest
 from hypothesis import HealthCheck, given, settings
 
@@ -9,6 +10,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict import stage
+from thinkblox.sim.verdict.balance import at_rest
 from thinkblox.sim.verdict.world import World
 
 CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
@@ -26,6 +28,17 @@ def test_a_stack_is_believed_when_each_thing_in_it_stands_squarely() -> None:
     middle = World(room).check([put(vase(), 2.0, 2.0, 0.75, on="table_1")], vase())[0]
     assert middle.rest is not None
     assert middle.rest < 0.2
+
+
+def test_a_drawer_on_a_wall_that_moves_is_not_at_rest() -> None:
+    """A tree of one joint, where a free body has six."""
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body><joint type="slide"/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    data = mujoco.MjData(model)
+    assert at_rest(model, data, 1)
+    data.qvel[0] = 1.0
+    assert not at_rest(model, data, 1)
 
 
 @pytest.mark.parametrize("over", [-0.004, 0.004])

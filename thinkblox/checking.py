@@ -1,5 +1,6 @@
 """Opening and measuring whatever a path holds: one of our scenes, a model, or the layout of another generator."""
 
+import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -21,8 +22,11 @@ OURS = "thinkblox"
 """The format of our own scene.json."""
 MODELS = ("mjcf", "urdf")
 MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
-MOST_MOVE = 100.0
-"""How far --fix can be told to move things [m]."""
+RANGES = {"height": (1.5, 50.0), "short_side": (0.5, 100.0), "max_move": (0.0, 100.0)}
+"""Between what a length of VerifyOptions must be [m]; above 0 in any case."""
+SIDES = (0.5, 100.0)
+"""Between what each length of a room must be [m]."""
+MOST_SEED = 2**63 - 1
 LISTED = 5
 """So many of the files in a folder are named in a message."""
 TIMEOUT = 600.0
@@ -88,11 +92,12 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
         timeout: how long it may take [s], without the start of the process.
 
     Raises:
-        InputError: it cannot be read, or takes too long; or `out` or `page` cannot be written, or is a file that we did
-            not write; says what was wrong, where, and what to do.
+        InputError: an option that cannot be; it cannot be read, or takes too long; or `out` or `page` cannot be
+            written, or is a file that we did not write; says what was wrong, where, and what to do.
     """
     path, reading = Path(path), reading or VerifyOptions()
     _check_names(reading)
+    _check_numbers(reading, timeout)
     _check_targets(reading)
     kind = _format_of(path, reading.format)
     if kind not in MODELS and (reading.root or reading.fixed_base or reading.exclude or reading.robot):
@@ -149,11 +154,31 @@ def _check_names(reading: VerifyOptions) -> None:
     for name in reading.suites:
         if name not in SUITES:
             raise InputError(f"there is no suite {name!r}; there are {', '.join(SUITES)}")
-    if reading.max_move is not None and not 0.0 < reading.max_move <= MOST_MOVE:
-        raise InputError(f"a largest move of {reading.max_move:g} m; it must be above 0 and at most {MOST_MOVE:g} m")
     known = (OURS, *MODELS, *FORMATS)
     if reading.format is not None and reading.format not in known:
         raise InputError(f"no format {reading.format!r}; there are {', '.join(known)}")
+
+
+def _check_numbers(reading: VerifyOptions, timeout: object) -> None:
+    for name, (least, most) in RANGES.items():
+        value = getattr(reading, name)
+        if value is not None and not (_is_length(value) and least <= value <= most):
+            bounds = f"{least:g} to {most:g} m" if least else f"above 0 and at most {most:g} m"
+            raise InputError(f"{name.replace('_', ' ')}: {value!r}; it must be {bounds}")
+    size = reading.room_size
+    if size is not None and not (
+        len(size) in (2, 3) and all(_is_length(side) and SIDES[0] <= side <= SIDES[1] for side in size)
+    ):
+        said = " x ".join(map(str, size))
+        raise InputError(f"a room of {said} m; give two or three lengths of {SIDES[0]:g} to {SIDES[1]:g} m")
+    if type(reading.seed) is not int or not 0 <= reading.seed <= MOST_SEED:
+        raise InputError(f"the seed is {reading.seed!r}; it must be a whole number from 0 to 2^63 - 1")
+    if not _is_length(timeout):
+        raise InputError(f"a timeout of {timeout!r} s is none; give seconds, more than 0")
+
+
+def _is_length(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and 0.0 < value < math.inf
 
 
 def _format_of(path: Path, wanted: str | None) -> str:

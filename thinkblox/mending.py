@@ -13,6 +13,7 @@ from thinkblox.errors import InputError
 from thinkblox.scene.placement import Placement, apart, to_micrometres
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import ON_FLOOR
+from thinkblox.sim.geometry.parting import parted
 from thinkblox.sim.geometry.shifts import Shift, shifts
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.world import World
@@ -55,7 +56,9 @@ def mend(
     Nothing is turned, and nothing is put on anything else than what it is on or over. What rests on something that
     moves, moves with it, also where it hangs over its edge. Of two that collide the lighter one is moved, the heavier
     one only when that cannot be. Whatever is valid stays where it is and stays valid; what cannot be mended stays
-    where it is, and its move says so, and how far it would have to go where that is too far.
+    where it is, and its move says so, and how far it would have to go where that is too far. Only where something is
+    left that way, all on the floor are moved apart together, valid things too, each by as little as lets the others
+    be mended; that counts where more is valid then.
 
     Args:
         scene: at the poses that are to be mended; itself not changed.
@@ -71,7 +74,15 @@ def mend(
     if not 0.0 < furthest < math.inf:
         raise InputError(f"furthest is {furthest:g} m; it must be a distance above 0")
     rules = Rules(tolerances or Tolerances(), physics or Physics(), walking or Walking(), tries, furthest)
-    return _Mending(scene, rules).run()
+    alone = _Mending(scene, rules)
+    alone.mend_one_by_one()
+    together = None if alone.is_whole else alone.together()
+    if together is not None:
+        together.mend_one_by_one()
+        together.put_back_what_need_not_move()
+    best = together if together is not None and together.is_better_than(alone) else alone
+    best.look_beyond()
+    return best.scene, best.moves()
 
 
 @dataclass
@@ -87,15 +98,55 @@ class _Mending:
         self.start = self.scene
         self.before = self.now = self._verdicts(self.scene)
 
-    def run(self) -> tuple[Scene, tuple[MendingMove, ...]]:
-        """Mend what can be mended."""
+    @property
+    def is_whole(self) -> bool:
+        """Whether everything is valid."""
+        return all(verdict.valid for verdict in self.now.values())
+
+    def is_better_than(self, other: "_Mending") -> bool:
+        """Whether more is valid, nothing of which was valid at the start is not, and everything is where it may be."""
+        count, others = (sum(v.valid for v in each.now.values()) for each in (self, other))
+        kept = all(self.now[id].valid for id, verdict in self.before.items() if verdict.valid)
+        near = self._furthest(self.scene, self.now) <= self.rules.furthest + FINE
+        carried = all(self._carried_as_before(self.scene, p) for p in self.scene.placements)
+        return count > others and kept and near and carried
+
+    def together(self) -> "_Mending | None":
+        """The same at its start with everything on the floor moved apart; None where nothing moves."""
+        groups: list[tuple[str, ...]] = []
+        for placement in sorted(self.start.placements, key=lambda p: len(self.start.carriers(p.id))):
+            asset, taken = self.start.asset_of(placement), {id for group in groups for id in group}
+            if asset.mount == "floor" and asset.collides and placement.id not in taken:
+                groups.append(tuple(id for id in _group(self.start, placement.id) if id not in taken))
+        found = parted(self.start, groups, self.rules.walking, furthest=self.rules.furthest)
+        scene = self.start
+        for group in groups:
+            if group[0] in found:
+                old, (east, north) = scene[group[0]], found[group[0]]
+                position = to_micrometres(np.add(old.position, (east, north, 0.0)))
+                scene = _shifted(scene, group, structs.replace(old, position=position))
+        if scene == self.start:
+            return None
+        other = _Mending(scene, self.rules)
+        other.start, other.before = self.start, self.before
+        return other
+
+    def put_back_what_need_not_move(self) -> None:
+        """What was valid goes back to its start where that spoils nothing; nothing leaves what carries it."""
+        for old in self.start.placements:
+            below = self.start.carriers(old.id)
+            alone = not self.scene.riders(old.id) and all(self.scene[id] == self.start[id] for id in below)
+            if alone and self.before[old.id].valid and self.scene[old.id] != old:
+                self._put_back(old)
+
+    def mend_one_by_one(self) -> None:
+        """Mend what can be mended, one thing after the other."""
         self._mend_all(self._carriers_first(), self._stuck, SEATING)
         self._mend_all(self._lighter_first(frozenset({"collision"})), self._stuck)
         for _ in range(ROUNDS):
             self._mend_all(self._lighter_first(), lambda id: set())
         self._take_back_what_broke()
         self._put_back_what_failed()
-        return self.scene, tuple(self._moves())
 
     def _mend_all(
         self, order: Sequence[str], past: Callable[[str], set[str]], reasons: frozenset[Reason] = ANY
@@ -142,7 +193,7 @@ class _Mending:
 
     def _mend(self, id: str, past: set[str]) -> None:
         """Move one object to the nearest pose that is valid and spoils nothing, if one is found near enough."""
-        group = self._group(id)
+        group = _group(self.scene, id)
         for moved in self._poses(id, group, past):
             shifted = _shifted(self.scene, group, moved)
             after = self._after(shifted, id, group, past)
@@ -155,25 +206,6 @@ class _Mending:
             self.scene, self.now = shifted, self.now | after
             return
 
-    def _group(self, id: str) -> tuple[str, ...]:
-        """The ids of an object and of all that moves with it: what rests on it, or stands on it over its edge."""
-        found, todo = {id}, [id]
-        while todo:
-            below = todo.pop()
-            new = [p.id for p in self.scene.placements if p.id not in found and self._is_on(p, self.scene[below])]
-            found.update(new)
-            todo += new
-        return (id, *(p.id for p in self.scene.placements if p.id in found and p.id != id))
-
-    def _is_on(self, placement: Placement, below: Placement) -> bool:
-        if placement.support == below.id:
-            return True
-        if not self.scene.asset_of(placement).free or not self.scene.asset_of(below).collides:
-            return False
-        tops = [below.position[2] + s.position[2] for s in self.scene.asset_of(below).surfaces] or [below.top]
-        near = any(abs(placement.position[2] - top) < ON_TOP for top in tops)
-        return near and placement.footprint.intersects(below.footprint) and placement.support not in self.scene
-
     def _furthest(self, shifted: Scene, group: Collection[str]) -> float:
         """How far any of a group would be from where it was at the start [m]."""
         return max(math.dist(shifted[id].position, self.start[id].position) for id in group)
@@ -184,8 +216,22 @@ class _Mending:
         rest = _without(self.scene, {*group, *past})
         found = shifts(self.scene, placement, riders, self.rules.walking, past=past, gently=True)
         near = [s for s in found if s.distance <= self.rules.furthest + FINE]
-        near = near[: self.rules.tries] + found[len(near) :][:BEYOND]
-        yield from islice(self._seated_first(rest, placement, near), ACCEPTED)
+        yield from islice(self._seated_first(rest, placement, near[: self.rules.tries]), ACCEPTED)
+
+    def look_beyond(self) -> None:
+        """Find how far what fails yet would have to be moved."""
+        for id in [id for id, verdict in self.now.items() if not verdict.valid and id not in self.needs]:
+            group = _group(self.scene, id)
+            placement, riders = self.scene[id], [self.scene[rider] for rider in group[1:]]
+            world = self.rules.world(_without(self.scene, group))
+            found = shifts(self.scene, placement, riders, self.rules.walking, gently=True)
+            for shift in [s for s in found if s.distance > self.rules.furthest + FINE][:BEYOND]:
+                if not world.check([shift.placement], self.scene.asset_of(placement))[0].valid:
+                    continue
+                shifted = _shifted(self.scene, group, shift.placement)
+                if self._after(shifted, id, group, set()) is not None:
+                    self.needs[id] = self._furthest(shifted, group)
+                    break
 
     def _seated_first(self, rest: Scene, placement: Placement, near: Sequence[Shift]) -> Iterator[Placement]:
         """Valid poses, nearest first; a tight one, or a still one, goes before one that is a little nearer."""
@@ -266,12 +312,19 @@ class _Mending:
         """What was moved and fails yet goes back, unless that spoils something."""
         for id, verdict in list(self.now.items()):
             old, new = self.start[id], self.scene[id]
-            if verdict.valid or old == new or self.before[id].valid:
-                continue
-            back = self.scene.with_placement(old, self.start.asset_of(old))
-            again = self._verdicts(back)
-            if all(again[other].valid for other, v in self.now.items() if v.valid):
-                self.scene, self.now = back, again
+            if not (verdict.valid or old == new or self.before[id].valid):
+                self._put_back(old)
+
+    def _put_back(self, old: Placement) -> None:
+        """Put an object where it was, unless that spoils something."""
+        back = self.scene.with_placement(old, self.start.asset_of(old))
+        again = self._verdicts(back)
+        if all(again[other].valid for other, v in self.now.items() if v.valid):
+            self.scene, self.now = back, again
+
+    def moves(self) -> tuple[MendingMove, ...]:
+        """What was moved, and what fails yet."""
+        return tuple(self._moves())
 
     def _moves(self) -> Iterator[MendingMove]:
         for old in self.start.placements:
@@ -316,3 +369,24 @@ def _concerned(scene: Scene, shifted: Scene, id: str, group: Collection[str]) ->
     places = [where[member] for where in (scene, shifted) for member in sorted(group)]
     near = [p for p in shifted.placements if p.id in group or any(apart(p, place) < CLOSE for place in places)]
     return [shifted[id], *(p for p in near if p.id != id)]
+
+
+def _group(scene: Scene, id: str) -> tuple[str, ...]:
+    """The ids of an object and of all that moves with it: what rests on it, or stands on it over its edge."""
+    found, todo = {id}, [id]
+    while todo:
+        below = todo.pop()
+        new = [p.id for p in scene.placements if p.id not in found and _is_on(scene, p, scene[below])]
+        found.update(new)
+        todo += new
+    return (id, *(p.id for p in scene.placements if p.id in found and p.id != id))
+
+
+def _is_on(scene: Scene, placement: Placement, below: Placement) -> bool:
+    if placement.support == below.id:
+        return True
+    if not scene.asset_of(placement).free or not scene.asset_of(below).collides:
+        return False
+    tops = [below.position[2] + s.position[2] for s in scene.asset_of(below).surfaces] or [below.top]
+    near = any(abs(placement.position[2] - top) < ON_TOP for top in tops)
+    return near and placement.footprint.intersects(below.footprint) and placement.support not in scene

@@ -48,8 +48,9 @@ class Effort:
         repairs: poses measured around its best try after that.
         revisions: places measured for a neighbour that is in the way, after that.
         restarts: how often a room that is not all as asked is begun anew; the best one is kept.
-        seconds: the budget: how long objects are placed. What is not placed by then is absent, and says so; the report
-            on the whole room comes after. The same seed gives the same room as long as the budget is not used up.
+        seconds: the budget: how long objects are placed [s]. What is not placed by then is absent, and says so. One
+            proposal or one measurement is finished when it is over, and the report on the whole room comes after. The
+            same seed gives the same room as long as the budget is not used up.
 
     Raises:
         InputError: a budget that is no number of seconds above 0.
@@ -247,7 +248,10 @@ class Placing:
             return None
         failed = sorted(self.failed, key=_badness)
         start = time.perf_counter()
-        for revision in revisions(self.world, self.loop.plan, failed, most=self.loop.effort.revisions):
+        loop = self.loop
+        for revision in revisions(
+            self.world, loop.plan, failed, most=loop.effort.revisions, over=lambda: self.loop.over
+        ):
             seconds = time.perf_counter() - start
             return self._revised(revision, seconds)
         return None

@@ -67,7 +67,7 @@ def moves(report: Report) -> str:
 
 
 def _move(move: MendingMove) -> str:
-    why = ", ".join(move.why) or "for what it rests on"
+    why = ", ".join(move.why) or "for what it rests on or stands beside"
     if not move.mended:
         needs = f"; it would have to be moved {move.needs * 1000:.0f} mm" if move.needs is not None else ""
         return f"{move.id}: not mended ({why}){needs}"

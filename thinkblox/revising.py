@@ -1,7 +1,7 @@
 """Revising: an object that finds no place may have one when a neighbour makes room."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import NamedTuple
 
@@ -55,7 +55,14 @@ def unmet(scene: Scene, target: Target) -> list[Tie]:
     ]
 
 
-def revisions(world: World, plan: Plan, failed: Sequence[tuple[Proposal, Verdict]], *, most: int) -> Iterator[Revision]:
+def revisions(
+    world: World,
+    plan: Plan,
+    failed: Sequence[tuple[Proposal, Verdict]],
+    *,
+    most: int,
+    over: Callable[[], object] = lambda: False,
+) -> Iterator[Revision]:
     """Moves of one neighbour each that let a failed placement stand, the least move of the best failure first.
 
     Args:
@@ -63,6 +70,7 @@ def revisions(world: World, plan: Plan, failed: Sequence[tuple[Proposal, Verdict
         plan: what was asked of the neighbours; they keep it.
         failed: what was tried for the object, best first.
         most: places measured for neighbours.
+        over: whether no more are to be looked at.
     """
     left = most
     for proposal, blocker in islice(_blocked(world.scene, failed), TRIED):
@@ -70,8 +78,8 @@ def revisions(world: World, plan: Plan, failed: Sequence[tuple[Proposal, Verdict
         if candidate is None or asset is None:
             continue
         filled = world.scene.with_placement(candidate, asset)
-        for place in _places(filled, plan, blocker):
-            if left == 0:
+        for place in _places(filled, plan, blocker, over):
+            if left == 0 or over():
                 return
             left -= 1
             found = _revision(world, filled, place, candidate, asset)
@@ -93,13 +101,13 @@ def _blocked(scene: Scene, failed: Sequence[tuple[Proposal, Verdict]]) -> Iterat
         yield proposal, scene[there[0]]
 
 
-def _places(filled: Scene, plan: Plan, blocker: Placement) -> Iterator[Placement]:
+def _places(filled: Scene, plan: Plan, blocker: Placement, over: Callable[[], object]) -> Iterator[Placement]:
     """Where a neighbour might go: nearby, clear of all as seen from above, with what was asked of it kept."""
     asset = filled.asset_of(blocker)
     target = next((t for t in plan.targets if t.id == blocker.id), None)
     before = len(unmet(filled, target)) if target else 0
     for place in nearest_poses(filled, asset, blocker):
-        if math.dist(place.position, blocker.position) > FAR:
+        if over() or math.dist(place.position, blocker.position) > FAR:
             return
         moved = filled.apply(Move(id=place.id, position=place.position, yaw=place.yaw))
         if target is None or len(unmet(moved, target)) <= before:

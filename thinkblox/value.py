@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from thinkblox.errors import InputError
+from thinkblox.plain_text import escaped
 from thinkblox.regular_file import read_regular
 
 Vec2 = tuple[float, float]
@@ -52,10 +53,9 @@ def from_json(data: bytes | str, kind: type[V], *, where: str = "JSON") -> V:
     """
     try:
         return msgspec.json.decode(data, type=kind)
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from error
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise InputError(f"{where}: {error}") from error
+    except (InputError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
+        # A key that is not known stands in the message as it was read.
+        raise InputError(f"{where}: {escaped(str(error))}") from error
 
 
 def read_json(path: Path, kind: type[V]) -> V:

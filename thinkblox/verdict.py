@@ -266,7 +266,7 @@ class MendingMove(Measurement, frozen=True, kw_only=True):
         by: where it went [m].
         turn: by how much it was turned [degrees].
         distance: length of `by` [m].
-        why: the reasons it was moved for.
+        why: the reasons it was moved for; none where it moved for another.
         mended: whether they are gone.
         needs: how far it would have to be moved, where that is further than it may be [m].
     """

@@ -27,6 +27,12 @@ SETTLED = "settled"
 """The keyframe that our own exports start from."""
 LARGEST = 1e10
 """Numbers beyond this the engine takes for a simulation that blew up."""
+_BOUNDED = ("body_pos", "body_quat", "body_mass", "body_inertia", "geom_pos", "geom_size", "qpos0", "key_qpos")
+_FINITE = (
+    *("geom_quat", "geom_friction", "geom_margin", "geom_gap", "geom_solref", "geom_solimp", "body_ipos", "body_iquat"),
+    *("jnt_pos", "jnt_axis", "jnt_stiffness", "dof_damping", "dof_armature", "dof_frictionloss", "qpos_spring"),
+)
+"""What the engine takes as it stands, be it infinite or no number."""
 NAMES = {"mujoco": "mjcf", "robot": "urdf"}
 """Root elements of the files that are read, and what they are called."""
 
@@ -176,12 +182,13 @@ def _check_model(path: Path, model: mujoco.MjModel) -> None:
         raise InputError(too_many(str(path), model.nbody - 1))
     if not 0.0 < model.opt.timestep < np.inf:
         raise InputError(f"{path}: <option timestep> is {model.opt.timestep:g}; it must be a time greater than 0.")
-    for field in ("body_pos", "body_quat", "body_mass", "body_inertia", "geom_pos", "geom_size", "qpos0", "key_qpos"):
+    for field in (*_BOUNDED, *_FINITE):
         values = getattr(model, field)
-        usable = np.isfinite(values) & (np.abs(values) <= LARGEST)
+        usable = np.isfinite(values) & ((np.abs(values) <= LARGEST) | (field in _FINITE))
         if not usable.all():
             row = int(np.argwhere(~usable.reshape(len(values), -1).all(axis=1))[0, 0])
-            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number, or more than {LARGEST:g}.")
+            above = f", or more than {LARGEST:g}" if field in _BOUNDED else ""
+            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number{above}.")
     if not np.all(np.isfinite(model.opt.gravity)):
         raise InputError(f"{path}: <option gravity> is not made of finite numbers.")
 

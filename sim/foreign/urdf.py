@@ -1,5 +1,6 @@
 """Any URDF as an engine's spec: meshes found, link names kept, and what no body can weigh mended."""
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
@@ -98,6 +99,7 @@ def read_urdf(path: Path, *, folder: Path | None = None, fixed_base: bool = Fals
     cut = (*_cut_numbers(root), *_keep_first(root))
     if root.find("link/collision") is None:
         raise InputError(f"{path}: no link has collision geometry, so there is nothing to measure.")
+    _check_inertials(tree, root)
     roots = _roots(path, root)
     free = () if fixed_base else tuple(name for name in roots if not _is_fixed(root, name))
     mended = mend_inertias(root, free)
@@ -125,6 +127,22 @@ def _look_through(path: Path) -> Tree:
 
     walk(path, enter, lambda element: tree.leave() if element.depth else None)
     return tree
+
+
+def _check_inertials(tree: Tree, root: Node) -> None:
+    """Refuse a mass or an inertia that is infinite: the engine would make 0 of some."""
+    for inertial in root.iterfind("link/inertial"):
+        for node in inertial.iter():
+            for name, text in node.attrib.items():
+                if _is_infinite(text):
+                    raise InputError(f'{tree.where[node]}: {name}="{text}" is not a finite number.')
+
+
+def _is_infinite(text: str) -> bool:
+    try:
+        return any(math.isinf(float(word)) for word in text.split())
+    except ValueError:
+        return False
 
 
 def _rename_meshes(path: Path, folder: Path, tree: Tree, root: Node) -> tuple[dict[str, Path], dict[str, bytes]]:

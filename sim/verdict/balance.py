@@ -30,10 +30,10 @@ ASIDE = 0.02
 
 
 def at_rest(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> bool:
-    """Whether a free body and its joints hardly move."""
+    """Whether a body with all that hangs on it hardly moves; it is free, or hangs on a joint of its own."""
     first = int(model.body_dofadr[body])
     speed = np.abs(data.qvel[first : first + int(model.tree_dofnum[model.body_treeid[body]])])
-    return bool(speed[:3].max() < SLOW and speed[3:].max() < SLOW_TURN)
+    return bool(speed[:3].max() < SLOW and speed[3:].max(initial=0.0) < SLOW_TURN)
 
 
 def stands_squarely(model: mujoco.MjModel, data: mujoco.MjData) -> bool:

@@ -28,7 +28,8 @@ def add_command(commands: "Commands") -> None:
         "--room", metavar="FILE", type=Path, help="furnish this room: JSON with floor, height, openings"
     )
     parser.add_argument("--candidates", metavar="N", type=_candidates, default=8, help="poses proposed per round (8)")
-    parser.add_argument("--budget", metavar="S", type=seconds, default=900.0, help="for placing objects (900)")
+    budget = "for placing objects (900); the measurement under way is finished, and the whole room measured, after it"
+    parser.add_argument("--budget", metavar="S", type=seconds, default=900.0, help=budget)
     parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
     parser.add_argument("--overwrite", action="store_true", help="replace an output folder of an earlier run")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")

@@ -1,6 +1,7 @@
 """What commands share: where they are added, and how the texts of their options are read."""
 
 import argparse
+import math
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -34,9 +35,20 @@ def seconds(text: str) -> float:
     return number
 
 
-def lengths(text: str) -> tuple[float, ...]:
-    """Lengths between commas [m]; raises ArgumentTypeError."""
+def length(text: str) -> float:
+    """A length above 0 [m]; raises ArgumentTypeError."""
     try:
-        return tuple(float(part) for part in text.split(","))
+        number = float(text)
     except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of metres") from None
+    if not 0.0 < number < math.inf:
+        raise argparse.ArgumentTypeError(f"{text} m is no length; give one above 0")
+    return number
+
+
+def lengths(text: str) -> tuple[float, ...]:
+    """Lengths above 0 between commas [m]; raises ArgumentTypeError."""
+    try:
+        return tuple(length(part) for part in text.split(","))
+    except argparse.ArgumentTypeError:
         raise argparse.ArgumentTypeError(f"{text!r} is not lengths in metres between commas, such as 4,5,2.6") from None

@@ -38,14 +38,16 @@ def _drawn(scene: str, size: int) -> dict[str, bytes]:
 def _render(arguments: argparse.Namespace) -> int:
     import json
 
+    from thinkblox.exporters.folder import check_pictures
     from thinkblox.sim.workers.guard import guarded
 
+    home = arguments.scene if arguments.scene.is_dir() else arguments.scene.parent
+    check_pictures(arguments.out or home)
     pictures = guarded(
         _drawn, str(arguments.scene), arguments.size, seconds=arguments.timeout, doing=f"drawing {arguments.scene}"
     )
     from thinkblox.exporters.saving import write_pictures
 
-    home = arguments.scene if arguments.scene.is_dir() else arguments.scene.parent
     paths = write_pictures(pictures, arguments.out or home)
     if arguments.json:
         print(json.dumps([str(path) for path in paths]))

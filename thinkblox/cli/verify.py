@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from thinkblox.cli.options import lengths, natural, seconds
+from thinkblox.cli.options import length, lengths, natural, seconds
 from thinkblox.cli.terminal import say, write_json
 from thinkblox.importing import FORMATS
 from thinkblox.sim.suites import SUITES
@@ -34,16 +34,16 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--html", metavar="FILE", type=Path, help="write a page with pictures and the faults in them")
     parser.add_argument("--fix", action="store_true", help="move what fails by the least that mends it")
     cap = "how far --fix moves anything at most (0.3); what needs more is listed with the distance"
-    parser.add_argument("--max-move", metavar="M", type=float, help=cap)
+    parser.add_argument("--max-move", metavar="M", type=length, help=cap)
     parser.add_argument("--out", metavar="FILE", type=Path, help="write the (mended) scene as a scene.json")
     formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, {', '.join(FORMATS)}"
     parser.add_argument("--format", metavar="NAME", help=formats)
     parser.add_argument("--assets", metavar="DIR", type=Path, help="folder with the meshes that a layout names")
     parser.add_argument(
-        "--height", metavar="M", type=float, help="of the room, where a layout has none (2.6, or what is highest)"
+        "--height", metavar="M", type=length, help="of the room, where a layout has none (2.6, or what is highest)"
     )
     parser.add_argument("--room", metavar="ID", help="which room of a file that holds several")
-    parser.add_argument("--short-side", metavar="M", type=float, help="of the room, for a layout in pixels")
+    parser.add_argument("--short-side", metavar="M", type=length, help="of the room, for a layout in pixels")
     sizes = "JSON file, name -> [along the front, across, up] in m, for a layout without sizes"
     parser.add_argument("--sizes", metavar="FILE", type=Path, help=sizes)
     room_size = "of the room in m, for a scene graph without walls"

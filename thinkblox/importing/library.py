@@ -94,6 +94,7 @@ class Library:
     roots: tuple[Path, ...]
     sizes: Sizes = field(default_factory=dict)
     _records: dict[Path, dict[str, Any]] = field(default_factory=dict)
+    _meshes: dict[str, Path | None] = field(default_factory=dict)
 
     def named(self, path: str, *, document: Document, at: str) -> Path | None:
         """The mesh at a path that a layout gives: as it stands if that is under a root, else by its last parts.
@@ -118,6 +119,11 @@ class Library:
         """The mesh of an asset by its id, where the collections of Objaverse, 3D-FUTURE and HSSD keep it."""
         if not id or "/" in id or "\\" in id or id.startswith("."):
             return None
+        if id not in self._meshes:
+            self._meshes[id] = self._looked_for(id)
+        return self._meshes[id]
+
+    def _looked_for(self, id: str) -> Path | None:
         for pattern in (
             f"{id}/{id}",
             f"{id}",
@@ -161,8 +167,11 @@ class Library:
         """The file at a relative path under the first root that has it, if that is still under the root."""
         for root in self.roots:
             try:
+                # Most paths that are tried are not there, and that is soon seen.
+                if not (root / relative).is_file():
+                    continue
                 file = (root / relative).resolve()
-                if file.is_relative_to(root.resolve()) and file.is_file():
+                if file.is_relative_to(root.resolve()):
                     return file
             except (OSError, ValueError, RuntimeError):
                 continue
