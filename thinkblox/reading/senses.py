@@ -37,7 +37,9 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
 
 def _relation(bond: Bond) -> str:
     """The relation by which a sense is known; what hangs on a wall is against it."""
-    on_wall = bond.kind == "on" and bond.anchors and isinstance(bond.anchors[0], str) and bond.anchors[0].endswith("wall")
+    on_wall = (
+        bond.kind == "on" and bond.anchors and isinstance(bond.anchors[0], str) and bond.anchors[0].endswith("wall")
+    )
     return "against_wall" if on_wall else str(bond.kind)
 
 

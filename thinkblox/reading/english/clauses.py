@@ -817,7 +817,7 @@ class Clauses(Namer):
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
-        roomish = noun.value.rpartition(" ")[2] in _ROOMISH
+        roomish = noun.text.lower().split()[-1] in _ROOMISH
         whole = self._next_noun(1) if self._is_link(after, "prepositions", "of") and not noun.det else None
         if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
             self.at += 2

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from thinkblox.assets.names import identifier_of
+from thinkblox.assets.stand_ins import noun_of
 from thinkblox.knowledge.vocabulary import is_abstract, is_person, thing_called
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import Function, grammar
@@ -471,7 +473,11 @@ class PhraseReader:
         if self._starts_noun(at + stop.length):
             units.adjectives += 1
             return stop.length
-        if stop.length > 1 or stop.value == "be" or self.tokens[at].text in ("is", "are", "was", "has", "have", "needs", "gets"):
+        if (
+            stop.length > 1
+            or stop.value == "be"
+            or self.tokens[at].text in ("is", "are", "was", "has", "have", "needs", "gets")
+        ):
             return 0
         units.nouns.append(_Unit(self.tokens[at].shown))
         return 1
@@ -642,7 +648,7 @@ class PhraseReader:
             return
         noun.kind, noun.named = "thing", False
         noun.plural |= singular(words[-1]) != words[-1]
-        noun.value = " ".join([*words[:-1], singular(words[-1])])
+        noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
 
     def _known_head(self, noun: Noun, known: Known) -> None:
         entry = known.entry
@@ -651,7 +657,7 @@ class PhraseReader:
         noun.kind = "thing" if entry.sort in ("object", "missing") else entry.sort  # type: ignore[assignment]
         if entry.sort == "missing":
             words = self._text(noun.end - known.length, noun.end).lower().split()
-            noun.value = " ".join([*words[:-1], singular(words[-1])])
+            noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
             noun.plural |= singular(words[-1]) != words[-1]
             noun.named = False
         if entry.attribute:
@@ -723,7 +729,7 @@ class PhraseReader:
             return self._finished(noun)
         if noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
             noun.kind, noun.named, noun.end = "thing", False, longest
-            noun.value = self.tokens[longest - 1].text
+            noun.value = identifier_of(noun_of(self.tokens[longest - 1].text))
             noun.attributes.clear()
             return self._finished(noun)
         return None
