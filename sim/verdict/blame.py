@@ -14,6 +14,7 @@ from thinkblox.sim.verdict.balance import stands_squarely
 from thinkblox.sim.verdict.contacts import Contacts
 from thinkblox.sim.verdict.settle import diverged, free_addresses
 from thinkblox.sim.verdict.stage import Depths, Poses, Settled, pushes
+from thinkblox.sim.verdict.stillness import stayed
 
 DEEPER = 0.0001
 """By how much more than without the candidate things must touch to be pressed by it [m]."""
@@ -36,12 +37,15 @@ def left_alone(spec: mujoco.MjSpec, physics: Physics) -> LeftAlone:
     """Let everything go until it stands squarely, or until the time of a settle is over."""
     model = compiled(spec)
     data = mujoco.MjData(model)
-    for _ in range(math.ceil(physics.settle_time / (physics.timestep * physics.chunk) - 1e-9)):
+    addresses, interval = free_addresses(model), physics.timestep * physics.chunk
+    places = np.array(list(addresses.values()), dtype=np.intp)[:, None] + np.arange(7)
+    now = data.qpos[places]
+    for _ in range(math.ceil(physics.settle_time / interval - 1e-9)):
         mujoco.mj_step(model, data, nstep=physics.chunk)
-        if diverged(data) or stands_squarely(model, data):
+        before, now = now, data.qpos[places]
+        if diverged(data) or (stayed(before, now, interval) and stands_squarely(model, data)):
             break
-    poses = {id: np.array(data.qpos[first : first + 7]) for id, first in free_addresses(model).items()}
-    return LeftAlone(poses, Contacts(model).depths(data))
+    return LeftAlone(dict(zip(addresses, now, strict=True)), Contacts(model).depths(data))
 
 
 def blamed(settled: Settled, alone: LeftAlone) -> Settled:
