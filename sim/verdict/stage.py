@@ -41,6 +41,7 @@ class Settled(NamedTuple):
         depths: of every two things that touch deeper than RESTING at the end, where it came to rest [m].
         poses: of the other free bodies that moved at all, at the end, by name: position and quaternion wxyz.
         moved, stirred: the farthest that any point of it, and of anything else, was from its start at any look [m].
+        uneasy: names of the free bodies, itself among them, that had not come to rest when the time was over.
         decided: it lies or stands for good; else the time was over.
     """
 
@@ -50,6 +51,7 @@ class Settled(NamedTuple):
     poses: Poses
     moved: float
     stirred: float
+    uneasy: frozenset[str]
     decided: bool
 
 
@@ -58,6 +60,7 @@ class _Course(NamedTuple):
 
     motion: Motion
     proven: bool = False
+    uneasy: frozenset[str] = frozenset()
 
     @property
     def decided(self) -> bool:
@@ -100,7 +103,7 @@ class Stage:
         poses, start = ({self._ids[n]: each[n] for n in others} for each in (now, track.start))
         motion = structs.replace(course.motion, pushed=() if course.motion.unstable else pushes(start, poses))
         stirred = float(np.delete(farthest, mine).max(initial=0.0))
-        return Settled(motion, supports, depths, poses, float(farthest[mine]), stirred, course.decided)
+        return Settled(motion, supports, depths, poses, float(farthest[mine]), stirred, course.uneasy, course.decided)
 
     def _put(self, number: int, placement: Placement) -> None:
         mujoco.mj_resetData(self._model, self._data)
@@ -122,9 +125,10 @@ class Stage:
             elif stayed(before, now, interval) and stands_squarely(model, data):
                 return _Course(_rested(motion, moving + interval, now[mine]), proven=True)
             quiet.look(now)
-        if not quiet.lasted:
-            return _Course(structs.replace(motion, restless=True))
-        return _Course(_rested(motion, min(moving, seconds - QUIET) + interval, now[mine]))
+        uneasy = frozenset(self._ids[n] for n in np.flatnonzero(~quiet.lasted).tolist())
+        if self._ids[mine] not in uneasy:
+            motion = _rested(motion, min(moving, seconds - QUIET) + interval, now[mine])
+        return _Course(structs.replace(motion, restless=bool(uneasy)), uneasy=uneasy)
 
     def _reading(self, id: str, course: _Course) -> tuple[tuple[Support, ...], Depths]:
         """What carries an object now, with which share of its weight, and how deep things touch.

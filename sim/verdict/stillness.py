@@ -25,11 +25,11 @@ def stayed(before: NDArray[np.float64], now: NDArray[np.float64], interval: floa
 
     Contacts that jump and come to rest again and again are at rest at nearly every instant, and yet walk.
     """
-    return _within(now - before, SLOW * interval, SLOW_TURN * interval)
+    return bool(_within(now - before, SLOW * interval, SLOW_TURN * interval).all())
 
 
 class Quiet:
-    """Whether everything has stayed where it is for a while, though it may tremble there, or still sway a little."""
+    """Which bodies have stayed where they are for a while, though they may tremble there, or still sway a little."""
 
     def __init__(self, interval: float) -> None:
         self._looks = math.ceil(QUIET / interval)
@@ -40,22 +40,22 @@ class Quiet:
         self._poses.append(poses)
 
     @property
-    def lasted(self) -> bool:
-        """Whether nothing moved or turned to speak of at all looks of the last while.
+    def lasted(self) -> NDArray[np.bool_]:
+        """Of each body (n) whether it did not move or turn to speak of at all looks of the last while.
 
         What creeps or topples goes on; what sways goes on as well, by less each time.
         """
         if len(self._poses) <= self._looks:
-            return False
+            return np.zeros(len(self._poses[0]) if self._poses else 0, dtype=np.bool_)
         looks = np.array(self._poses)
         last, half = looks[-self._looks - 1 :], (self._looks + 1) // 2
         reach, trend = np.ptp(last, axis=0), last[half:].mean(axis=0) - last[:half].mean(axis=0)
         if len(looks) > 2 * self._looks:
             trend[reach < DYING * np.ptp(looks[: self._looks + 1], axis=0)] = 0.0
-        return _within(reach, TREMBLE, TREMBLE_TURN) and _within(trend, TREND, TREND_TURN)
+        return _within(reach, TREMBLE, TREMBLE_TURN) & _within(trend, TREND, TREND_TURN)
 
 
-def _within(difference: NDArray[np.float64], far: float, turned: float) -> bool:
-    """Whether differences of poses (n, 7) are small [m, rad]; a quaternion differs by half of what is turned."""
+def _within(difference: NDArray[np.float64], far: float, turned: float) -> NDArray[np.bool_]:
+    """Which differences of poses (n, 7) are small [m, rad]; a quaternion differs by half of what is turned."""
     shift, turn = np.abs(difference[:, :3]), 2.0 * np.abs(difference[:, 3:])
-    return bool(shift.max(initial=0.0) < far and turn.max(initial=0.0) < turned)
+    return np.asarray((shift < far).all(axis=1) & (turn < turned).all(axis=1))

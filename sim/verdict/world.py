@@ -252,7 +252,8 @@ class World:
         settled, there = self._wide_enough(candidate, asset, awake=False)
         if not settled.decided or self._doubtful(settled):
             settled, there = self._wide_enough(candidate, asset, awake=True)
-        if not disturbs(settled.motion.pushed, self._tolerances) and not self._pressed(settled):
+        blames = settled.motion.restless or disturbs(settled.motion.pushed, self._tolerances) or self._pressed(settled)
+        if not blames:
             return settled
         return blamed(settled, self._left_alone(there))
 
