@@ -53,7 +53,8 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
         rest_time: longest settle of a whole scene before its keyframe is taken [s].
         hold_time: how long a settled scene must stand still [s].
         chunk: steps between two looks at what settles.
-        lost, toppled: motion [m] and rotation [degrees] past which a settle is given up.
+        lost, toppled: motion [m] and rotation [degrees] past which a settle is given up; what rocks by less may come
+            back.
         ground_friction: of floor and walls; below any object's, as the engine takes the larger of the two.
         wall_thickness, floor_thickness: of the slabs round and under the room [m].
 
@@ -71,7 +72,7 @@ class Physics(CheckedValue, kw_only=True, frozen=True):
     hold_time: NotNegative = 5.0
     chunk: Annotated[int, Meta(ge=1, le=1_000_000)] = 10
     lost: AboveZero = 0.1
-    toppled: AboveZero = 15.0
+    toppled: AboveZero = 45.0
     ground_friction: NotNegative = 0.2
     wall_thickness: AboveZero = 0.1
     floor_thickness: AboveZero = 0.5

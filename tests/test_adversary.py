@@ -3,9 +3,14 @@
 import pytest
 
 from tests.bench.adversary import plan, run, table
-from tests.bench.adversary_cases import FAMILIES
-from tests.bench.adversary_hunt import candidates, hunt
+from tests.bench.adversary_cases import FAMILIES, Case
+from tests.bench.adversary_hunt import Judged, candidates, hunt
+from tests.bench.adversary_truth import Truth
+from tests.sim_rooms import asset, put, scene
 from thinkblox.sim.verdict import stage
+from thinkblox.verdict import Verdict
+
+CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 
 
 def test_a_hunt_is_the_same_twice() -> None:
@@ -15,7 +20,30 @@ def test_a_hunt_is_the_same_twice() -> None:
 def test_a_verdict_that_believes_at_once_is_fooled(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(stage, "stands_squarely", lambda model, data: True)
     monkeypatch.setattr(stage, "at_rest", lambda model, data, body: True)
+    monkeypatch.setattr(stage, "stayed", lambda before, now, interval: True)
     assert any(judged is not None and judged.outcome == "false valid" for judged in candidates("edge", 0))
+
+
+@pytest.mark.parametrize(
+    ("valid", "share", "falls", "outcome"),
+    [
+        (True, 0.5, None, "agree"),
+        (True, 1.05, None, "at the line"),
+        (True, 2.0, 20, "false valid"),
+        (True, 2.0, 3, "false valid"),
+        (True, 2.0, 2, "by chance"),
+        (False, 2.0, None, "agree"),
+        (False, 0.95, None, "at the line"),
+        (False, 0.5, 0, "false invalid"),
+        (False, 0.5, 1, "by chance"),
+    ],
+)
+def test_chance_excuses_hardly_anything_that_is_called_valid(
+    valid: bool, share: float, falls: int | None, outcome: str
+) -> None:
+    verdict = Verdict(id="new_1", valid=valid, reasons=() if valid else ("tilt",))
+    case = Case(scene(), put(CRATE, 2.0, 2.0), CRATE)
+    assert Judged(case, verdict, Truth(share, "tilt", 0.0, 0.0), falls).outcome == outcome
 
 
 @pytest.mark.slow

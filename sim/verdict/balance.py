@@ -7,10 +7,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-SLOW = 0.002
-"""Slower than this is at rest [m/s]."""
-SLOW_TURN = 0.005
-"""The same for turning [rad/s], and for the joints of its doors."""
+from thinkblox.sim.verdict.stillness import SLOW, SLOW_TURN
+
 LEVEL = math.cos(math.radians(5.0))
 """Cosine of the steepest contact that counts as level."""
 MARGIN = 0.005

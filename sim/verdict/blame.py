@@ -14,6 +14,7 @@ from thinkblox.sim.verdict.balance import stands_squarely
 from thinkblox.sim.verdict.contacts import Contacts
 from thinkblox.sim.verdict.settle import diverged, free_addresses
 from thinkblox.sim.verdict.stage import Depths, Poses, Settled, pushes
+from thinkblox.sim.verdict.stillness import Quiet, stayed
 
 DEEPER = 0.0001
 """By how much more than without the candidate things must touch to be pressed by it [m]."""
@@ -25,10 +26,12 @@ class LeftAlone(NamedTuple):
     Attributes:
         poses: of its free bodies at the end, by name: position and quaternion wxyz.
         depths: deepest contact of every two things that touch at the end [m].
+        uneasy: names of those that had not come to rest when the time was over.
     """
 
     poses: Poses
     depths: Depths
+    uneasy: frozenset[str]
 
 
 @quiet_engine()
@@ -36,16 +39,26 @@ def left_alone(spec: mujoco.MjSpec, physics: Physics) -> LeftAlone:
     """Let everything go until it stands squarely, or until the time of a settle is over."""
     model = compiled(spec)
     data = mujoco.MjData(model)
-    for _ in range(math.ceil(physics.settle_time / (physics.timestep * physics.chunk) - 1e-9)):
+    addresses, interval = free_addresses(model), physics.timestep * physics.chunk
+    places = np.array(list(addresses.values()), dtype=np.intp)[:, None] + np.arange(7)
+    now, quiet, uneasy = data.qpos[places], Quiet(interval), frozenset[str]()
+    for _ in range(math.ceil(physics.settle_time / interval - 1e-9)):
         mujoco.mj_step(model, data, nstep=physics.chunk)
-        if diverged(data) or stands_squarely(model, data):
+        before, now = now, data.qpos[places]
+        if diverged(data) or (stayed(before, now, interval) and stands_squarely(model, data)):
             break
-    poses = {id: np.array(data.qpos[first : first + 7]) for id, first in free_addresses(model).items()}
-    return LeftAlone(poses, Contacts(model).depths(data))
+        quiet.look(now)
+    else:
+        uneasy = frozenset(id for id, lasted in zip(addresses, quiet.lasted.tolist(), strict=True) if not lasted)
+    return LeftAlone(dict(zip(addresses, now, strict=True)), Contacts(model).depths(data), uneasy)
 
 
 def blamed(settled: Settled, alone: LeftAlone) -> Settled:
-    """A settle in which only that counts as pushed and pressed what would not be so without the candidate."""
+    """A settle in which only that counts as pushed, pressed and restless what would not be so without the candidate."""
     depths = {pair: depth for pair, depth in settled.depths.items() if depth > alone.depths.get(pair, 0.0) + DEEPER}
-    motion = structs.replace(settled.motion, pushed=pushes(alone.poses, settled.poses))
+    motion = structs.replace(
+        settled.motion,
+        pushed=pushes(alone.poses, settled.poses),
+        restless=not settled.uneasy <= alone.uneasy,
+    )
     return settled._replace(motion=motion, depths=depths)

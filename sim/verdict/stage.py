@@ -1,7 +1,6 @@
 """A compiled scene in which one object at a time is put, and let go."""
 
 import math
-from collections import deque
 from typing import NamedTuple
 
 import mujoco
@@ -17,16 +16,11 @@ from thinkblox.sim.verdict.balance import at_rest, stands_squarely
 from thinkblox.sim.verdict.contacts import Contacts, shares
 from thinkblox.sim.verdict.judge import Motion
 from thinkblox.sim.verdict.settle import diverged, free_addresses, motion_between, turn
+from thinkblox.sim.verdict.stillness import QUIET, Quiet, stayed
 from thinkblox.verdict import Pose, Push, Support
 
 NUDGE = 1e-12
 """A speed that wakes a sleeping body and moves it nowhere [m/s]."""
-QUIET = 1.0
-"""How long everything must have stayed where it is to count as at rest when the time is over [s]."""
-TREMBLE, TREMBLE_TURN = 0.001, 0.01
-"""How far it may have been from itself meanwhile [m, rad]: contacts tremble."""
-TREND, TREND_TURN = 0.0003, 0.002
-"""How far the middle of the second half of that time may be from that of the first [m, rad]: what topples goes on."""
 STEADY, INSTANTS = 0.95, 20
 """Less than this share of a weight borne is looked at again, over so many instants."""
 RESTING = 0.0001
@@ -47,6 +41,7 @@ class Settled(NamedTuple):
         depths: of every two things that touch deeper than RESTING at the end, where it came to rest [m].
         poses: of the other free bodies that moved at all, at the end, by name: position and quaternion wxyz.
         moved, stirred: the farthest that any point of it, and of anything else, was from its start at any look [m].
+        uneasy: names of the free bodies, itself among them, that had not come to rest when the time was over.
         decided: it lies or stands for good; else the time was over.
     """
 
@@ -56,6 +51,7 @@ class Settled(NamedTuple):
     poses: Poses
     moved: float
     stirred: float
+    uneasy: frozenset[str]
     decided: bool
 
 
@@ -64,6 +60,7 @@ class _Course(NamedTuple):
 
     motion: Motion
     proven: bool = False
+    uneasy: frozenset[str] = frozenset()
 
     @property
     def decided(self) -> bool:
@@ -106,7 +103,7 @@ class Stage:
         poses, start = ({self._ids[n]: each[n] for n in others} for each in (now, track.start))
         motion = structs.replace(course.motion, pushed=() if course.motion.unstable else pushes(start, poses))
         stirred = float(np.delete(farthest, mine).max(initial=0.0))
-        return Settled(motion, supports, depths, poses, float(farthest[mine]), stirred, course.decided)
+        return Settled(motion, supports, depths, poses, float(farthest[mine]), stirred, course.uneasy, course.decided)
 
     def _put(self, number: int, placement: Placement) -> None:
         mujoco.mj_resetData(self._model, self._data)
@@ -116,21 +113,22 @@ class Stage:
     def _run(self, body: int, mine: int, track: "_Track", seconds: float) -> _Course:
         model, data, physics = self._model, self._data, self._physics
         interval = physics.timestep * physics.chunk
-        moving, quiet = 0.0, _Quiet(interval)
+        moving, quiet, now = 0.0, Quiet(interval), track.start
         for look in range(1, math.ceil(seconds / interval - 1e-9) + 1):
             mujoco.mj_step(model, data, nstep=physics.chunk)
-            now = track.look()
+            before, now = now, track.look()
             motion = motion_between(track.start[mine], now[mine], unstable=diverged(data))
             if motion.unstable or max(motion.drift, motion.drop) > physics.lost or motion.tilt > physics.toppled:
                 return _Course(motion)
             if not at_rest(model, data, body):
                 moving = look * interval
-            elif stands_squarely(model, data):
+            elif stayed(before, now, interval) and stands_squarely(model, data):
                 return _Course(_rested(motion, moving + interval, now[mine]), proven=True)
             quiet.look(now)
-        if not quiet.lasted:
-            return _Course(structs.replace(motion, restless=True))
-        return _Course(_rested(motion, min(moving, seconds - QUIET) + interval, now[mine]))
+        uneasy = frozenset(self._ids[n] for n in np.flatnonzero(~quiet.lasted).tolist())
+        if self._ids[mine] not in uneasy:
+            motion = _rested(motion, min(moving, seconds - QUIET) + interval, now[mine])
+        return _Course(structs.replace(motion, restless=bool(uneasy)), uneasy=uneasy)
 
     def _reading(self, id: str, course: _Course) -> tuple[tuple[Support, ...], Depths]:
         """What carries an object now, with which share of its weight, and how deep things touch.
@@ -174,31 +172,6 @@ def _rested(motion: Motion, when: float, pose: NDArray[np.float64]) -> Motion:
     yaw = math.degrees(math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)))
     found = Pose(position=to_micrometres((x, y, z)), yaw=round(yaw % 360.0, 4) % 360.0)
     return structs.replace(motion, rest=round(when, 6), pose=found)
-
-
-class _Quiet:
-    """Whether everything has stayed where it is for a while, though it may tremble there."""
-
-    def __init__(self, interval: float) -> None:
-        self._poses: deque[NDArray[np.float64]] = deque(maxlen=math.ceil(QUIET / interval) + 1)
-
-    def look(self, poses: NDArray[np.float64]) -> None:
-        """Take one look more; `poses` are those of the free bodies (n, 7)."""
-        self._poses.append(poses)
-
-    @property
-    def lasted(self) -> bool:
-        """Whether nothing moved or turned to speak of at all looks of the last while."""
-        if len(self._poses) < (self._poses.maxlen or 0):
-            return False
-        poses, half = np.array(self._poses), len(self._poses) // 2
-        trend = np.abs(poses[half:].mean(axis=0) - poses[:half].mean(axis=0))
-        return _within(np.ptp(poses, axis=0), TREMBLE, TREMBLE_TURN) and _within(trend, TREND, TREND_TURN)
-
-
-def _within(difference: NDArray[np.float64], far: float, turned: float) -> bool:
-    """Whether differences of poses (n, 7) are small [m, rad]; a quaternion differs by half of what is turned."""
-    return bool(difference[:, :3].max(initial=0.0) < far and 2.0 * difference[:, 3:].max(initial=0.0) < turned)
 
 
 class _Track:

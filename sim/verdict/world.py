@@ -245,15 +245,24 @@ class World:
     def _settled(self, candidate: Placement, asset: Asset) -> Settled:
         """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough.
 
-        What lies or stands for good soon is measured among sleepers. What is still undecided then is near an edge,
-        leans, wobbles or trembles: it is watched from the beginning with everything awake.
+        What lies or stands for good soon, and what falls far, is measured among sleepers. What is still undecided then
+        is near an edge, leans, wobbles or trembles: it is watched from the beginning with everything awake. So is what
+        moves or presses too much, for sleepers do not give way as they do awake.
         """
         settled, there = self._wide_enough(candidate, asset, awake=False)
-        if not settled.decided:
+        if not settled.decided or self._doubtful(settled):
             settled, there = self._wide_enough(candidate, asset, awake=True)
-        if not disturbs(settled.motion.pushed, self._tolerances) and not self._pressed(settled):
+        blames = settled.motion.restless or disturbs(settled.motion.pushed, self._tolerances) or self._pressed(settled)
+        if not blames:
             return settled
         return blamed(settled, self._left_alone(there))
+
+    def _doubtful(self, settled: Settled) -> bool:
+        """Whether it fails, and not for having gone so far that nothing can change that."""
+        motion = settled.motion
+        if max(motion.drift, motion.drop) > self._physics.lost:
+            return False
+        return bool(judge_motion(motion, self._tolerances) or self._pressed(settled))
 
     def _wide_enough(self, candidate: Placement, asset: Asset, *, awake: bool) -> tuple[Settled, frozenset[str]]:
         boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW

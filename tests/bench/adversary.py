@@ -54,7 +54,7 @@ def table(found: list[Hunt]) -> list[str]:
                 counts.update(one.counts)
         total.update(counts)
         lines.append(_row(family, counts))
-    judged = sum(total[outcome] for outcome in OUTCOMES[:4])
+    judged = sum(total[outcome] for outcome in OUTCOMES[:5])
     share = total["false invalid"] / max(1, judged)
     said = f"{judged} judged: {total['false valid']} false valid, {total['false invalid']} false invalid ({share:.2%})"
     return [*lines, _row("all", total), said]
@@ -71,11 +71,11 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", default="", help="one family, or one hunt of it, as FAMILY:SEED")
     arguments = parser.parse_args()
-    begun, found, shown = time.perf_counter(), [], Counter[tuple[str, bool]]()
+    begun, found, shown = time.perf_counter(), [], Counter[tuple[str, str]]()
     for one in run(plan(arguments.candidates, arguments.seed, arguments.only), arguments.jobs):
         found.append(one)
         for line in one.false:
-            kind = (one.family, "false valid" in line)
+            kind = (one.family, line.split(" ", 1)[1].partition(":")[0])
             shown[kind] += 1
             if shown[kind] <= SHOWN:
                 print(line, flush=True)
