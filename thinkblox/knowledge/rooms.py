@@ -14,7 +14,7 @@ from thinkblox.assets import CATALOGUE, revision
 from thinkblox.errors import InputError
 from thinkblox.value import Value
 
-MIN_SIDE, MAX_SIDE = 1.0, 50.0
+MIN_SIDE, MAX_SIDE = 0.8, 50.0
 """Sides of a room that can be asked for [m]."""
 Positive = Annotated[float, Meta(gt=0.0)]
 
@@ -35,6 +35,7 @@ class RoomType(Value, frozen=True, kw_only=True):
         area: of its floor [m2].
         height: [m].
         contents: what it usually holds, what it is for first: "<count> <category> : <relation> <anchor> [each], ...".
+        essentials: what everybody expects there, also where the prompt names other things; in the same form.
         seats_at: the table that people sit around there; empty where they do not meet around one.
         place: what each of its people has one of; empty where nobody has a place of their own.
         sleeps: people sleep in it.
@@ -45,6 +46,7 @@ class RoomType(Value, frozen=True, kw_only=True):
     area: Positive
     height: Positive = 2.6
     contents: tuple[str, ...]
+    essentials: tuple[str, ...] = ()
     seats_at: str = ""
     place: str = ""
     sleeps: bool = False
@@ -55,6 +57,11 @@ class RoomType(Value, frozen=True, kw_only=True):
     def usual(self) -> tuple[Usual, ...]:
         """Its contents, read."""
         return _read(self.contents)
+
+    @property
+    def expected(self) -> tuple[Usual, ...]:
+        """Its essentials, read."""
+        return _read(self.essentials)
 
 
 UNKNOWN_ROOM = "room"

@@ -2,13 +2,15 @@
 
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import room_type
+from thinkblox.knowledge.rooms import Usual, room_type
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _FURNISH = "furnished"
+_SKETCHED = 5
+"""A prompt with so many kinds of things says what it wants; with fewer, the essentials of its room are taken for granted."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -17,8 +19,10 @@ def assume(draft: Draft) -> None:
     """Add what the prompt takes for granted, marked as not asked for."""
     if not draft.empty:
         if _FURNISH in draft.style or _is_bare(draft):
-            _fill(draft)
+            _fill(draft, room_type(draft.room).usual)
         _seat(draft)
+        if _is_sketched(draft):
+            _fill(draft, room_type(draft.room).expected)
         _staff(draft)
         _carry(draft)
 
@@ -42,10 +46,17 @@ def _is_bare(draft: Draft) -> bool:
     return draft.room not in ("", "room") and len(draft.things) == 1 and not are_alike(draft.things[0].noun, core)
 
 
-def _fill(draft: Draft) -> None:
+def _is_sketched(draft: Draft) -> bool:
+    """Whether the prompt names the room and a few things, rather than all that it is to hold."""
+    if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= _SKETCHED:
+        return False
+    return not any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+
+
+def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     present = {thing.noun for thing in draft.things}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
-    for usual in room_type(draft.room).usual:
+    for usual in wanted:
         if any(are_alike(usual.category, noun) for noun in present | draft.excluded):
             continue
         if any(anchor not in made and anchor not in _PLACES and anchor for _, anchor, _ in usual.relations):
