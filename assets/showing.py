@@ -10,10 +10,13 @@ from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, WICKER, WOODS
 from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
+from thinkblox.assets.sizing import people
 from thinkblox.assets.states import shows_state
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3
 
+SEAT_WIDTH, PLACE_WIDTH = 0.5, 0.6
+"""Width that a person takes on a seat, and at the edge of a table [m]; Neufert."""
 _ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
 """Least share of the plan that a round part covers, how far its sides may differ, and what of its box it may fill."""
 
@@ -25,6 +28,8 @@ def realised(asset: Asset, attribute: str) -> bool:
     """
     word = attribute.lower().replace("_", "-").replace(" ", "-")
     rule = _RULES.get(word)
+    if places := people((word,)):
+        return _seats(asset, places)
     if word in COLOURS:
         return shows_colour(asset.links, COLOURS[word])
     if word in MATERIALS or word in WOODS:
@@ -32,6 +37,15 @@ def realised(asset: Asset, attribute: str) -> bool:
     if rule is not None:
         return rule(asset)
     return _heeded(asset, attribute) or shows_state(asset, word)
+
+
+def _seats(asset: Asset, count: int) -> bool:
+    """Whether so many have room: side by side on a seat, or at the edge of anything else."""
+    x, y, _ = asset.size
+    known = CATALOGUE.get(asset.category)
+    if known is not None and known.is_in("seating"):
+        return y >= SEAT_WIDTH * count
+    return 2 * (x + y) >= PLACE_WIDTH * count
 
 
 def _shapes(asset: Asset) -> list[Shape]:

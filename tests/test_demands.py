@@ -235,6 +235,8 @@ def test_opposite_walls_are_opposite() -> None:
         ("table", "rectangular", True),
         ("floor_lamp", "tall", True),
         ("sofa", "three-seat", True),
+        ("dining_table", "for-6", True),
+        ("side_table", "for-6", False),
         ("sofa", "leather", True),
         ("wardrobe", "sliding", False),
         ("office_chair", "swivel", True),

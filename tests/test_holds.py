@@ -1,8 +1,11 @@
 """Relations that sentences ask for besides the usual ones, each true and false in rooms put together by hand."""
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec import structs
 
-from tests.test_relations import CHAIR, ROOM, scene_of, thing
+from tests.test_relations import CHAIR, ROOM, scene_of, thing, turned
 from thinkblox.assets.make import make_asset
 from thinkblox.brief import RelationKind
 from thinkblox.scene.asset import Asset, Surface
@@ -14,12 +17,11 @@ from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
 
 TABLE = (0.8, 1.6, 0.75)
+SIDES: tuple[RelationKind, ...] = ("at_long_side", "at_short_side")
 
 
 def case(id: str, size: Vec3, x: float, y: float, yaw: float = 0.0) -> tuple[Placement, Asset]:
     """A bookcase with one inner shelf at half its height."""
-    from msgspec import structs
-
     placement, asset = thing(id, size, x, y, yaw)
     shelf = Surface(name="shelf", position=(0.0, 0.0, size[2] / 2), size=size[:2], headroom=0.4)
     return placement, structs.replace(asset, surfaces=(shelf, *asset.surfaces))
@@ -79,6 +81,23 @@ def test_fails(kind: RelationKind, subject: str, anchors: tuple[str, ...]) -> No
     assert not (found := measure(SHELVED, kind, subject, anchors)).holds, found.measured
     if subject != "clock_1":  # right above, which is too close for what must not be next to it
         assert measure(SHELVED, kind, subject, anchors, negated=True).holds
+
+
+@given(angle=st.floats(-360.0, 360.0))
+def test_turning_the_whole_room_changes_nothing(angle: float) -> None:
+    other = turned(SHELVED, angle)
+    for kind, subject, anchors in (*HOLDS, *FAILS):
+        if not {"west_wall", "east_wall"} & set(anchors):
+            before, after = measure(SHELVED, kind, subject, anchors), measure(other, kind, subject, anchors)
+            assert before.holds == after.holds, (before.measured, after.measured)
+
+
+@given(x=st.floats(-3.0, 3.0), y=st.floats(-2.0, 2.0), yaw=st.floats(0.0, 360.0))
+def test_a_thing_is_at_one_kind_of_side_at_most(x: float, y: float, yaw: float) -> None:
+    scene = at_table((x, y, yaw))
+    long, short = (measure(scene, kind, "chair_1", ["table_1"]).holds for kind in SIDES)
+    assert not (long and short)
+    assert not ((long or short) and measure(scene, "far", "chair_1", ["table_1"]).holds)
 
 
 def at_table(*seats: tuple[float, float, float]) -> Scene:

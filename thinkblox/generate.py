@@ -31,6 +31,8 @@ from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Absence, Report
 
 M = TypeVar("M")
+ARRANGED = ("free",)
+"""Demands that another arrangement may meet."""
 
 
 @dataclass(frozen=True)
@@ -209,7 +211,7 @@ def _faults(report: Report) -> tuple[int, ...]:
     return (
         sum(a.asked for a in absent),
         sum(not v.valid for v in report.objects) + (not report.valid),
-        sum(not r.holds for r in report.relations),
+        sum(not r.holds for r in report.relations) + sum(not d.holds for d in report.demands if d.kind in ARRANGED),
         len(absent),
     )
 

@@ -27,10 +27,18 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         waiting = [member for member in request if _needs_place(member)]
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
+        if len(waiting) > 1 and len(waiting) == len(request) and _is_sat_about(members, waiting[0]):
+            waiting = _in_rows(waiting)
         for habit in load_habits().of(request[0].category):
             if waiting and not _is_forbidden(waiting[0], habit, free):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _number(request)
+
+
+def _is_sat_about(members: Members, table: Member) -> bool:
+    """Whether people sit all around it: several such tables stand in rows with ways between them."""
+    about = ("around", "at_long_side")
+    return any(tie.kind in about and table.id in tie.anchors for other in members.all for tie in other.ties)
 
 
 def _is_forbidden(member: Member, habit: Habit, free: Collection[str]) -> bool:

@@ -5,7 +5,7 @@ from functools import cached_property
 
 from thinkblox.assets import Facts, facts_of
 from thinkblox.observe import Kind, Layout, Observation
-from thinkblox.plan import Target
+from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.needs import Need, need, seat_need, uses
 from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.scene.asset import AssetCard
@@ -163,10 +163,10 @@ class Situation:
         seated = {a for t in later for tie in t.ties if tie.kind in about for a in tie.anchors}
         rows = []
         for t in later:
-            if any(tie.kind == "in_centre" and (tie.asked or t.id in seated) for tie in t.ties):
+            if any(_is_amid(tie) and (tie.asked or t.id in seated) for tie in t.ties):
                 side = max(self.kind(t).size[:2]) + 0.9
                 rows.append(((x, y), (side, side), 0.0, 0.0, 1.5))
-        loose = [t for t in later if t.id in seated and not any(tie.kind == "in_centre" for tie in t.ties)]
+        loose = [t for t in later if t.id in seated and not any(map(_is_amid, t.ties))]
         if loose and not rows:
             rows.append(_in_the_middle(self.room, len(loose), self.kind(loose[0]).size))
         return Rects.of(rows)
@@ -194,6 +194,11 @@ class Situation:
     def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
         """Those of the ids that stand in the scene."""
         return tuple(self.scene[id] for id in ids if id in self.scene)
+
+
+def _is_amid(tie: Tie) -> bool:
+    """Whether it belongs in the middle of the room, not of a table."""
+    return tie.kind == "in_centre" and not any(anchor[-1].isdigit() for anchor in tie.anchors)
 
 
 def _in_the_middle(room: Room, count: int, size: Vec3) -> tuple[Vec2, Vec2, float, float, float]:
