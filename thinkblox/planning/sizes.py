@@ -62,8 +62,8 @@ def _for_contents(member: Member, members: Members, kind: Category) -> float | N
 
 
 def _plan(member: Member) -> tuple[float, float]:
-    held = CATALOGUE.get(member.category)
-    return held.size[:2] if held else (0.2, 0.2)
+    depth, width, _ = kind_of(member.category).size
+    return depth, width
 
 
 def _for_seats(member: Member, members: Members, kind: Category) -> float | None:

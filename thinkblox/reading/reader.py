@@ -132,7 +132,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         unknown=tuple(dict.fromkeys([*(f"{shape} room" for shape in others), *draft.unknown])),
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
-        free=tuple(dict.fromkeys(place for place in draft.free if place in _PLACES)),
+        free=tuple(place for place in _PLACES if place in draft.free),
     )
 
 
