@@ -39,6 +39,75 @@ _IRREGULAR: Mapping[str, str] = {
     "fish": "fish",
     "aircraft": "aircraft",
     "series": "series",
+    "knives": "knife",
+    "shelves": "shelf",
+    "loaves": "loaf",
+    "leaves": "leaf",
+    "wolves": "wolf",
+    "calves": "calf",
+    "halves": "half",
+    "scarves": "scarf",
+    "wives": "wife",
+    "lives": "life",
+    "thieves": "thief",
+    "chassis": "chassis",
+    "species": "species",
+    "shoes": "shoe",
+    "canoes": "canoe",
+    "horseshoes": "horseshoe",
+    "toes": "toe",
+    "hoes": "hoe",
+    "movies": "movie",
+    "cookies": "cookie",
+    "ties": "tie",
+    "pies": "pie",
+    "selfies": "selfie",
+    "zombies": "zombie",
+    "brownies": "brownie",
+    "smoothies": "smoothie",
+    "gas": "gas",
+    "bus": "bus",
+    "lens": "lens",
+    "canvas": "canvas",
+    "atlas": "atlas",
+    "iris": "iris",
+    "trellis": "trellis",
+    "thermos": "thermos",
+    "chaos": "chaos",
+    "rhinoceros": "rhinoceros",
+    "albatross": "albatross",
+    "cactus": "cactus",
+    "christmas": "christmas",
+    "glasses": "glass",
+    "bookcases": "bookcase",
+    "suitcases": "suitcase",
+    "briefcases": "briefcase",
+    "horses": "horse",
+    "houses": "house",
+    "dollhouses": "dollhouse",
+    "hoses": "hose",
+    "roses": "rose",
+    "noses": "nose",
+    "fuses": "fuse",
+    "blouses": "blouse",
+    "causes": "cause",
+    "corpses": "corpse",
+    "scissors": "scissors",
+    "pliers": "pliers",
+    "binoculars": "binoculars",
+    "trousers": "trousers",
+    "jeans": "jeans",
+    "headphones": "headphones",
+    "goggles": "goggles",
+    "tongs": "tongs",
+    "tweezers": "tweezers",
+    "pyjamas": "pyjamas",
+    "stairs": "stairs",
+    "bellows": "bellows",
+    "news": "news",
+    "bongos": "bongo",
+    "maracas": "maraca",
+    "dominoes": "domino",
 }
 _ENDINGS = (("ves", ("f", "fe", "ve")), ("ies", ("y", "ie")), ("es", ("e", "")), ("s", ("",)))
 _NO_PLURAL = ("ss", "us", "is")
@@ -58,3 +127,16 @@ def singulars(word: str) -> Iterator[str]:
     for ending, stems in _ENDINGS:
         if word.endswith(ending):
             yield from (word[: -len(ending)] + stem for stem in stems)
+
+
+def singular(word: str) -> str:
+    """The likeliest singular of a lower-case noun by its spelling; the word itself where it has no plural ending."""
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
+    if len(word) < 4 or not word.endswith("s") or word.endswith(_NO_PLURAL):
+        return word
+    if word.endswith("ies"):
+        return word[:-3] + "y"
+    if word.endswith(("ches", "shes", "sses", "xes", "zes", "oes")):
+        return word[:-2]
+    return word[:-1]

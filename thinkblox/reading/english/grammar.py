@@ -20,10 +20,17 @@ class Function:
 
 @dataclass(frozen=True)
 class Grammar:
-    """Every phrase of grammar.toml as a tuple of words, with all that it can be."""
+    """The words of grammar.toml.
+
+    Attributes:
+        phrases: every phrase as a tuple of words, with all that it can be.
+        prefixes: what phrases begin with.
+        lists: words that are asked for by name, by the key of their list.
+    """
 
     phrases: dict[tuple[str, ...], list[tuple[str, str]]] = field(default_factory=dict)
     prefixes: set[tuple[str, ...]] = field(default_factory=set)
+    lists: dict[str, frozenset[str]] = field(default_factory=dict)
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""
@@ -47,7 +54,7 @@ class Grammar:
 def grammar() -> Grammar:
     """The grammar words, read once."""
     data = tomllib.loads((Path(__file__).parent / "grammar.toml").read_text(encoding="utf-8"))
-    made = Grammar()
+    made = Grammar(lists={name: frozenset(_split(words)) for name, words in data.pop("lists").items()})
     for sort, value, phrase in _phrases(data):
         key = tuple(token.text for token in tokenise(phrase))
         made.phrases.setdefault(key, []).append((sort, value))
@@ -58,9 +65,13 @@ def grammar() -> Grammar:
 def _phrases(data: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, str, str]]:
     for sort, section in data.items():
         for value, phrases in section.items():
-            for phrase in phrases.split(","):
+            for phrase in _split(phrases):
                 if sort == "numbers":
-                    number, _, words = phrase.strip().partition(" ")
+                    number, _, words = phrase.partition(" ")
                     yield value, number, words
                 else:
-                    yield sort, value, phrase.strip()
+                    yield sort, value, phrase
+
+
+def _split(phrases: str) -> Iterator[str]:
+    return (phrase.strip() for phrase in phrases.split(","))

@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.nodes import Meaning, Node, Where
+from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.referents import Referents, is_small
 
 _OPENINGS = ("window", "door")
@@ -69,7 +69,7 @@ class Meanings:
     # --- no anchor, or a pronoun
 
     def _elided(self, word: str, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
-        """ "a mirror above", "with a mug inside"."""
+        """Read "a mirror above", "with a mug inside"."""
         kind = _NAMED.get(word, word)
         if kind not in (
             "above",
@@ -139,7 +139,7 @@ class Meanings:
         return self._fitting(Meaning(kind, (whole,), told=True), subjects) if whole is not None else None
 
     def _number(self, where: Where, said: Noun, subjects: list[Mention], noun: str) -> Meaning | None:
-        """ "on the left one", "on the third", "on two of them"."""
+        """Read "on the left one", "on the third", "on two of them"."""
         found = self.name.some_of(said, besides=subjects)
         if found is None:
             return None
@@ -173,7 +173,7 @@ class Meanings:
             case "head":
                 kind = "at_short_side" if load_habits().is_in(whole.noun, "tables") else "next_to"
             case "middle":
-                kind = self._middle(subjects, whole, noun)
+                kind = "in_centre"
             case "inside" | "in_shelf":
                 kind = "inside"
             case _:
@@ -238,13 +238,6 @@ class Meanings:
         if habits.is_in(name, "small") and habits.is_in(whole.noun, "surfaces"):
             return "on"
         return "at_short_side" if habits.is_in(whole.noun, "tables", "desks") else "next_to"
-
-    def _middle(self, subjects: list[Mention], whole: Mention, noun: str) -> str:
-        name = subjects[-1].noun if subjects else noun
-        habits = load_habits()
-        return (
-            "in_centre" if habits.is_in(name, "small", "fitted") or not habits.is_in(name, *_STANDING) else "in_centre"
-        )
 
     def _is_seat(self, subjects: list[Mention], whole: Mention, noun: str) -> bool:
         habits = load_habits()
@@ -400,11 +393,4 @@ def is_small_name(name: str) -> bool:
     return load_habits().is_in(name, "small")
 
 
-def likely_of(node: Node | None) -> list[Mention]:
-    """What a pronoun means first, said of a member of a list: the head of the list."""
-    head = node.frame.head if node is not None and node.frame is not None else None
-    return list(head.things) if head is not None else []
-
-
-_STANDING = ("tables", "seats")
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")

@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.plurals import singular
 
 _REACH = 200
 """How many things back "the desk" can reach."""

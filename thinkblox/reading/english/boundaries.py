@@ -1,0 +1,115 @@
+"""Where clauses begin and end: marks, conjunctions, brackets."""
+
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Link
+from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.state import State
+
+
+class Boundaries(State):
+    """Ends clauses and parts the members of lists."""
+
+    def _mark(self, link: Link) -> None:
+        match link.value:
+            case "stop" | "semicolon" | "colon" | "dash":
+                self._end(link.value)
+            case "open":
+                self.bracket = (list(self.frontier), self.clause, self.subject, self.predicate)
+                self._separate("comma")
+            case "close" if self.bracket is not None:
+                self._close_bracket()
+            case "comma" if self.held:
+                self._release()
+            case "comma" | "close" | "and":
+                self._separate("and" if link.value == "and" else "comma")
+
+    def _release(self) -> None:
+        """Go on after a relative clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
+        front, self.held = self.held, []
+        self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
+        self.front, self.separator, self.pending = front, "", None
+
+    def _close_bracket(self) -> None:
+        """Go on with what was spoken of before the brackets; all its parts together."""
+        if self.bracket is None:
+            return
+        frontier, clause, subject, predicate = self.bracket
+        self.bracket = None
+        kept = set(map(id, self.draft.things))
+        for node in frontier:
+            family = [t for thing in node.things for t in self.referents.family(thing)]
+            node.things = [t for t in dict.fromkeys(family) if id(t) in kept]
+        clause.members = [t for m in clause.members for t in self.referents.family(m) if id(t) in kept]
+        self.frontier = [node for node in frontier if node.things]
+        self.clause, self.subject, self.predicate = clause, subject, predicate
+        self.referents.parted = None
+        self.separator = ""
+
+    def _end(self, kind: str) -> None:
+        """End a clause; after a colon or dash, what follows may tell the parts of what came last."""
+        things = self.clause.members
+        front = self.front if kind == "colon" and not things else []
+        last = self.frontier[-1].thing if self.frontier else None
+        self.whole = last if kind in ("colon", "dash") and last is not None and last.many else None
+        if kind == "colon" and last is not None and last.many and not self.predicate:
+            last.general = True
+        self.said = self.verb if kind == "semicolon" else ""
+        self.verb = ""
+        if kind == "stop":
+            self.referents.parted = None
+            self.fresh.clear()
+        if self.subject is not None and self.subject.thing is not None:
+            self.referents.topics.append(self.subject.thing)
+        elif things and not self.excluding:
+            self.referents.topics.append(things[0])
+        self._begin()
+        self.front = front
+        self.opening = None
+
+    def _begin_again(self) -> None:
+        topic = self.clause.members[:1]
+        self.referents.topics += topic
+        self._begin()
+
+    def _join(self, link: Link) -> None:
+        match link.value:
+            case "and" | "or":
+                keep = self.excluding and link.value == "or"
+                self._separate(link.value)
+                self.excluding = keep
+            case "but":
+                negated = self.negating
+                self._separate("comma")
+                if negated and self.subject is not None:
+                    self.predicate = True
+            case "stop":
+                self._end("stop")
+            case "which":
+                self.relative = next((n for n in reversed(self.frontier) if n.things), None)
+                if self.relative is None and self.front and not self.clause.members:
+                    anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+                    self.relative = Node(anchors, None, known=True) if anchors else None
+                    self.held, self.front = self.front, []
+                self.separator = ""
+
+    def _separate(self, kind: str) -> None:
+        self.negating = False
+        if self.separator in ("comma", "comma_and") and kind == "and":
+            kind = "comma_and"
+        elif self.separator in ("and", "comma_and") and kind == "comma":
+            kind = self.separator
+        if kind in ("and", "comma") and self.excluding and self._next_is_excluded(bare=kind == "comma"):
+            return
+        self.excluding = False
+        self.separator = kind
+        self.relative = None
+        if self.pending is not None and (self.pending.members or kind != "comma"):
+            self.pending = None
+
+    def _next_is_excluded(self, *, bare: bool) -> bool:
+        """Whether "without a television and a rug" goes on: a noun without a verb or relation of its own."""
+        noun = self._next_noun()
+        if noun is None or noun.kind != "thing" or (bare and (noun.det or noun.count is not None)):
+            return False
+        after = self.peek(1)
+        return not isinstance(after, Link) or after.sort == "mark" or after.value in ("or", "and")

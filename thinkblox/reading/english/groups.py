@@ -1,0 +1,92 @@
+"""Groups that are no things themselves, and what is said of each of several."""
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Chunk, Link, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.looks import Looks
+from thinkblox.reading.english.nodes import Frame, Node
+
+
+class Groups(Looks):
+    """Reads "each", and groups of things."""
+
+    def _abstract(self, noun: Noun) -> None:
+        if noun.det == "each" or noun.definite:
+            group = self.groups.get(singular(noun.value.rpartition(" ")[2]))
+            if group is not None:
+                self._take_known(noun, [group])
+                return
+        word = singular(noun.text.rpartition(" ")[2].lower())
+        if word in grammar().lists["groups"] and (noun.count or 0) > 1:
+            self._take(self._new(noun), noun)
+            return
+        if not self.clause.members and self.separator != "and":
+            self.frontier = [Node()]
+
+    def _dissolve(self, group: Mention) -> None:
+        """Let the members of a list stand for a group that is no thing itself: each member as often as the group."""
+        frame = Frame(None, "list", times=group.count or 1, each=True)
+        self.draft.drop(group)
+        self.groups = {word: thing for word, thing in self.groups.items() if thing is not group}
+        self.clause = frame
+        self.frontier = []
+        self.subject = None
+        self.pending = frame
+        self.each = False
+
+    def _drop_groups(self) -> None:
+        """A group of which nobody says what it is is not understood."""
+        for thing in self.groups.values():
+            if thing in self.draft.things and thing.noun not in self.habits.known():
+                self.draft.drop(thing)
+                self.draft.unknown.append(thing.text)
+
+    def _each(self, following: Chunk | None) -> None:
+        if self.crowd:
+            return
+        if isinstance(following, Noun) and following.kind == "thing" and following.det == "a":
+            group = next((t for t in self.groups.values() if t in self.draft.things), None)
+            if group is not None:
+                self._dissolve(group)
+                return
+        nodes = [n for n in reversed(self.frontier) if any(t.many for t in n.things)]
+        begins = not self.frontier and not self.clause.members
+        if not nodes and not begins and self._all_parts():
+            begins = False
+        elif begins or not nodes:
+            found = [t for t in self.referents.several([], "each") if t.many]
+            if begins and found:
+                self.frontier = [Node(found, self.clause, known=True, each=True)]
+                self.clause.members += found
+                self.each = True
+                return
+        trailing = following is None or (isinstance(following, Link) and following.sort in ("mark", "joins"))
+        if trailing:
+            self._trailing_each()
+            return
+        if nodes:
+            del self.frontier[self.frontier.index(nodes[0]) + 1 :]
+            self.each = True
+        elif parts := self._all_parts():
+            self.frontier = [Node(parts, self.clause, known=True, each=True)]
+            self.each = True
+
+    def _all_parts(self) -> list[Mention]:
+        """The parts of what was parted in this sentence."""
+        node = self.frontier[-1] if self.frontier else None
+        for whole, parts in self.referents.parts.items():
+            things = [t for t in self.draft.things if id(t) == whole or t in parts]
+            if node is not None and set(map(id, node.things)) & set(map(id, things)):
+                return things
+        return []
+
+    def _trailing_each(self) -> None:
+        """Read "two bins with five balls each", "four chairs each"."""
+        node = self.frontier[-1] if self.frontier else None
+        if node is None or node.frame is None:
+            return
+        for thing in node.frame.members if node.frame.head is not None else node.things:
+            for bond in self.draft.bonds_of(thing):
+                if any(isinstance(a, Mention) for a in bond.anchors):
+                    bond.each = True

@@ -1,0 +1,95 @@
+"""Opens lists of what things have: "with", "surrounded by", "holds"."""
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.english.chunks import Adjective, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.groups import Groups
+from thinkblox.reading.english.nodes import Frame, Node
+
+
+class Having(Groups):
+    """Begins lists."""
+
+    def _open(self, kind: str) -> None:
+        """Begin a list of what something has: "with", "surrounded by", "carrying"."""
+        self.negating = False
+        noun = self._next_noun()
+        if noun is not None and noun.kind == "abstract" and kind == "with":
+            return
+        if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
+            self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
+        if noun is not None and self._is_feature(noun) and kind == "with":
+            node = next((n for n in reversed(self.frontier) if n.things), None)
+            if node is not None:
+                node.things[-1].unshown.append(f"with {noun.text}")
+                self.at = self.chunks.index(noun, self.at) + 1
+                return
+        head = self._head_for(noun, kind)
+        if head is None:
+            return
+        if kind == "inside" and noun is not None and self._is_described(noun, head):
+            head.things[-1].attributes.append("filled")
+            self.at = self.chunks.index(noun, self.at) + 1
+            return
+        if noun is not None and noun.kind == "part" and noun.det == "my" and kind == "with":
+            self.at = self.chunks.index(noun, self.at) + 1
+            self.frontier = self.frontier[: self.frontier.index(head) + 1] if head in self.frontier else [head]
+            return
+        thing = head.thing
+        if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
+            self._dissolve(thing)
+            return
+        frame = Frame(head, kind, each=self.each or head.each or (head.frame is not None and head.frame.times > 1))
+        self.each = False
+        if head in self.frontier:
+            del self.frontier[self.frontier.index(head) + 1 :]
+        else:
+            self.frontier.append(head)
+        self.pending = frame
+        self.separator = ""
+
+    def _is_described(self, noun: Noun, head: Node) -> bool:
+        """Whether "a bookcase full of books" only describes it, where "shelves filled with jars" asks for jars."""
+        thing = head.things[-1]
+        if noun.kind != "thing" or noun.count is not None:
+            return noun.kind in ("abstract", "people")
+        return self.habits.is_in(noun.value, "fills_shelves") and self.habits.is_in(thing.noun, "takes_books")
+
+    def _is_feature(self, noun: Noun) -> bool:
+        """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
+        return singular(noun.text.rpartition(" ")[2].lower()) in grammar().lists["features"] and not self.each
+
+    def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
+        nodes = [node for node in reversed(self.frontier) if node.things]
+        if not nodes:
+            return self.subject if self.subject is not None and self.subject.things else None
+        if self.each:
+            return next((n for n in nodes if any(t.many for t in n.things)), nodes[0])
+        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1:
+            outer = [n for n in nodes if n.frame is not None]
+            return outer[-1] if outer else nodes[-1]
+        if noun is not None and noun.kind == "thing":
+            for node in nodes[:3]:
+                if node.frame is None and node.known and len(nodes) > 1:
+                    continue
+                return node
+        return nodes[0]
+
+    def _open_of_subject(self, kind: str) -> None:
+        if self.subject is None:
+            return
+        self.pending = Frame(self.subject, kind, each=self.each or self.subject.each)
+        if self.per_group:
+            self.pending.each, self.pending.times, self.per_group = False, self.per_group, 0
+            self.pending.grouped = True
+        self.each = False
+
+    def _again(self, verb: str) -> None:
+        """Let the verb before stand for one left out: "one holds a bust, another a horse"."""
+        comma = self._is_link(self.peek(), "mark", "comma")
+        after = self.peek(1) if comma else self.peek()
+        if verb in ("hold", "carry", "have") and isinstance(after, Noun) and after.kind == "thing":
+            self.at += comma
+            self.subject = self.frontier[0]
+            self._open_of_subject("with" if verb == "have" else verb)
+            self.verb = verb

@@ -1,0 +1,133 @@
+"""What the last noun of a phrase makes of it; phrases without a noun."""
+
+from thinkblox.assets.names import identifier_of
+from thinkblox.assets.plurals import singular
+from thinkblox.assets.stand_ins import noun_of
+from thinkblox.knowledge.vocabulary import is_abstract, is_person
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.modifiers import Modifiers
+from thinkblox.reading.english.words import Known, Unit, Units
+
+
+class Heads(Modifiers):
+    """Reads the heads of phrases."""
+
+    def _head(self, noun: Noun, units: Units) -> None:
+        nouns = units.nouns
+        while len(nouns) > 1 and nouns[-1].owner:
+            nouns.pop()
+        for unit in nouns[:-1]:
+            if unit.owner and unit.known is not None and unit.known.entry.sort == "object":
+                noun.owner = unit.known.entry.value
+        last = nouns[-1]
+        part = grammar().phrases.get(tuple(last.text.lower().split()), ())
+        if len(nouns) > 1 and nouns[-2].owner and nouns[-2].known is not None and dict(part).get("parts"):
+            noun.kind, noun.value, noun.owner = "part", dict(part)["parts"], nouns[-2].known.entry.value
+            return
+        if len(nouns) > 1 and last.text.lower() in grammar().lists["parts"] and (whole := nouns[-2].known) is not None:
+            if whole.entry.sort == "object":
+                self._known_head(noun, whole)
+                noun.within = True
+                return
+        named = [unit for unit in nouns if not unit.owner] or [last]
+        if last.known is not None:
+            self._known_head(noun, last.known)
+            self._modifiers(noun, named[:-1])
+            return
+        words = list(dict.fromkeys(word for unit in named for word in unit.text.lower().split()))
+        if self._people_or_abstract(noun, words):
+            return
+        noun.kind, noun.named = "thing", False
+        noun.plural |= singular(words[-1]) != words[-1]
+        noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
+
+    def _known_head(self, noun: Noun, known: Known) -> None:
+        entry = known.entry
+        noun.value = entry.value
+        noun.plural |= entry.plural
+        noun.kind = "thing" if entry.sort in ("object", "missing") else entry.sort  # type: ignore[assignment]
+        if entry.sort == "missing":
+            words = self._text(noun.end - known.length, noun.end).lower().split()
+            noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
+            noun.plural |= singular(words[-1]) != words[-1]
+            noun.named = False
+        if entry.attribute:
+            noun.attributes.append(entry.attribute)
+        noun.material = next((other.value for other in known.others if other.sort == "attribute"), "")
+        noun.room = next((other.value for other in known.others if other.sort == "room"), "")
+
+    def _modifiers(self, noun: Noun, units: list[Unit]) -> None:
+        """Nouns before the head tell what it is for; a word that nobody knows may change it."""
+        for unit in units:
+            words = unit.text.lower().split()
+            if unit.known is None and not grammar().phrases.get(tuple(words)):
+                noun.unshown.append(unit.text.lower())
+
+    def _people_or_abstract(self, noun: Noun, words: list[str]) -> bool:
+        if words[-1] in ("rows", "row", "lines", "columns") and len(words) == 1:
+            noun.kind, noun.rows, noun.count = "number", noun.count or -1, None
+            return True
+        for end in (len(words), 1):
+            key = tuple(words[-end:])
+            found = dict(grammar().phrases.get(key, ()))
+            if "people" in found:
+                noun.kind, noun.value = "people", "people"
+                return True
+            if "abstract" in found:
+                noun.kind, noun.value = "abstract", " ".join(words)
+                return True
+        if is_person(words[-1]):
+            noun.kind, noun.value = "people", "people"
+            return True
+        if is_abstract(words[-1]) and noun.count is None:
+            noun.kind, noun.value = "abstract", " ".join(words)
+            return True
+        return False
+
+    def _size_after(self, noun: Noun) -> None:
+        """Read the count of "armchair x2"."""
+        at = noun.end
+        if at + 1 < len(self.tokens) and self.tokens[at].text == "x" and self.tokens[at + 1].kind == "number":
+            noun.count, noun.end = int(self.tokens[at + 1].value), at + 2
+
+    def _headless(self, noun: Noun, at: int, end: int, units: Units) -> Noun | None:
+        """A number, "the left one", or a pronoun."""
+        if self._is_one(end) and noun.det == "each":
+            noun.kind, noun.value, noun.end = "pronoun", "each", end + 1
+            return self._finished(noun)
+        if self._is_one(end) and (noun.det or units.adjectives) and not noun.of_known:
+            noun.kind, noun.end = "number", end + 1
+            noun.plural = self.tokens[end].text == "ones"
+            noun.count = noun.count or (None if noun.plural else 1)
+            return self._finished(noun)
+        if noun.det == "each" and noun.count == 1 and not units.adjectives:
+            noun.kind, noun.value, noun.end = "pronoun", "each", max(end, at)
+            return self._finished(noun)
+        pronoun = grammar().at(self.tokens, noun.start, "pronouns")
+        longest = max(end, at)
+        if pronoun is not None and noun.start + pronoun.length >= longest and not units.adjectives:
+            if noun.count is None or pronoun.value in ("one", "other", "them") or pronoun.length > 1:
+                noun.kind, noun.value, noun.end = "pronoun", pronoun.value, noun.start + pronoun.length
+                return self._finished(noun)
+        if noun.count is not None or noun.rows or noun.of_known:
+            noun.kind, noun.end = "number", longest
+            return self._finished(noun)
+        if noun.det in ("other", "half") and units.adjectives:
+            noun.kind, noun.end = "number", longest
+            return self._finished(noun)
+        if noun.det == "each":
+            noun.kind, noun.value, noun.end = "pronoun", "each", longest
+            return self._finished(noun)
+        if noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
+            noun.kind, noun.named, noun.end = "thing", False, longest
+            noun.value = identifier_of(noun_of(self.tokens[longest - 1].text))
+            noun.attributes.clear()
+            return self._finished(noun)
+        return None
+
+    def _finished(self, noun: Noun) -> Noun:
+        noun.text = self._text(noun.start, noun.end)
+        if noun.every and noun.counted:
+            noun.count = None
+        return noun

@@ -1,0 +1,145 @@
+"""Takes things into lists: of what the clause names, or of what a thing has."""
+
+from dataclasses import replace
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.attach import bind, relation_kind
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.ties import Ties
+
+
+class Lists(Ties):
+    """Adds things to lists."""
+
+    def _take(self, thing: Mention, noun: Noun) -> None:
+        """Take a new thing into the list it belongs to."""
+        pending, self.pending = self.pending, None
+        frame = pending
+        if frame is None:
+            frame = self._frame_for(thing, noun) if self.separator and self.frontier else self.clause
+        self._member(thing, frame)
+        self._push(Node([thing], frame, each=noun.each))
+        if frame.head is None:
+            self.subject, self.predicate = None, False
+            self._apply_front([thing])
+
+    def _take_known(self, noun: Noun, known: list[Mention]) -> None:
+        """Speak again of things named before: as the subject, or as what a list names."""
+        for thing in known:
+            self.referents.speak(thing)
+            thing.attributes += [a for a in noun.attributes if a not in thing.attributes]
+            thing.unshown += [a for a in noun.unshown if a not in thing.unshown]
+            thing.states += [a for a in noun.states if a not in thing.states]
+        frame = self._frame_for(known[0], noun) if self.separator and self.frontier else None
+        node = Node(list(known), frame or self.clause, known=True, each=noun.each)
+        pending, self.pending = self.pending, None
+        if pending is not None and pending.head is not None:
+            self._member(known[0], pending)
+            node.frame = pending
+            self._push(node)
+            return
+        if frame is not None and frame.head is not None:
+            self._push(node)
+            return
+        self.clause.members += [t for t in known if t not in self.clause.members]
+        self.frontier = [node]
+        self._apply_front(known)
+        self.each |= noun.each
+        word = singular(noun.text.rpartition(" ")[2].lower())
+        self.per_group = known[0].groups if noun.each and known[0].group == word else 0
+
+    def _push(self, node: Node) -> None:
+        head = node.frame.head if node.frame is not None else None
+        if head is not None and head in self.frontier:
+            del self.frontier[self.frontier.index(head) + 1 :]
+        elif head is None:
+            self.frontier = []
+        self.frontier.append(node)
+
+    def _member(self, thing: Mention, frame: Frame) -> None:
+        """Take a thing into a list: relate it to the head."""
+        first = not frame.members
+        if frame.times > 1 and thing not in frame.members:
+            thing.count = (thing.count or 1) * frame.times
+        if thing not in frame.members:
+            frame.members.append(thing)
+        if frame.head is None or not frame.head.things:
+            return
+        head = frame.head.things[-1]
+        if thing is head:
+            return
+        if not thing.owner:
+            thing.owner = head
+        tie = self._tie(thing, frame, first=first)
+        if tie is None:
+            tie = "next_to" if frame.each or frame.grouped or frame.kind != "with" else None
+        thing.host = head
+        if tie is None:
+            thing.owner = None
+            return
+        if "shared" in thing.attributes and tie == "next_to" and head.many:
+            tie = "between"
+        told = frame.kind not in ("with",)
+        anchors = tuple(frame.head.things)
+        if len(anchors) > 1 and any(a.noun != head.noun for a in anchors):
+            anchors = (head,)
+        each = tie != "between" and not frame.grouped and (frame.each or self._shares(thing, head, tie, frame))
+        if frame.kind in ("around", "next_to") and thing.count == 1:
+            each = False
+        implied = not told or self._is_told_next()
+        bond = Bond(relation_kind(tie), thing, anchors, each=each, implied=implied, distributed=frame.each)
+        bind(self.draft, bond)
+
+    def _apply_front(self, things: list[Mention]) -> None:
+        """Give things the relation that stood before them ("on the desk a lamp and a vase")."""
+        for front in list(self.front):
+            listed = len(self.clause.members) > len(things)
+            thing = things[-1]
+            off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted")
+            wall = front.anchors and isinstance(front.anchors[0], str)
+            if listed and (off and not wall) and not self.clause.closing:
+                self.front.remove(front)
+                continue
+            if listed and self._is_told_next():
+                continue
+            if listed and front.kind not in (
+                "on",
+                "inside",
+                "above",
+                "against_wall",
+                "next_to",
+                "near",
+                "behind",
+                "in_front_of",
+                "in_corner",
+                "at",
+                "per",
+                "around",
+            ):
+                continue
+            self._relate(things, replace(front.meaning), negated=front.where.negated)
+
+    def _resume(self, things: list[Mention], noun: Noun) -> None:
+        """Go back to things named before."""
+        if not things:
+            return
+        separated = self.separator
+        if separated and self.clause.members:
+            self._begin()
+        self.subject, self.predicate = None, False
+        self.clause.members += [t for t in things if t not in self.clause.members]
+        self.frontier = [Node(list(things), self.clause, known=True, each=noun.value == "each")]
+        self._apply_front(things)
+
+    def _repeat(self) -> bool:
+        """Read "a rack on the left and another on the right": one more of what was named last."""
+        node = self.frontier[-1] if self.frontier else None
+        thing = node.thing if node is not None else None
+        if node is None or node.frame is None or thing is None or thing.many:
+            return False
+        copy = self._copy_of(thing)
+        self._member(copy, node.frame)
+        self._push(Node([copy], node.frame))
+        return True

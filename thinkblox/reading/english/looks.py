@@ -1,0 +1,94 @@
+"""What things are like: adjectives, sizes, and how several stand to each other."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+from thinkblox.reading.attach import bind, relation_kind
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.chunks import Adjective, Link, Noun
+from thinkblox.reading.english.rooms import Rooms
+from thinkblox.reading.sizes import Size
+
+_ROOMY = 3.0
+"""Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
+
+
+class Looks(Rooms):
+    """Reads what is said of single things."""
+
+    def _adjective(self, said: Adjective) -> None:
+        """Read "the sofa is red", "three of them chrome", "leave the middle free"."""
+        self.draft.style += said.styles if not self.predicate else []
+        if self.leaving or (self.predicate and self.subject is not None and self.subject.thing is None):
+            return
+        node = self.frontier[-1] if self.frontier else None
+        if node is None or not node.things:
+            if self.draft.things == []:
+                self.draft.room_attributes += said.attributes
+            return
+        for thing in (self.subject or node).things if self.predicate else node.things:
+            thing.attributes += said.attributes if not self.negating else []
+            thing.unshown += said.unshown if not self.negating else []
+            thing.states += said.states if not self.negating else []
+
+    def _look(self, thing: Mention, noun: Noun) -> None:
+        thing.attributes += noun.attributes
+        thing.unshown += noun.unshown
+        thing.states += noun.states
+
+    def _mutual(self, kind: str) -> None:
+        """Read "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""
+        nodes = [n for n in reversed(self.frontier) if n.things]
+        if not nodes:
+            return
+        node = next((n for n in nodes if any(t.many for t in n.things)), None)
+        things = node.things if node is not None else list(self.clause.members)
+        if self.predicate and self.subject is not None:
+            things = self.subject.things
+        if kind in ("in_rows", "in_row"):
+            for thing in things[-1:]:
+                bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
+        elif len(things) > 1:
+            for one, other in pairwise(things[-2:]):
+                bind(self.draft, Bond(relation_kind(kind), other, (one,)))
+        elif things and things[-1].many and kind != "around":
+            bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
+
+    def _measured(self, size: Size) -> None:
+        """Read a size: of the thing just before or after it, or of the room."""
+        before = self.chunks[self.at - 2] if self.at >= 2 else None
+        if (
+            isinstance(before, Link)
+            and before.sort in ("mark", "fillers")
+            and before.value in ("open", "comma")
+            and self.at >= 3
+        ):
+            before = self.chunks[self.at - 3]
+        if self._is_link(before, "prepositions", "of") and self.at >= 3:
+            before = self.chunks[self.at - 3]
+        following = self.peek()
+        single = len(size.lengths) == 1 and size.area is None
+        roomy = not single and size.area is None and min(length.metres for length in size.lengths) > _ROOMY
+        if single and isinstance(following, Adjective) and following.attributes == ["square"]:
+            size = replace(size, lengths=size.lengths * 2)
+            single = False
+        thing = self.frontier[-1].thing if self.frontier else None
+        ceiling = isinstance(following, Noun) and following.value == "ceiling"
+        if roomy and not self.draft.sizes:
+            self.draft.sizes.append(size)
+        elif (
+            isinstance(following, Link)
+            and following.sort == "prepositions"
+            and following.value in ("from", "far", "away")
+        ):
+            self.draft.unknown.append(f"{size.text} {following.text}")
+        elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
+            following.size = size
+        elif isinstance(before, Noun) and before.kind == "thing" and thing is not None and not ceiling:
+            thing.size = thing.size or size
+        elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things:
+            self.draft.sizes.append(size)
+        elif thing is not None and single and size.area is None and not ceiling:
+            thing.size = thing.size or size
+        else:
+            self.draft.sizes.append(size)

@@ -1,0 +1,105 @@
+"""Adjectives, and words that hyphens join."""
+
+from thinkblox.reading.english.chunks import Adjective, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.quantities import Quantities
+from thinkblox.reading.english.words import Unit, Units
+
+
+class Modifiers(Quantities):
+    """Reads modifiers of nouns."""
+
+    def adjective(self, start: int) -> Adjective | None:
+        """Adjectives without a noun at `start`, or None."""
+        noun = Noun("abstract", "", start, start)
+        at = start
+        while at < len(self.tokens) and (length := self._adjective(noun, at)):
+            at += length
+        if at == start:
+            return None
+        return Adjective(start, at, self._text(start, at), noun.attributes, noun.styles, noun.unshown, noun.states)
+
+    def _adjective(self, noun: Noun, at: int) -> int:
+        """Take an adjective; returns the tokens it takes."""
+        known = self._known(at, "attribute", "style")
+        state = grammar().at(self.tokens, at, "states")
+        evaluative = grammar().at(self.tokens, at, "evaluative")
+        longest = max((f.length for f in (state, evaluative) if f), default=0)
+        thing = self.thing_at(at)
+        if thing is not None and thing.length >= max(longest, known.length if known else 0):
+            if not (known and known.length == thing.length and self._starts_noun(at + thing.length)):
+                return 0
+        if known is not None and known.length >= longest:
+            state = state if state is not None and state.length == known.length else None
+            for entry in (known.entry, *known.others):
+                if entry.sort == "attribute" and state is not None:
+                    noun.states.append(self._text(at, at + known.length).lower())
+                    state = None
+                    break
+                if entry.sort == "attribute":
+                    noun.attributes.append(entry.value)
+                elif entry.sort == "style":
+                    noun.styles.append(entry.value)
+            return known.length
+        if state is not None and state.length >= (evaluative.length if evaluative else 0):
+            noun.states.append(self._text(at, at + state.length).lower())
+            return state.length
+        return evaluative.length if evaluative is not None else 0
+
+    def _forget(self, noun: Noun) -> None:
+        noun.attributes.clear()
+        noun.styles.clear()
+        noun.states.clear()
+
+    def _continues(self, noun: Noun, at: int) -> bool:
+        return bool(noun.det or noun.count is not None) and self._starts_noun(at)
+
+    def _side(self, noun: Noun, at: int) -> int:
+        """Read the "left" of "the left nightstand"."""
+        text = self.tokens[at].text
+        if noun.det not in ("the", "my") or text not in ("left", "right", "middle") or noun.side:
+            return 1 if noun.side == text else 0
+        following = self._known(at + 1, "object", "missing")
+        if following is None and not self._is_one(at + 1):
+            return 0
+        noun.side = text
+        return 1
+
+    def _glued(self, noun: Noun, at: int, units: Units) -> int:
+        """Read words that hyphens join: "bottle-green", "butcher-block", "two-burner"."""
+        end = at
+        while end < len(self.tokens) and self.tokens[end].glued:
+            end += 1
+        if end == at or end >= len(self.tokens):
+            return 0
+        last = self._known(end, "attribute", "style")
+        whole = self._known(at, "object", "missing", "attribute", "style", "room", "place")
+        if whole is not None and at + whole.length > end:
+            return 0
+        if grammar().at(self.tokens, at, "states") and grammar().at(self.tokens, at, "states").length > end - at:  # type: ignore[union-attr]
+            return 0
+        name = "-".join(token.shown for token in self.tokens[at : end + 1]).lower()
+        if self._seats(noun, at, end):
+            return end + 1 - at
+        if last is not None and last.entry.sort == "attribute":
+            noun.attributes.append(last.entry.value)
+            units.adjectives += 1
+        elif self._starts_noun(end + 1) and self._has_noun(end + 1):
+            evaluative = grammar().at(self.tokens, at, "evaluative")
+            if evaluative is None or evaluative.length <= end - at:
+                noun.unshown.append(name)
+            units.adjectives += 1
+        elif self._known(end, "object") is not None:
+            return end - at
+        else:
+            units.nouns.append(Unit(name))
+        return end + 1 - at
+
+    def _seats(self, noun: Noun, at: int, end: int) -> bool:
+        number = self._number(at)
+        word = self.tokens[end].text
+        if number is None or word not in ("person", "seat", "seater", "people", "place"):
+            return False
+        noun.seats = number[0]
+        noun.attributes.append(f"for-{number[0]}")
+        return True

@@ -1,0 +1,165 @@
+"""Which thing a noun phrase names: a known one, or a new one."""
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.several import Several
+
+
+class Naming(Several):
+    """Finds known things and adds new ones."""
+
+    def _known(self, noun: Noun) -> list[Mention]:
+        """The things that a noun phrase points back to."""
+        if noun.det == "each" and noun.every:
+            return self._every(noun)
+        if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
+            found_all = self.referents.every(noun)
+            exact = [t for t in found_all if noun.count is not None and self.referents.total(t) == noun.count]
+            if found_all and (noun.count is None or sum(self.referents.total(t) for t in found_all) >= noun.count):
+                return exact[:1] or found_all
+            return []
+        if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
+            found = self.some_of(noun, besides=[])
+            return [found] if found is not None else []
+        bare = not noun.det and noun.count is None and not noun.plural and noun.named
+        if not (noun.definite or (bare and self._is_repeated(noun))):
+            return self._one_and_other(noun)
+        first = self.referents.named(noun)
+        if first is None:
+            return []
+        if noun.plural and noun.definite:
+            every = self.referents.every(noun)
+            total = sum(t.count or 1 for t in every)
+            if noun.count is None or noun.count == total:
+                return every
+            if noun.count < total:
+                return [first]
+            return []
+        if noun.count and first.count and noun.count > first.count:
+            return []
+        if not noun.plural and first.many and noun.det == "the" and first.count:
+            return [first]
+        return [first]
+
+    def _one_and_other(self, noun: Noun) -> list[Mention]:
+        """Read "One cot has a bag on it, the other has not": one of those that were named."""
+        if not noun.text.lower().startswith("one ") or self.separator:
+            return []
+        for chunk in self.chunks[self.at :]:
+            if self._is_link(chunk, "mark", "stop"):
+                return []
+            if isinstance(chunk, Noun) and (chunk.det == "other" or chunk.value == "other"):
+                break
+        else:
+            return []
+        whole = self.referents.named(noun)
+        family = self.referents.family(whole) if whole is not None else []
+        if len(family) > 1:
+            self.referents.parted = family[-1]
+            return family[:1]
+        return self._one_named(noun)
+
+    def _one_named(self, noun: Noun) -> list[Mention]:
+        """Read "One side table" of two that were named: "on one side table stands a lamp"."""
+        text = noun.text.lower().split()
+        if text[:1] != ["one"] or noun.count != 1:
+            return []
+        whole = self.referents.named(noun)
+        if whole is None or self.referents.total(whole) < 2:
+            return []
+        return [self.referents.part(whole, 1)]
+
+    def _is_repeated(self, noun: Noun) -> bool:
+        first = self.referents.named(noun)
+        if first is None or first in self.clause.members or first.many:
+            return False
+        return first.noun == noun.value and not noun.attributes and not noun.owner and not noun.unshown
+
+    def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
+        """The things that a noun phrase after a preposition means, and whether they were known."""
+        if (noun.det == "each" and not noun.named) or noun.value.rpartition(" ")[2] in grammar().lists["groups"]:
+            group = self.groups.get(singular(noun.text.rpartition(" ")[2].lower()))
+            if group is not None:
+                return (group,), True
+        if noun.value == "seat" or (
+            noun.det == "each" and singular(noun.text.rpartition(" ")[2].lower()) in grammar().lists["seats"]
+        ):
+            if (seats := self._seats()) and self.referents.named(noun) is None:
+                return tuple(seats), True
+        known = [t for t in self._known(noun) or self._one_named(noun) if t not in besides or noun.plural]
+        if known:
+            for thing in known:
+                self.referents.speak(thing)
+            return tuple(known), True
+        if not noun.det and noun.plural and noun.count is None and not noun.attributes:
+            every = [t for t in self.referents.every(noun) if t not in besides and t.noun == noun.value]
+            if every:
+                return tuple(every), True
+        if noun.det in ("a", "") and not noun.plural and noun.count in (None, 1):
+            found = self.referents.named(noun, besides)
+            modest = found is not None and set(noun.attributes) <= set(found.attributes) and not noun.unshown
+            if found is not None and modest and found.noun == noun.value and (found.many or not noun.det):
+                self.referents.speak(found)
+                return (found,), True
+        thing = self._new(noun)
+        if not noun.definite:
+            self.fresh.add(id(thing))
+        return (thing,), False
+
+    def _seats(self) -> list[Mention]:
+        return [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
+
+    def _new(self, noun: Noun) -> Mention:
+        """Add the thing that a phrase asks for."""
+        count = noun.count if noun.count is not None else (None if noun.plural else 1)
+        if noun.value == "seat" and not noun.named:
+            noun.value = "chair"
+        if noun.share:
+            count = self._share_of(noun)
+        cornered = "corner" in noun.text.lower().split()[:-1] and not noun.value.startswith("corner")
+        noun.attributes = [a for a in noun.attributes if a != "corner" or not cornered]
+        thing = Mention(noun.value, count, noun.vague, noun.plural, noun.rows, [*noun.attributes], noun.text)
+        thing.least, thing.most = noun.least, noun.most
+        thing.vague |= noun.share > 0
+        thing.unshown, thing.states = [*noun.unshown], [*noun.states]
+        thing.seats, thing.size = noun.seats, noun.size
+        thing.groups, thing.group = noun.groups, noun.group
+        self.draft.things.append(thing)
+        word = singular(noun.text.rpartition(" ")[2].lower())
+        if word in grammar().lists["groups"]:
+            self.groups[word] = thing
+        if cornered:
+            self.draft.bonds.append(Bond("in_corner", thing, ("corner",)))
+        if noun.rows:
+            self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
+        if self.wanting_only:
+            self.draft.empty, self.wanting_only = True, False
+        self.referents.speak(thing)
+        return thing
+
+    def _share_of(self, noun: Noun) -> int | None:
+        """Read "half as many dryers", "as many glasses as there are stools"."""
+        other: Mention | None = None
+        for index in range(self.at, min(self.at + 8, len(self.chunks))):
+            if self._is_link(self.chunks[index], "prepositions", "as"):
+                said = next((c for c in self.chunks[index + 1 : index + 4] if isinstance(c, Noun)), None)
+                other = self.referents.named(said) if said is not None and said.kind == "thing" else None
+                if said is not None:
+                    del self.chunks[index : self.chunks.index(said, index) + 1]
+                break
+        other = other or next((t for t in self.referents.plural() if t.count), None)
+        return max(1, int(self.referents.total(other) * noun.share)) if other is not None else None
+
+    def another(self, thing: Mention) -> Mention:
+        """One more of a kind."""
+        return self._copy_of(thing)
+
+    def _copy_of(self, thing: Mention) -> Mention:
+        """Another of the same kind."""
+        copy = Mention(thing.noun, 1, attributes=[*thing.attributes], unshown=[*thing.unshown], text=thing.text)
+        copy.states, copy.size = [*thing.states], thing.size
+        self.draft.things.append(copy)
+        self.referents.speak(copy)
+        return copy

@@ -1,0 +1,93 @@
+"""What must not be there, or must not be so."""
+
+from dataclasses import replace
+
+from thinkblox.reading.english.chunks import Link, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.positions import Positions
+
+
+class Negation(Positions):
+    """Reads negations."""
+
+    def _negation(self, link: Link) -> None:
+        match link.value:
+            case "not":
+                self._not(link)
+            case "nothing":
+                self._nothing()
+            case "only":
+                self._only()
+            case "exclude":
+                self.excluding = True
+            case "gone":
+                self._gone()
+
+    def _not(self, link: Link) -> None:
+        noun = self.peek()
+        before = self.chunks[self.at - 2] if self.at >= 2 else None
+        if link.text.lower() == "no" and isinstance(before, Noun) and (noun is None or self._is_link(noun, "mark")):
+            thing = self.frontier[-1].thing if self.frontier else None
+            if thing is not None:
+                self.draft.drop(thing)
+                self.draft.excluded.add(thing.noun)
+            return
+        if isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite:
+            self.excluding = True
+            return
+        text = link.text.lower()
+        if " be" in text or text in ("is not", "are not", "isnt", "arent", "not", "never"):
+            if self.subject is None:
+                self.subject = self._whole_subject()
+                self.predicate = self.subject is not None
+        self.negating = True
+
+    def _gone(self) -> None:
+        """Read "The popcorn machine is gone": it must not be there."""
+        things = self.subject.things if self.subject is not None and self.predicate else []
+        for thing in things:
+            self.draft.drop(thing)
+            self.draft.excluded.add(thing.noun)
+
+    def _nothing(self) -> None:
+        after = self.peek()
+        but = self.peek(2)
+        besides = self._is_link(but, "joins", "but") or self._is_link(but, "prepositions", "except")
+        if self._is_link(after, "prepositions", "on") and besides and self.subject is not None:
+            self.at += 3
+            self._open_of_subject("carry")
+            return
+        if self._is_link(after, "prepositions", "except"):
+            self.draft.empty = True
+        elif self._is_link(after, "prepositions", "on"):
+            noun = self._next_noun(1)
+            if noun is not None and noun.kind == "place" and "wall" in noun.value:
+                self.draft.excluded.update(grammar().lists["on_walls"])
+                self.at += 2
+                self.excluding = False
+            elif noun is not None and noun.kind == "thing":
+                link = after
+                self.at += 1
+                where = self._read_where(link)  # type: ignore[arg-type]
+                self._set_front(where)
+        elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
+            self.draft.empty = True
+
+    def _only(self) -> None:
+        noun = self._next_noun()
+        if noun is not None and noun.kind == "thing" and not self.clause.members and self.pending is None:
+            self.draft.empty = True
+
+    def _exclude_next(self) -> None:
+        self.excluding = True
+
+    def _exclude(self, noun: Noun) -> None:
+        after = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "except") else None
+        if after is not None and after.kind in ("number", "pronoun"):
+            self.at = self.chunks.index(after, self.at) + 1
+            self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
+            return
+        self.draft.excluded.add(noun.value)
+        if noun.det == "no" and not self.excluding:
+            self.frontier = [*self.frontier]
+        self.pending = None

@@ -1,0 +1,154 @@
+"""Numbers that stand for some of several."""
+
+from dataclasses import replace
+
+from thinkblox.reading.attach import bind
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.chunks import Adjective, Noun
+from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.verbs import Verbs
+
+
+class Numbers(Verbs):
+    """Reads numbers without a noun."""
+
+    def _number(self, noun: Noun) -> None:
+        """A number that stands for some of several: "two by the window", "three of them chrome"."""
+        if noun.rows and not noun.of_known:
+            self._arrange(noun)
+            return
+        bounded = noun.least is not None or noun.most is not None
+        if bounded and not noun.of_known and not self._is_link(self.peek(), "prepositions"):
+            return
+        told = self._is_link(self.peek(), "prepositions") and (each := self._next_noun(1)) is not None
+        if self.bracket is not None and told and each is not None and each.kind == "pronoun" and each.value == "each":
+            self.at += 2
+            return
+        whole = self._whole([])
+        if whole is None:
+            if noun.count and not self.draft.things:
+                self.draft.people = noun.count
+            return
+        if self._is_total(noun, whole):
+            return
+        if noun.det in ("none",):
+            self._resume([whole], noun)
+            self.negating = True
+            return
+        if noun.det == "other" and not noun.attributes:
+            self.referents.parted = None
+            self._resume([whole], noun)
+            return
+        if noun.det == "other":
+            self._look(whole, noun)
+            self.referents.parted = None
+            self._resume([whole], noun)
+            return
+        if noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
+            self.referents.settle(whole)
+            self._part_of(whole, max(1, (whole.count or 0) // noun.ordinal), noun)
+            return
+        if noun.side or noun.ordinal:
+            part = self.some_of(noun, [])
+            if part is not None:
+                self._look(part, noun)
+                self._resume([part], noun)
+                self._again(self.verb)
+                if self.said in ("hold", "carry", "have") and self._is_link(self.peek(), "mark", "comma"):
+                    self.at += 1
+                    self.subject = self.frontier[0]
+                    self._open_of_subject("with" if self.said == "have" else self.said)
+            return
+        self._part_of(whole, self._how_many(noun, whole), noun)
+
+    def _is_total(self, noun: Noun, whole: Mention) -> bool:
+        """Whether a number only sums up: "as many mats as there are machines, five"."""
+        after = self.peek()
+        plain = not (noun.attributes or noun.unshown or noun.states or noun.of_known or noun.side or noun.ordinal)
+        if not plain or isinstance(after, (Adjective, Noun)):
+            return False
+        ends = after is None or self._is_link(after, "mark") or self._is_link(after, "fillers")
+        if ends and noun.count and self.separator and self.frontier:
+            thing = self.frontier[-1].thing
+            if thing is not None and (thing.count is None or thing.vague):
+                thing.count, thing.vague = noun.count, False
+            return True
+        return False
+
+    def _arrange(self, noun: Noun) -> None:
+        """Read "(six shelving units stand) in two rows of three"."""
+        thing = self._whole([])
+        if thing is not None:
+            bind(self.draft, Bond("in_rows", thing, rows=max(noun.rows, 0)))
+
+    def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
+        """Set so many of `whole` apart and speak of them."""
+        times = self._times_next()
+        if self._is_more(whole, noun):
+            part = self._copy(whole, count * times)
+            self._speak_of_part(part, noun)
+            return
+        if whole.count is not None and count * times == whole.count and whole is not self.referents.parted:
+            self._resume([whole], noun or Noun("number", "", 0, 0))
+            self.counted.add(whole)
+            return
+        self.referents.settle(whole)
+        if times > 1 and whole.count is not None and count * times > whole.count and whole is not self.referents.parted:
+            whole.count = count * times
+        total = count * times
+        if whole.count is None and whole is not self.referents.parted:
+            whole.count = total
+            whole.vague = False
+            self.summed = whole
+            part = whole
+        elif self.summed is whole and whole.count is not None and not self.referents.parted:
+            part = self._copy(whole, total)
+        else:
+            part = self.referents.part(whole, min(total, whole.count or total))
+        self._speak_of_part(part, noun)
+
+    def _is_more(self, whole: Mention, noun: Noun | None) -> bool:
+        """Whether a number adds to what was placed: "two chairs on each side and one at each end"."""
+        if self.separator != "and" or whole is self.referents.parted or whole is self.whole:
+            return False
+        if noun is not None and (noun.of_known or noun.attributes or noun.unshown):
+            return False
+        return any(not bond.implied for bond in self.draft.bonds_of(whole)) and self._is_link(
+            self.peek(), "prepositions"
+        )
+
+    def _speak_of_part(self, part: Mention, noun: Noun | None) -> None:
+        if noun is not None:
+            self._look(part, noun)
+        self.counted.add(part)
+        frame = Frame(None, "list")
+        self.frontier = [Node([part], frame, known=True)]
+        frame.members.append(part)
+        self.clause = frame
+        self.subject = None
+        self.predicate = False
+
+    def _copy(self, whole: Mention, count: int) -> Mention:
+        part = replace(
+            whole, count=count, attributes=[*whole.attributes], unshown=[*whole.unshown], states=[*whole.states]
+        )
+        part.per = [*whole.per]
+        anchors = [a for b in self.draft.bonds_of(whole) for a in b.anchors if isinstance(a, Mention)]
+        part.host = part.host or next(iter(anchors), None)
+        self.draft.things.append(part)
+        self.draft.bonds += [replace(b, subject=part) for b in self.draft.bonds_of(whole) if b.implied]
+        self.referents.speak(part)
+        return part
+
+    def _times_next(self) -> int:
+        """How many sides are named next, where a number is that of each: "three on each long side"."""
+        link = self.peek()
+        noun = self._next_noun(1) if self._is_link(link, "prepositions") else None
+        if noun is not None and noun.kind == "part" and self._is_link(link, "prepositions", "per"):
+            self.at = self.chunks.index(noun, self.at) + 1
+            return 2
+        if noun is None or noun.kind not in ("part", "place") or noun.det not in ("each", "either", "both"):
+            return 1
+        if noun.kind == "part":
+            return 2
+        return 4 if noun.value in ("wall", "corner") else 2

@@ -1,0 +1,226 @@
+"""Where things are: prepositions with what they are to."""
+
+from dataclasses import replace
+
+from thinkblox.reading.attach import bind
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.chunks import Link, Noun
+from thinkblox.reading.english.nodes import Frame, Front, Meaning, Node, Where
+from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.subjects import Subjects
+
+_SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
+"""Relations after which "on the other side" is one of the same thing."""
+
+
+class Positions(Subjects):
+    """Reads where things are."""
+
+    def _read_where(self, link: Link, word: str = "") -> Where:
+        """The preposition with what it is to; goes past it."""
+        index = self._skip_fillers(self.at)
+        chunk = self.chunks[index] if index < len(self.chunks) else None
+        where = Where(word or link.value, None, negated=self.negating)
+        if self._is_link(chunk, "joins", "which") and chunk.text.lower() in ("which", "whom"):  # type: ignore[union-attr]
+            self.at = index + 1
+            return self._which(where)
+        if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
+            return where
+        where.noun = chunk
+        self.at = index + 1
+        if chunk.kind in ("part", "place", "abstract") and self._is_link(self.peek(), "prepositions", "of"):
+            whole = self._next_noun(1)
+            if whole is not None:
+                where.whole = whole
+                self.at = self.chunks.index(whole, self.at) + 1
+        if (
+            link.value == "between"
+            and self._is_link(self.peek(), "joins", "and")
+            and chunk.kind != "pronoun"
+            and not chunk.many
+        ):
+            second = self._next_noun(1)
+            if second is not None and second.kind in ("thing", "place", "pronoun"):
+                where.second = second
+                self.at = self.chunks.index(second, self.at) + 1
+        return where
+
+    def _which(self, where: Where) -> Where:
+        """Read "A counter, on which a monitor stands": a clause of its own about what was just named."""
+        outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
+        named = (outer or [n for n in self.frontier if n.things] or ([self.subject] if self.subject else []))[-1:]
+        if named:
+            self.referents.topics.append(named[0].things[-1])
+            self.outer = named[0]
+            self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
+            self.front, self.separator = [], ""
+        where.noun = Noun("pronoun", "it", 0, 0, "which")
+        return where
+
+    def _where(self, where: Where) -> None:
+        """Say where something is: of what was named, or of what comes."""
+        self.negating = False
+        if where.word == "halfway":
+            where.noun = None
+        if where.noun is not None and where.noun.kind in ("people", "abstract", "room") and where.noun.kind != "room":
+            self._beyond(where)
+            return
+        if where.noun is not None and where.noun.kind == "number" and where.noun.rows:
+            things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
+            if things:
+                bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(where.noun.rows, 0)))
+            return
+        if where.noun is not None and where.noun.kind == "room":
+            if where.word == "in" and not self.draft.room:
+                self._room(where.noun)
+            return
+        if where.negated and where.noun is not None and where.noun.kind == "thing" and where.noun.det in ("a", ""):
+            if not self.referents.named(where.noun):
+                self.draft.excluded.add(where.noun.value)
+                return
+        if self.opening is not None and not self.frontier and where.noun is not None and where.noun.kind == "place":
+            if where.noun.value.endswith("_wall"):
+                self.opening.wall = where.noun.value
+            return
+        if self.opening is not None and not self.frontier and where.noun is not None and where.noun.kind == "thing":
+            for thing in self.anchors(where.noun, [])[0]:
+                bind(self.draft, Bond("next_to", thing, (self.opening.kind,)))
+            return
+        if self._qualifies_front():
+            anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+            self._place_node(Node(anchors, self.clause, known=True), where)
+            self.frontier = []
+            return
+        if self._is_fronted():
+            self._set_front(where)
+            return
+        node = self._subject_of(where)
+        if node is None:
+            if (
+                where.noun is not None and where.noun.kind == "thing" and where.noun.det not in ("the", "each", "my")
+            ) or where.noun is not None:
+                self._set_front(where)
+            return
+        self._place_node(node, where)
+
+    def _qualifies_front(self) -> bool:
+        """Whether it says more of what was just named in front: "on the desk against the wall a laptop"."""
+        if not self.front or self.clause.members or self.frontier or self.separator or self.subject is not None:
+            return False
+        before = self.chunks[self._began - 1] if self._began > 0 else None
+        return isinstance(before, Noun) and before.kind == "thing" and isinstance(self.front[-1].anchors[0], Mention)
+
+    def _beyond(self, where: Where) -> None:
+        """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
+        noun = where.noun
+        if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
+            self.frontier, self.subject, self.predicate = [], None, False
+            self.clause = Frame(None, "list", times=self.draft.people, each=True)
+            self.separator = ""
+            if self._is_link(self.peek(), "mark", "comma"):
+                self.at += 1
+
+    def _place_node(self, node: Node, where: Where) -> None:
+        subjects = node.things
+        meaning = self.meanings.of(where, subjects, self._likely(node))
+        if meaning is None:
+            return
+        self._relate(subjects, meaning, negated=where.negated)
+        if where.negated:
+            return
+        if where.second is not None and where.second.kind == "place":
+            opening = Meaning("next_to", (where.second.value.split()[0],))
+            self._relate(subjects, opening)
+        if meaning.kind in ("on", "inside") and not meaning.told:
+            self._place_carrier(subjects, meaning)
+        if node in self.frontier:
+            del self.frontier[self.frontier.index(node) + 1 :]
+        else:
+            self.frontier.append(node)
+        if node.frame is not None and node.frame.head is not None:
+            node.frame.told |= any(t in meaning.anchors for t in node.frame.head.things)
+        anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
+        if anchors and self.each and not meaning.told and where.noun is not None and where.noun.det == "a":
+            anchors[0].count = sum(self.referents.total(t) for t in subjects)
+            self.each = False
+        if anchors and where.noun is not None and where.noun.kind in ("thing", "number") and not meaning.told:
+            self.frontier.append(Node(anchors, None, known=where.noun.definite))
+        elif anchors and where.noun is not None and where.noun.kind == "thing":
+            self.frontier.append(Node(anchors, None, known=True, told=True))
+
+    def _place_carrier(self, subjects: list[Mention], meaning: Meaning) -> None:
+        """Read "In the middle a vase on a table": it is the table that stands in the middle."""
+        carrier = meaning.anchors[0]
+        if not isinstance(carrier, Mention) or is_small(carrier):
+            return
+        for bond in self.draft.bonds:
+            if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
+                bond.subject = carrier
+        for front in self.front:
+            if front.anchors and isinstance(front.anchors[0], str) and front.kind != "on":
+                if not any(b.kind == front.kind for b in self.draft.bonds_of(carrier)):
+                    self._relate([carrier], replace(front.meaning), negated=front.where.negated)
+
+    def _set_front(self, where: Where) -> None:
+        noun = self._noun_ahead()
+        likely = [self.referents.topics[-1]] if self.referents.topics and not self.clause.members else []
+        if self.frontier and self.frontier[-1].things and not likely:
+            outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
+            last = next(n for n in reversed(self.frontier) if n.things)
+            both_small = noun != "" and self._belongs(noun, "small") and is_small(last.things[-1])
+            likely = [n.things[-1] for n in ([last] if both_small else outer or [last])]
+        sides = ("left", "right", "side", "front", "back")
+        side = where.noun is not None and where.noun.kind == "part" and where.noun.value in sides
+        before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]
+        repeated = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and a.many]
+        if repeated and where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each":
+            likely = repeated
+        elif before and (side or where.word in _SIDEWARD or where.word == "on"):
+            likely = before if side or where.word != "on" else [*likely, *before]
+        if where.noun is not None and where.noun.kind in ("part", "place") and where.whole is None:
+            likely = likely if where.noun.det in ("my", "each", "either", "") and where.noun.kind == "part" else []
+        meaning = self.meanings.of(where, [], likely, noun)
+        if self.separator in ("and", "comma", "comma_and"):
+            small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
+            self.front = [f for f in self.front if f.kind == "on" and small]
+        if meaning is not None:
+            self.front.append(Front(where, meaning))
+        self.frontier = []
+        self.clause = Frame(times=self.clause.times)
+        self.subject = None
+        self.separator = ""
+        self.pending = None
+        if self._is_link(self.peek(), "mark", "comma"):
+            self.at += 1
+
+    def _noun_ahead(self) -> str:
+        for ahead in range(3):
+            chunk = self.peek(ahead)
+            if isinstance(chunk, Noun):
+                return chunk.value if chunk.kind == "thing" else ""
+            if not isinstance(chunk, Link) or chunk.sort not in ("verbs", "fillers", "mark"):
+                return ""
+        return ""
+
+    def _is_fronted(self) -> bool:
+        """Whether what was just read says where something is that comes only now."""
+        ahead = 0
+        while self._is_link(self.peek(ahead), "prepositions") and isinstance(self.peek(ahead + 1), Noun):
+            ahead += 2
+        after = self.peek(ahead)
+        begins = not self.frontier and self.subject is None
+        if begins and not self.clause.members:
+            return True
+        if not self.separator:
+            return False
+        if isinstance(after, Noun) and after.kind in ("thing",) and not after.definite:
+            return True
+        if self._is_link(after, "verbs", "be", "stand", "hang"):
+            following = self._next_noun(ahead + 1)
+            return following is not None and following.kind == "thing"
+        if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
+            following = self.peek(ahead + 1)
+            led = self.chunks[self._began - 1] if self._began else None
+            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and"
+            return isinstance(following, Noun) and following.kind == "thing" and comma
+        return False

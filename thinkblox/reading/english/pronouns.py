@@ -1,0 +1,68 @@
+"""Pronouns as what a clause is about."""
+
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Node
+from thinkblox.reading.english.numbers import Numbers
+
+
+class Pronouns(Numbers):
+    """Reads pronouns."""
+
+    def _pronoun(self, noun: Noun) -> None:
+        following = self.peek()
+        match noun.value:
+            case "each":
+                self._each(following)
+            case "former" | "latter":
+                found = self.referents.of_two(noun.value)
+                self._resume([found] if found is not None else [], noun)
+            case "it":
+                found = self.referents.single(None, "", self._spoken_of())
+                self._resume([found] if found is not None else [], noun)
+            case "them":
+                self._resume(list(self.referents.several([], "")), noun)
+                if noun.text.lower().startswith("both") and self.frontier:
+                    self.frontier[0].each = self.each = True
+            case "all":
+                things = [t for t in self.clause.members if t in self.draft.things]
+                if things:
+                    self.frontier = [Node(things, self.clause, known=True)]
+                    self.separator = ""
+            case "one" | "other" | "half" | "none":
+                count = noun.count or 1
+                if noun.value == "one" and (before := self._one_before()) is not None:
+                    self._take(self._copy_of(before), noun)
+                    return
+                whole = self._whole([])
+                if whole is None:
+                    return
+                if noun.value == "none":
+                    self._resume([whole], noun)
+                    self.negating = True
+                    return
+                if noun.text.lower() == "another" and self.referents.parted is None and self._repeat():
+                    return
+                if noun.value == "other" and noun.text.lower() == "another":
+                    said = self.verb
+                    self._part_of(whole, 1, noun)
+                    self._again(said)
+                    return
+                if noun.value == "other":
+                    self.referents.parted = None
+                    said = self.said or self.verb
+                    self._resume([whole], noun)
+                    self._again(said)
+                    return
+                count = max(1, (whole.count or 2) // 2) if noun.value == "half" else count
+                self._part_of(whole, count)
+
+    def _one_before(self) -> Mention | None:
+        """The single thing that "one" repeats: "one bin on its left and one on its right"."""
+        if self.referents.parted is not None or not self.clause.members:
+            return None
+        last = self.clause.members[-1]
+        return last if last.count == 1 and last.text.lower().startswith("one ") else None
+
+    def _spoken_of(self) -> list[Mention]:
+        return [t for t in (*self.referents.topics[-1:],) if not t.many]

@@ -1,0 +1,202 @@
+"""What stands before the nouns of a phrase: determiners, numbers, measures."""
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.words import Words
+from thinkblox.reading.sizes import read_size
+
+
+class Quantities(Words):
+    """Reads determiners and quantities."""
+
+    def _before(self, noun: Noun, at: int) -> int:
+        while at < len(self.tokens):
+            step = self._quantity(noun, at) or self._determiner(noun, at) or self._measure(noun, at)
+            step = step or self._ordinal(noun, at) or self._partitive(noun, at) or self._size(noun, at)
+            if not step:
+                return at
+            at += step
+        return at
+
+    def _determiner(self, noun: Noun, at: int) -> int:
+        found = grammar().all_at(self.tokens, at, "determiners")
+        if not found or noun.count is not None or noun.ordinal or noun.rows:
+            return 0
+        best = found[0]
+        thing = self.thing_at(at)
+        if thing is not None and thing.length > best.length:
+            return 0
+        if noun.det and not (best.value == "other" and noun.det == "the") and best.value not in ("my", "any"):
+            return 0
+        if best.value == "another":
+            noun.count = noun.count or 1
+        noun.det = noun.det if noun.det in ("each", "both", "half", "none", "no") else best.value
+        noun.of_known |= best.value in ("half", "none")
+        self._every(noun, at + best.length)
+        return best.length + (1 if noun.every == -1 else 0)
+
+    def _every(self, noun: Noun, at: int) -> None:
+        """Read "every second chair", "every two loungers"."""
+        if noun.det != "each" or at >= len(self.tokens) or self.tokens[at - 1].text not in ("each", "every"):
+            return
+        if self.tokens[at].text in ("second", "other"):
+            noun.every, noun.counted = 2, False
+        elif (number := self._number(at)) is not None and number[0] > 1:
+            noun.every, noun.counted = number[0], True
+
+    def _ordinal(self, noun: Noun, at: int) -> int:
+        token = self.tokens[at].text
+        if noun.every == 2 and token in ("second", "other"):
+            return 1
+        found = grammar().at(self.tokens, at, "ordinal")
+        if (
+            found is None
+            or noun.det not in ("the", "my", "a")
+            or (noun.det == "a" and self._starts_noun(at + found.length))
+        ):
+            return 0
+        noun.ordinal = int(found.value)
+        noun.count = noun.count or 1
+        return found.length
+
+    def _quantity(self, noun: Noun, at: int) -> int:
+        if noun.count is not None and not (noun.det == "a" and noun.vague):
+            return 0
+        quantifier = next(iter(grammar().all_at(self.tokens, at, "quantifiers")), None)
+        if quantifier is not None and quantifier.value == "relative":
+            noun.share = {"half": 0.5, "twice": 2.0}.get(self.tokens[at].text, 1.0)
+            noun.plural = True
+            return quantifier.length
+        if self.tokens[at].text == "between" and (between := self._between(noun, at)):
+            return between
+        skip = quantifier.length if quantifier else 0
+        if read_size(self.lexicon, self.tokens, at) is not None:
+            return 0
+        number = self._number(at + skip)
+        if number is None:
+            return 0 if quantifier else self._vague(noun, at)
+        value, length = number
+        prepositional = self.tokens[at].text in ("around", "about", "over", "under", "up") and value < 2
+        if quantifier and (prepositional or read_size(self.lexicon, self.tokens, at + skip) is not None):
+            return 0
+        if self._is_word_of_compound(at + skip, length):
+            return 0
+        noun.count = min(value, 10**6)
+        self._bound(noun, quantifier.value if quantifier else "", value)
+        length += self._range(noun, at + skip + length)
+        return skip + length + self._times(at + skip + length)
+
+    def _is_word_of_compound(self, at: int, length: int) -> bool:
+        """Whether a number belongs to an adjective: "two-burner stove", "ten-year-old"."""
+        last = at + length - 1
+        return self.tokens[last].glued and self._number(last + 1) is None
+
+    def _bound(self, noun: Noun, kind: str, value: int) -> None:
+        match kind:
+            case "ge":
+                noun.least = value
+            case "gt":
+                noun.least = noun.count = value + 1
+            case "le":
+                noun.most = value
+            case "lt":
+                noun.most = max(value - 1, 0)
+                noun.count = max(1, noun.most)
+            case "about":
+                noun.vague = True
+
+    def _between(self, noun: Noun, at: int) -> int:
+        low = self._number(at + 1)
+        if low is None or at + 1 + low[1] >= len(self.tokens) or self.tokens[at + 1 + low[1]].text != "and":
+            return 0
+        high = self._number(at + 2 + low[1])
+        if high is None or high[0] <= low[0]:
+            return 0
+        noun.least, noun.most, noun.count = low[0], high[0], (low[0] + high[0]) // 2
+        return 2 + low[1] + high[1]
+
+    def _range(self, noun: Noun, at: int) -> int:
+        """Read "six to eight", "2 or 3", "five or more"."""
+        if at >= len(self.tokens) or noun.count is None:
+            return 0
+        joined = self.tokens[at].text in ("to", "or", "–") or self.tokens[at - 1].glued
+        skip = 0 if self.tokens[at - 1].glued else 1
+        high = self._number(at + skip) if joined else None
+        if high is not None and high[0] > noun.count:
+            noun.least, noun.most, noun.count = noun.count, high[0], noun.count
+            return skip + high[1]
+        if self.tokens[at].text == "or" and at + 1 < len(self.tokens) and self.tokens[at + 1].text == "more":
+            noun.least = noun.count
+            return 2
+        return 0
+
+    def _times(self, at: int) -> int:
+        if at >= len(self.tokens) or self.tokens[at].text != "x":
+            return 0
+        return 1 if self._starts_noun(at + 1) else 0
+
+    def _vague(self, noun: Noun, at: int) -> int:
+        found = grammar().at(self.tokens, at, "vague")
+        if found is None or not (self._starts_noun(at + found.length)):
+            return 0
+        noun.count, noun.vague, noun.plural = int(found.value), True, True
+        noun.least = 2
+        return found.length
+
+    def _measure(self, noun: Noun, at: int) -> int:
+        found = grammar().at(self.tokens, at, "measures")
+        thing = self.thing_at(at)
+        inner_thing = self.thing_at(at + found.length) if found is not None else None
+        same = thing is not None and inner_thing is not None and inner_thing.entry.value == thing.entry.value
+        if found is None or (thing is not None and thing.length > found.length and not same):
+            return 0
+        word = self.tokens[at].text
+        several = word.endswith("s")
+        if not (noun.det or noun.count is not None or several) or noun.rows or noun.groups:
+            return 0
+        outer, noun.count = noun.count, None
+        noun.plural = True
+        match found.value:
+            case "row":
+                noun.rows = outer or (-1 if several else 1)
+            case "group":
+                noun.groups, noun.group = outer or (-1 if several else 1), singular(word)
+            case _ if word.startswith("pair"):
+                words = [token.text for token in self.tokens[at + found.length : at + found.length + 4]]
+                noun.count = (1 if set(words) & grammar().lists["pairs"] else 2) * (outer or 1)
+            case _:
+                noun.count, noun.vague = (outer or 1) * 3, True
+                noun.least = 1
+        noun.det = "" if noun.det in ("a", "another") else noun.det
+        inner = self._number(at + found.length)
+        if inner is not None and noun.rows + noun.groups > 0:
+            noun.count = inner[0] * (noun.rows or noun.groups)
+            return found.length + inner[1]
+        return found.length
+
+    def _partitive(self, noun: Noun, at: int) -> int:
+        """Read the "of the" in "two of the towels", "three of them", "half of those"."""
+        if noun.count is None and noun.det not in ("each", "both", "half", "none", "all", "no"):
+            return 0
+        if self.tokens[at].text != "of" or noun.of_known or at + 1 >= len(self.tokens):
+            return 0
+        after = self.tokens[at + 1].text
+        if after in ("the", "these", "those", "my", "our", "their", "his", "her", "its"):
+            noun.of_known = True
+            number = self._number(at + 2)
+            bare = number is not None and not self._starts_noun(at + 2 + number[1])
+            return 2 + number[1] if number is not None and bare else 2
+        if after in ("them", "which", "whom"):
+            noun.of_known = True
+            return 2
+        return 0
+
+    def _size(self, noun: Noun, at: int) -> int:
+        if not noun.det or noun.count is not None or noun.size is not None:
+            return 0
+        found = read_size(self.lexicon, self.tokens, at)
+        if found is None:
+            return 0
+        noun.size = found[0]
+        return found[1] - at

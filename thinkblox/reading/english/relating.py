@@ -1,0 +1,127 @@
+"""Binds things to what they are related to."""
+
+from thinkblox.reading.attach import bind, relation_kind
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.naming import Naming
+from thinkblox.reading.english.nodes import Meaning
+from thinkblox.reading.english.referents import is_small
+
+_SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to")
+"""How seats stand to their tables."""
+
+
+class Relating(Naming):
+    """Makes bonds of meanings."""
+
+    def _relate(self, subjects: list[Mention], meaning: Meaning, *, negated: bool = False) -> None:
+        """Bind subjects to what they are related to."""
+        if not negated and self._flanks(subjects, meaning):
+            return
+        anchors = tuple(a for a in meaning.anchors if a not in subjects) or meaning.anchors
+        for subject in subjects:
+            if subject in anchors and len(anchors) == 1:
+                continue
+            if meaning.kind in ("in_front_of", "next_to", "near") and self._lies_on(subject, anchors):
+                continue
+            self._multiply(subject, meaning)
+            if self._is_laid(subject, meaning, anchors) and not negated:
+                continue
+            kind = relation_kind(meaning.kind)
+            if kind == "on" and not negated and self._is_seated_on(subject, anchors):
+                continue
+            if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
+                kind = "next_to"
+            bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+            if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
+                self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
+                bind(self.draft, lying)
+            if negated:
+                self.draft.bonds.append(bond)
+                continue
+            self._share(bond)
+            bind(self.draft, bond)
+            for anchor in anchors:
+                if isinstance(anchor, Mention) and kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
+                    self.referents.pairs.append((subject, anchor))
+        if self.opening is not None and not subjects and isinstance(anchors[0], str) and anchors[0].endswith("_wall"):
+            self.opening.wall = anchors[0]
+
+    def _flanks(self, subjects: list[Mention], meaning: Meaning) -> bool:
+        """One of two things "on either side" stands at the left, the other at the right."""
+        anchor = meaning.anchors[0]
+        if not meaning.both or meaning.kind != "next_to" or len(subjects) != 1 or len(meaning.anchors) != 1:
+            return False
+        if not isinstance(anchor, Mention) or anchor.many or meaning.each:
+            return False
+        subject = subjects[0]
+        self._multiply(subject, meaning)
+        if self.referents.total(subject) != 2 or any(b.each for b in self.draft.bonds_of(subject) if not b.implied):
+            return False
+        for bond in self.draft.bonds_of(subject):
+            bond.each &= not bond.implied
+        part = self.referents.part(subject, 1)
+        self.referents.parted = None
+        for one, side in ((part, "left"), (subject, "right")):
+            self.draft.bonds = [b for b in self.draft.bonds if b.subject is not one or not b.implied]
+            bind(self.draft, Bond(relation_kind(f"{side}_of"), one, (anchor,)))
+            self.sides[one] = side
+        for node in self.frontier:
+            if node.things == [subject]:
+                node.things = [part, subject]
+        return True
+
+    def _is_seated_on(self, table: Mention, seats: tuple[Mention | str, ...]) -> bool:
+        """Put the chairs around a table that "seats eight people on eight chairs"."""
+        if not self.habits.is_in(table.noun, "tables", "desks"):
+            return False
+        if not all(isinstance(s, Mention) and self.habits.is_in(s.noun, "seats", "chairs") for s in seats):
+            return False
+        for seat in seats:
+            bind(self.draft, Bond("around", seat, (table,)))  # type: ignore[arg-type]
+        return True
+
+    def _lies_on(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:
+        """Whether it was said to lie on these, or for each of these: it is in front of them then."""
+        said = [b for b in self.draft.bonds_of(subject) if b.kind in ("on", "inside") and not b.implied]
+        carriers = [a for b in said for a in b.anchors]
+        return any(a in carriers or a in subject.per for a in anchors)
+
+    def _is_laid(self, subject: Mention, meaning: Meaning, anchors: tuple[Mention | str, ...]) -> bool:
+        """Lay "a plate at every seat" on the table of the seats, as many as there are seats."""
+        seats = [a for a in anchors if isinstance(a, Mention) and self.habits.is_in(a.noun, "seats", "chairs")]
+        if len(seats) != len(anchors) or meaning.kind not in ("at", "next_to", "around", "in_front_of", "per", "on"):
+            return False
+        if self.habits.is_in(subject.noun, "seats", "tables", "lamps") or not meaning.each:
+            return False
+        if not is_small(subject) or (meaning.kind == "on" and meaning.told):
+            return False
+        tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
+        if not tables:
+            return False
+        subject.per += [s for s in seats if s not in subject.per]
+        bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
+        return True
+
+    def _multiply(self, subject: Mention, meaning: Meaning) -> None:
+        """One "on each side" are two; one "in each corner" four."""
+        if meaning.both and subject.count == 1 and meaning.times == 1:
+            subject.count = 2
+        if subject.count and meaning.times > 1 and subject not in self.counted:
+            subject.count *= meaning.times
+            if subject.least:
+                subject.least *= meaning.times
+        elif meaning.spread > 1 and subject.count == 1:
+            subject.count = meaning.spread
+
+    def _share(self, bond: Bond) -> None:
+        """Keep the number that "each" gave where the relation to it is told in other words."""
+        for old in self.draft.bonds:
+            if old.implied and old.each and old.subject is bond.subject and not bond.each:
+                heads = [a for a in old.anchors if isinstance(a, Mention)]
+                if not old.distributed and bond.anchors != old.anchors:
+                    continue
+                if tuple(heads) != bond.anchors and not set(map(id, heads)) & set(map(id, bond.anchors)):
+                    bond.subject.per += [h for h in heads if h not in bond.subject.per]
+                elif set(map(id, bond.anchors)) <= set(map(id, heads)):
+                    bond.anchors = tuple(heads)
+                    bond.each = bond.kind != "between"

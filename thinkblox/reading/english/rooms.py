@@ -1,0 +1,113 @@
+"""What is said of the room: its kind, its people, its openings and places."""
+
+from dataclasses import replace
+
+from thinkblox.reading.draft import Gap
+from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.lists import Lists
+from thinkblox.reading.sizes import Size
+
+
+class Rooms(Lists):
+    """Reads what is said of the room."""
+
+    def _room(self, noun: Noun) -> None:
+        if self._is_another_room(noun):
+            self.draft.rooms.append(noun.text)
+            return
+        if not self.draft.room or self.draft.room == "room":
+            self.draft.room = noun.value
+        self.draft.room_attributes += noun.attributes
+        self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
+        if noun.size:
+            self.draft.sizes.append(noun.size)
+        if not self.draft.things:
+            self.frontier = []
+
+    def _is_another_room(self, noun: Noun) -> bool:
+        """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
+        if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
+            return False
+        zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
+        listed = (
+            noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
+        )
+        return listed and not zone and noun.value != self.draft.room
+
+    def _is_label(self, noun: Noun) -> bool:
+        """Whether the first noun says what kind of room it is: "Chess club, 7 m x 6 m: ..."."""
+        if self.draft.things or self.draft.room or self.front or self.draft.excluded:
+            return False
+        after = self.peek()
+        if noun.room:
+            self._room(replace(noun, kind="room", value=noun.room))
+            return True
+        introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
+        introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
+        roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
+        whole = self._next_noun(1) if self._is_link(after, "prepositions", "of") and not noun.det else None
+        if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
+            self.at += 2
+            self._room(replace(noun, kind="room", value="room"))
+            return True
+        with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
+        named_room = self._is_link(after, "mark", "colon") and noun.text.lower().split()[-1] in grammar().lists["rooms"]
+        sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
+        large = sized and isinstance(size, Measured) and self._is_room_size(size.size)
+        large &= not noun.det or not noun.named
+        if not noun.det and not noun.many and (self._colon_ahead() or large):
+            named_room = True
+        named_room |= large
+        if named_room and noun.det in ("a", "") and not noun.many:
+            self._room(replace(noun, kind="room", value="room"))
+            return True
+        if not noun.named and (roomish or introduces or with_ or self._is_link(after, "mark")) and not noun.many:
+            self._room(replace(noun, kind="room", value="room"))
+            return True
+        return False
+
+    def _is_room_size(self, size: Size) -> bool:
+        """Whether a size is that of a room rather than of a thing."""
+        sides = [length.metres for length in size.lengths]
+        square = isinstance(said := self.peek(2), Adjective) and said.attributes == ["square"]
+        return size.area is not None or ((len(sides) > 1 or square) and min(sides) > 1.0)
+
+    def _colon_ahead(self) -> bool:
+        """Whether a colon ends what was begun, before any other mark."""
+        marks = (c for c in self.chunks[self.at :] if isinstance(c, Link) and c.sort == "mark")
+        first = next(marks, None)
+        return first is not None and first.value == "colon"
+
+    def _people(self, noun: Noun) -> None:
+        if noun.count and not self.draft.things and not noun.each:
+            self.draft.people = noun.count
+        if noun.count and not self.frontier and not self.clause.members:
+            self.crowd = noun.count
+
+    def _place(self, noun: Noun) -> None:
+        if self.leaving or "empty" in (*noun.attributes, *noun.states) or "free" in noun.text.lower().split():
+            self._free(noun.value)
+            return
+        name = noun.value.split()[0]
+        if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
+            self.draft.openings.append(Gap(name, 0))
+        elif name in ("window", "door") and not noun.definite:
+            self.opening = Gap(name, noun.count or (2 if noun.plural else 1))
+            self.draft.openings.append(self.opening)
+            for front in self.front:
+                if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
+                    self.opening.wall = front.anchors[0]
+            self.frontier = []
+        elif not self.separator:
+            self.frontier = []
+
+    def _free(self, place: str) -> None:
+        self.draft.free.append(place.split()[0])
+
+    def _bare_part(self, noun: Noun) -> None:
+        if self.leaving and noun.value == "middle":
+            self._free("centre")
+            return
+        self.subject = None
+        self.frontier = []

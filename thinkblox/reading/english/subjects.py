@@ -1,0 +1,168 @@
+"""Whom a relation is about, and what a pronoun then means."""
+
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.having import Having
+from thinkblox.reading.english.nodes import Node, Where
+from thinkblox.reading.english.referents import is_small
+
+_BY_OWNER = (
+    "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
+)  # fmt: skip
+"""Relations that are rather about what has a thing than about the thing."""
+_JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
+"""Relations that all of a list share, and what kind of things then do."""
+
+
+class Subjects(Having):
+    """Finds the subjects of relations."""
+
+    def _whole_subject(self) -> Node | None:
+        """Everything that the clause named before its verb."""
+        node = next((n for n in self.frontier if n.frame is not None and n.things and n.frame.head is None), None)
+        node = node or next((n for n in self.frontier if n.frame is not None and n.things), None)
+        if node is None:
+            return None
+        things = [t for t in self.clause.members if t in self.draft.things]
+        if node.known or not things:
+            things = [t for t in node.things if t in self.draft.things] or things
+            things = list(dict.fromkeys([*[m for m in self.clause.members if m in self.draft.things], *things]))
+        return Node(things, self.clause, known=node.known, each=node.each or self.each) if things else None
+
+    def _subject_of(self, where: Where) -> Node | None:
+        nodes = [node for node in reversed(self.frontier) if node.things]
+        if not nodes:
+            return self.subject
+        if self.predicate and self.subject is not None and len(self.frontier) <= 1:
+            return self.subject
+        inner = nodes[0]
+        noun = where.noun
+        if inner.frame is None:
+            return self._past_anchor(nodes, where)
+        head = inner.frame.head
+        if head is not None and head.things and where.word == "between" and self._is_pronominal(where):
+            if self._belongs(inner.things[-1].noun, "small") and not head.things[-1].many:
+                return head
+        if head is not None and head.things and self._is_pronominal(where) and where.word in _BY_OWNER:
+            lying = [b for b in self.draft.bonds_of(inner.things[-1]) if b.implied and b.kind in ("on", "inside")]
+            within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
+            if (
+                lying
+                and noun is not None
+                and noun.kind == "pronoun"
+                and (within or self._behind_its_carrier(head, where))
+            ):
+                return head
+        middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
+        if head is not None and head.things and middle and inner.things[-1].many and not inner.frame.each:
+            return head
+        if head is not None and head.things and not self._is_pronominal(where):
+            thing = inner.things[-1]
+            place = noun is not None and noun.kind == "place" and not (noun.value == "centre" and where.whole is None)
+            if place and not self.habits.is_in(thing.noun, "wallpieces", "ceiling") and not inner.frame.each:
+                if noun is not None and not (noun.value in ("wall", "floor", "ceiling") and where.word == "on"):
+                    return head
+            same = noun is not None and noun.kind == "thing" and self._is_head(noun, head)
+            if where.word in _BY_OWNER and not same and noun is not None and noun.kind == "thing":
+                if self.habits.is_in(thing.noun, "small", "seats", "lamps"):
+                    return head
+        return self._joined(inner, where)
+
+    def _behind_its_carrier(self, head: Node, where: Where) -> bool:
+        """Whether "it" is something before the shelves: "a counter, shelves with bottles behind it"."""
+        before = [m for m in self.clause.members if m not in head.things]
+        return where.word in ("behind", "in_front_of", "opposite") and bool(before)
+
+    def _is_head(self, noun: Noun, head: Node) -> bool:
+        found = self.referents.named(noun) if noun.definite else None
+        return found in head.things
+
+    def _is_pronominal(self, where: Where) -> bool:
+        noun = where.noun
+        if noun is None:
+            return True
+        if noun.kind == "pronoun":
+            return True
+        if noun.kind == "part":
+            return where.whole is None or where.whole.kind == "pronoun"
+        return False
+
+    def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
+        """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
+        inner = nodes[0]
+        subject = next((n for n in nodes if n.frame is not None), None) or self.subject
+        if subject is None:
+            return inner
+        if inner.told or where.negated or (inner.known and not is_small(subject.things[-1])):
+            return subject
+        thing = inner.things[-1]
+        if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
+            return subject
+        if (
+            where.noun is not None
+            and where.noun.kind == "part"
+            and where.noun.value == "middle"
+            and not is_small(thing)
+        ):
+            return inner
+        if self._is_pronominal(where) and where.noun is not None:
+            return subject if not is_small(thing) and is_small(subject.things[-1]) else inner
+        return inner
+
+    def _joined(self, node: Node, where: Where) -> Node:
+        """A list that shares what is said of its last member: "a vase and two candles on the table"."""
+        thing = node.things[-1]
+        frame = node.frame
+        if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
+            return node
+        kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
+        kind = (
+            "against_wall"
+            if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value
+            else kind
+        )
+        group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
+        if group is None or not self._belongs(thing.noun, group):
+            return node
+        taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
+        free: list[Mention] = []
+        for member in reversed(frame.members):
+            if (member in taken and member is not thing) or (
+                member is not thing and not self._belongs(member.noun, group)
+            ):
+                break
+            free.insert(0, member)
+        return Node(free, frame) if len(free) > 1 else node
+
+    def _likely(self, node: Node) -> list[Mention]:
+        """What a pronoun means first: the head of the list, then what the clause is about."""
+        found: list[Mention] = []
+        frame = node.frame
+        for bond in (b for t in node.things for b in self.draft.bonds_of(t)):
+            found += [a for a in bond.anchors if isinstance(a, Mention) and not bond.negated]
+        found += [t.host for t in node.things if t.host is not None]
+        if frame is not None and frame.head is not None:
+            found += frame.head.things
+        if frame is not None and self._after_and(node):
+            found += self._anchor_before(node)
+        if self.subject is not None and self.subject is not node:
+            found += self.subject.things
+        for member in [m for m in self.clause.members if m not in node.things][-1:]:
+            lying = [b for b in self.draft.bonds_of(member) if b.kind in ("on", "inside") and not b.negated]
+            found += [a for b in lying for a in b.anchors if isinstance(a, Mention) and a in self.clause.members]
+            found.append(member)
+        for front in self.front:
+            found += [a for a in front.anchors if isinstance(a, Mention)]
+        return list(dict.fromkeys(t for t in found if t not in node.things))
+
+    def _after_and(self, node: Node) -> bool:
+        return node.frame is not None and len(node.frame.members) > 1 and node.frame.head is None
+
+    def _anchor_before(self, node: Node) -> list[Mention]:
+        """What the thing before it in the list was related to: "a lamp left of the laptop and a frame right of it"."""
+        if node.frame is None:
+            return []
+        before = [m for m in node.frame.members if m not in node.things][-1:]
+        said = [b for m in before for b in self.draft.bonds_of(m) if not b.implied]
+        anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention) and id(a) not in self.fresh]
+        return anchors if not (before and is_small(before[0]) and said and said[-1].kind == "on") else []

@@ -1,0 +1,144 @@
+"""Which list a thing belongs to, and how its members stand to the head."""
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Link, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.nodes import Frame
+from thinkblox.reading.english.relating import Relating
+
+_CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+"""How things stand to what they belong to more closely than to be beside it."""
+
+
+class Ties(Relating):
+    """Tells what continues a list."""
+
+    def _frame_for(self, thing: Mention, noun: Noun) -> Frame:
+        """The list that a thing after a comma or "and" goes on with: the innermost that it belongs to."""
+        nodes = [node for node in reversed(self.frontier) if node.frame is not None]
+        for node in nodes:
+            frame = node.frame
+            if frame is None or frame.head is None:
+                continue
+            if self._goes_on(frame, thing, noun):
+                frame.closing |= self.separator in ("and", "comma_and")
+                return frame
+        if self.separator in ("and", "comma_and"):
+            self.clause.closing = True
+        return self.clause
+
+    def _goes_on(self, frame: Frame, thing: Mention, noun: Noun) -> bool:
+        head = frame.head.thing if frame.head is not None else None
+        told = self._told_of(frame)
+        if told is not None:
+            return told
+        if head is None:
+            return frame.times > 1
+        tie = self._tie(thing, frame)
+        if frame.closing and self.separator in ("comma", "comma_and"):
+            return False
+        if self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each:
+            return False
+        if tie is None or (tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members):
+            return False
+        if frame.told and self.separator == "comma":
+            return frame.each and tie in _CARRIED
+        if frame.told and tie not in _CARRIED:
+            return False
+        if self.separator == "comma_and" and tie not in _CARRIED and not frame.each:
+            return False
+        return True
+
+    def _told_of(self, frame: Frame) -> bool | None:
+        """Whether what follows the noun ties it to the head of a list in words, or to something else."""
+        link = self.peek()
+        if not isinstance(link, Link) or link.sort not in ("prepositions", "participles"):
+            return None
+        index = 0
+        if link.sort == "participles":
+            index, link = 1, self.peek(1)
+            if not isinstance(link, Link) or link.sort != "prepositions":
+                return None
+        noun = self._next_noun(index + 1)
+        if noun is None or link.value in ("with", "of", "for"):
+            return None
+        if frame.head is None:
+            return frame.times > 1
+        if noun.kind == "pronoun" or (noun.kind == "part" and self._is_mine(noun, index)):
+            return True
+        if noun.kind == "thing" and noun.definite:
+            return self._is_of(frame, noun)
+        if noun.kind == "part":
+            whole = self._next_noun(index + 3)
+            if whole is not None and whole.kind == "thing":
+                return self._is_of(frame, whole)
+        if noun.kind == "place" and noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
+            return None if frame.each and noun.value.split()[0] == "wall" else False
+        return None
+
+    def _is_of(self, frame: Frame, noun: Noun) -> bool | None:
+        if frame.head is not None and self.referents.named(noun) in frame.head.things:
+            return True
+        return None if frame.each else False
+
+    def _is_mine(self, noun: Noun, index: int) -> bool:
+        after = self.peek(index + 2)
+        return not self._is_link(after, "prepositions", "of")
+
+    def _is_told_next(self) -> bool:
+        """Whether the relation of the thing just named to something is told in words."""
+        link = self.peek()
+        return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", "with", "of", "for")
+
+    def _shares(self, thing: Mention, head: Mention, tie: str, frame: Frame) -> bool:
+        """Whether "two desks with a chair" means a chair at each."""
+        if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
+            return False
+        if frame.kind in ("hold", "carry"):
+            return False
+        if thing.count is None:
+            return tie in ("on", "at", "around")
+        few = thing.count < 2 * head.count and thing.noun != head.noun
+        return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _tie(self, thing: Mention, frame: Frame, *, first: bool = False) -> str | None:
+        """How a listed thing belongs to the head; None when it does not, which ends the list."""
+        head = frame.head.thing if frame.head is not None else None
+        if head is None:
+            return None
+        first = first or not frame.members
+        usual = self.habits.tie(thing.noun, head.noun)
+        small = self._belongs(thing.noun, "small")
+        small |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
+        shelves = self.habits.is_in(head.noun, *[g for g in ("shelves", "containers") if g in self.habits.groups])
+        match frame.kind:
+            case "hold" | "carry" | "inside" if usual in ("at", "around"):
+                return usual
+            case "hold" | "carry":
+                if not (small or first or usual == "on"):
+                    return None
+                within = self._contains(head, shelves=shelves) if frame.kind == "hold" else shelves
+                return "inside" if within else "on"
+            case "inside":
+                return "inside" if small or first else None
+            case "on":
+                return "on" if small or first or usual == "on" else None
+            case "with":
+                if usual == "on" and shelves and small:
+                    return "inside"
+                if usual:
+                    return str(usual)
+                surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
+                contains = self._contains(head, shelves=shelves)
+                seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
+                flat = singular(head.text.rpartition(" ")[2].lower()) in grammar().lists["flat"]
+                laid = small and (surfaces or contains or seats or flat) and thing.noun != "tv"
+                if laid:
+                    return "inside" if contains else "on"
+                return "next_to" if frame.each else None
+        return frame.kind if frame.kind != "list" else None
+
+    def _contains(self, head: Mention, *, shelves: bool) -> bool:
+        word = singular(head.text.rpartition(" ")[2].lower())
+        return shelves or word in grammar().lists["containers"]
