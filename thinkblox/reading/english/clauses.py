@@ -79,6 +79,9 @@ class Clauses(Pronouns):
             return
         if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
             return
+        if self._is_mood(noun):
+            self.draft.style.append(noun.text.lower())
+            return
         word = noun.text.rpartition(" ")[2].lower()
         if noun.definite and word in grammar().lists["parts"] and self._is_link(self.peek(), "prepositions", "of"):
             whole = self._next_noun(1)
@@ -101,6 +104,15 @@ class Clauses(Pronouns):
             return
         thing = self._new(noun)
         self._take(thing, noun)
+
+    def _is_mood(self, noun: Noun) -> bool:
+        """Whether words that nobody knows only say how it is to feel: "nail salon, instagram ready"."""
+        if noun.named or noun.det or noun.count is not None or noun.plural or self.pending is not None:
+            return False
+        told = self._is_link(self.peek(), "prepositions") and not self._is_link(
+            self.peek(), "prepositions", "of", "for"
+        )
+        return not self.front and not told and not self.draft.things
 
     def _is_capacity(self, noun: Noun) -> bool:
         """Whether "(3 seats)" only says how large the sofa before it is."""

@@ -4,10 +4,28 @@ from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import noun_of
 from thinkblox.knowledge.vocabulary import is_abstract, is_person
+from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.modifiers import Modifiers
 from thinkblox.reading.english.words import Known, Unit, Units
+
+_ADJECTIVAL = (
+    "ed",
+    "able",
+    "ible",
+    "ous",
+    "ful",
+    "less",
+    "ish",
+    "like",
+    "style",
+    "shaped",
+    "sized",
+    "coloured",
+    "colored",
+)
+"""Endings of words that describe a thing rather than say of which kind it is."""
 
 
 class Heads(Modifiers):
@@ -34,6 +52,7 @@ class Heads(Modifiers):
         if last.known is not None:
             self._known_head(noun, last.known)
             self._modifiers(noun, named[:-1])
+            self._kind_of_its_own(noun, named[:-1], last)
             return
         words = list(dict.fromkeys(word for unit in named for word in unit.text.lower().split()))
         if self._people_or_abstract(noun, words):
@@ -64,14 +83,22 @@ class Heads(Modifiers):
             if unit.known is None and not grammar().phrases.get(tuple(words)):
                 noun.unshown.append(unit.text.lower())
 
+    def _kind_of_its_own(self, noun: Noun, units: list[Unit], head: Unit) -> None:
+        """Let "a vessel sink" be a thing of that name: its kind is said by a noun that nobody knows."""
+        words = [word for unit in units if unit.known is None for word in unit.text.lower().split()]
+        types = [word for word in words if not adjective_kinds(word) and not word.endswith(_ADJECTIVAL)]
+        if noun.kind != "thing" or not types or len(types) < len(units):
+            return
+        last = head.text.lower().split()
+        noun.value = identifier_of(noun_of(" ".join([*types, *last[:-1], singular(last[-1])])))
+
     def _people_or_abstract(self, noun: Noun, words: list[str]) -> bool:
         if words[-1] in ("rows", "row", "lines", "columns") and len(words) == 1:
             noun.kind, noun.rows, noun.count = "number", noun.count or -1, None
             return True
-        for end in (len(words), 1):
-            key = tuple(words[-end:])
+        for key in (tuple(words), (words[-1],), (words[0],)):
             found = dict(grammar().phrases.get(key, ()))
-            if "people" in found:
+            if "people" in found and key != (words[0],):
                 noun.kind, noun.value = "people", "people"
                 return True
             if "abstract" in found:
@@ -126,7 +153,17 @@ class Heads(Modifiers):
             return self._finished(noun)
         return None
 
+    def _sorted_out(self, noun: Noun) -> None:
+        """Keep of the modifiers that nobody knows those that change what one sees."""
+        for word in [*noun.unshown]:
+            kinds = adjective_kinds(word)
+            if kinds == {"filler"} or kinds == {"style"} or "state" in kinds:
+                noun.unshown.remove(word)
+                noun.styles += [word] if kinds == {"style"} else []
+                noun.states += [word] if "state" in kinds else []
+
     def _finished(self, noun: Noun) -> Noun:
+        self._sorted_out(noun)
         noun.text = self._text(noun.start, noun.end)
         if noun.every and noun.counted:
             noun.count = None

@@ -8,6 +8,9 @@ from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 _NAMES = 5
 """Most unknown words that one name has."""
 
+_BUILT = ("floor", "wall", "ceiling", "window", "door")
+"""Places that a noun before them can describe: "a checkerboard floor"."""
+
 
 class PhraseReader(Heads):
     """Reads noun phrases of one text."""
@@ -95,7 +98,9 @@ class PhraseReader(Heads):
             if length := self._glued(noun, at, units):
                 return length
         if known is not None and self._is_better(known, stop, units):
-            if known.entry.sort == "place" and units.nouns:
+            unknown = all(unit.known is None and not unit.owner for unit in units.nouns)
+            built = known.entry.sort == "place" and known.entry.value.split()[0] in _BUILT
+            if known.entry.sort == "place" and units.nouns and not (built and unknown):
                 if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
                     return 0
                 units.nouns.append(Unit(self.tokens[at].shown))

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.knowledge.vocabulary import thing_called
+from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.lexicon import LONGEST, Entry, Lexicon, Sort
 from thinkblox.reading.tokens import Token
@@ -90,18 +91,32 @@ class Words:
         least = found.length if found is not None else 0
         for length in range(len(words), least, -1):
             named = thing_called(" ".join(words[:length]), length)
-            if named is not None:
+            if named is not None and not self._is_described(words[:length]):
                 others = self.lexicon.phrases.get(tuple(words[:length]), ())
                 entry = Entry("object", named.name or named.category, named.plural, named.attribute)
                 return Known(entry, length, tuple(e for e in others if e.sort in ("attribute", "room")))
         return found
+
+    def _is_decade(self, at: int) -> bool:
+        """Whether a number says when: "the 1920s"."""
+        after = self.tokens[at + 1] if at + 1 < len(self.tokens) else None
+        token = self.tokens[at]
+        return after is not None and after.text == "s" and after.start == token.start + len(token.shown)
+
+    def _is_described(self, words: list[str]) -> bool:
+        """Whether a name is an adjective and a name: "wooden bucket", "folded blanket"."""
+        rest = " ".join(words[1:])
+        if len(words) < 2 or thing_called(rest, len(words) - 1) is None:
+            return False
+        looks = any(e.sort in ("attribute", "style") for e in self.lexicon.phrases.get((words[0],), ()))
+        return looks or bool({"state", "size"} & adjective_kinds(words[0]))
 
     def _number(self, at: int) -> tuple[int, int] | None:
         """A whole number and how many tokens it takes."""
         if not 0 <= at < len(self.tokens):
             return None
         token = self.tokens[at]
-        if token.kind == "number" and self._is_inner_number(at):
+        if token.kind == "number" and (self._is_inner_number(at) or self._is_decade(at)):
             return None
         if token.kind == "number":
             whole = token.value == int(token.value) and 0 <= token.value < 10**9
