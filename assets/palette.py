@@ -125,7 +125,19 @@ COLOURS: dict[str, Vec3] = {
     "black": (0.09, 0.09, 0.10),
     "turquoise": (0.35, 0.62, 0.62),
 }
-WOODS = {"oak": OAK, "walnut": WALNUT, "beech": BEECH, "ash": ASH, "teak": TEAK, "pine": PINE, "wooden": OAK}
+MAHOGANY = Finish((0.38, 0.19, 0.14), "wood")
+EBONY = Finish((0.14, 0.11, 0.10), "wood")
+WOODS = {
+    "oak": OAK,
+    "walnut": WALNUT,
+    "beech": BEECH,
+    "ash": ASH,
+    "teak": TEAK,
+    "pine": PINE,
+    "mahogany": MAHOGANY,
+    "ebony": EBONY,
+    "wooden": OAK,
+}
 
 
 @dataclass(frozen=True)

@@ -11,12 +11,12 @@ from thinkblox.value import Vec3
 
 _NUMBERS = {w: n for n, w in enumerate("one two three four five six seven eight nine ten eleven twelve".split(), 1)}
 _SCALES: dict[str, Vec3] = {
-    "small": (0.85, 0.8, 0.92),
-    "little": (0.85, 0.8, 0.92),
-    "tiny": (0.75, 0.7, 0.85),
-    "large": (1.12, 1.2, 1.08),
-    "big": (1.12, 1.2, 1.08),
-    "huge": (1.2, 1.35, 1.15),
+    "small": (0.82, 0.76, 0.88),
+    "little": (0.82, 0.76, 0.88),
+    "tiny": (0.7, 0.65, 0.75),
+    "large": (1.16, 1.28, 1.12),
+    "big": (1.16, 1.28, 1.12),
+    "huge": (1.25, 1.45, 1.2),
     "long": (1.0, 1.4, 1.0),
     "wide": (1.0, 1.25, 1.0),
     "short": (1.0, 0.8, 1.0),

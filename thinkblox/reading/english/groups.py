@@ -38,7 +38,8 @@ class Groups(Looks):
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""
         for thing in self.groups.values():
-            if thing in self.draft.things and thing.noun not in self.habits.known():
+            alone = len(thing.text.split()) <= 2 or thing.unshown
+            if thing in self.draft.things and thing.noun not in self.habits.known() and alone:
                 self.draft.drop(thing)
                 self.draft.unknown.append(thing.text)
 

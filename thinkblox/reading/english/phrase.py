@@ -172,6 +172,9 @@ class PhraseReader(Heads):
         if filler is not None:
             can = (noun.det or noun.count is not None or units.adjectives) and not units.nouns
             return filler.length if can and self._starts_noun(at + filler.length) else 0
+        if (noun.det, token.text) == ("each", "half"):
+            units.nouns.append(Unit(token.shown))
+            return 1
         if grammar().at(self.tokens, at, "participles", "pronouns") is not None:
             can = (noun.det or noun.count is not None) and not units.nouns and self._starts_noun(at + 1)
             return 1 if can else 0
