@@ -1,17 +1,19 @@
 """Where assets come from: whatever finds, makes and fits them; the catalogue of procedural furniture is one."""
 
-import difflib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Protocol
 
-from thinkblox.assets.catalogue import CATALOGUE, phrases
+from thinkblox.assets.catalogue import CATALOGUE, phrases, revision
 from thinkblox.assets.facts import Facts
 from thinkblox.assets.make import fit_asset, make_thing
+from thinkblox.assets.spelling import Spelling
 from thinkblox.assets.stand_ins import facts_of, kind_of
 from thinkblox.scene.asset import Asset, Mount
 from thinkblox.value import Vec3
 
-_CLOSE, _MOST = 0.75, 8
+_MOST = 8
+"""Most phrases that are taken for being spelt alike."""
 
 
 class AssetSource(Protocol):
@@ -50,12 +52,12 @@ class ProceduralAssets:
 
     def find(self, words: str) -> tuple[str, ...]:
         """The categories that the words name, then those that their last words name, then those spelt much alike."""
-        known = _by_phrase()
+        known, spelling = _by_phrase(revision())
         parts = words.lower().replace("_", " ").split()
         ends = [" ".join(parts[start:]) for start in range(len(parts))]
         forms = [form for end in ends for form in (end, end.removesuffix("s"), end.removesuffix("es"))]
         named = [name for form in forms for name in known.get(form, ())]
-        close = difflib.get_close_matches(" ".join(parts), known, n=_MOST, cutoff=_CLOSE)
+        close = spelling.close(" ".join(parts), _MOST)
         return tuple(dict.fromkeys([*named, *(name for phrase in close for name in known[phrase])]))
 
     def facts(self, category: str) -> Facts:
@@ -80,10 +82,11 @@ class ProceduralAssets:
         return fit_asset(asset, size)
 
 
-def _by_phrase() -> dict[str, tuple[str, ...]]:
-    """The categories by what they are called: their names, nouns and English words."""
+@lru_cache(maxsize=1)
+def _by_phrase(revision: int) -> tuple[Mapping[str, tuple[str, ...]], Spelling]:
+    """The categories by what they are called: their names, nouns and English words; with the spelling of these."""
     found: dict[str, tuple[str, ...]] = {}
     for name, category in sorted(CATALOGUE.items(), key=lambda item: item[1].plain):
         for phrase in dict.fromkeys((name.replace("_", " "), category.noun.lower(), *phrases(category))):
             found[phrase] = (*found.get(phrase, ()), name)
-    return found
+    return found, Spelling(found)

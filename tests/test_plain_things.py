@@ -23,7 +23,7 @@ from thinkblox.value import Vec3, from_json, to_json
 PLAIN = {name: category for name, category in CATALOGUE.items() if category.plain}
 FREE = [name for name, category in PLAIN.items() if category.mount in ("floor", "surface") and not category.flat]
 SPACING = 6.0
-HOLLOW = {"balloon", "balloon_bunch", "exercise_ball", "swim_ring", "tunnel"}
+HOLLOW = {"balloons", "balloon_bunch", "birthing_ball", "swim_ring", "tunnel"}
 """Full of air, and so lighter than anything solid."""
 
 
