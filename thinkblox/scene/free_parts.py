@@ -21,31 +21,31 @@ ANY_WALL = ("wall", "one_wall", "opposite_wall")
 _Row = tuple[Vec2, Vec2, float, float, float]
 
 
-class Part(NamedTuple):
+class FreePart(NamedTuple):
     """One part of a room: its name, and the boxes that stay free."""
 
     name: str
     boxes: Rects
 
 
-def parts(room: Room, place: str) -> tuple[Part, ...]:
+def parts(room: Room, place: str) -> tuple[FreePart, ...]:
     """The parts that a Place, or the name of a wall, can mean; of several any one that is free will do."""
     if place == "centre":
         x, y = room.polygon.centroid.coords[0]
         size = (room.extent[0] * MIDDLE_SHARE, room.extent[1] * MIDDLE_SHARE)
-        return (Part("the middle", Rects.of([((x, y), size, 0.0, 0.0, HEAD_HEIGHT)])),)
+        return (FreePart("the middle", Rects.of([((x, y), size, 0.0, 0.0, HEAD_HEIGHT)])),)
     if place == "corner":
-        return tuple(Part(f"the {c.name}", Rects.of([_corner(c.centre, c.yaw)])) for c in corners(room))
+        return tuple(FreePart(f"the {c.name}", Rects.of([_corner(c.centre, c.yaw)])) for c in corners(room))
     if place in ("door", "window"):
         rows = [_opening(room, n) for n, o in enumerate(room.openings) if o.kind == place]
-        return (Part(f"before each {place}", Rects.of(rows)),) if rows else ()
+        return (FreePart(f"before each {place}", Rects.of(rows)),) if rows else ()
     named = walls(room, place)
     if place in ANY_WALL:
-        return tuple(Part(wall.name, Rects.of([_strip(room, wall)])) for wall in named)
-    return (Part(place, Rects.of([_strip(room, wall) for wall in named])),) if named else ()
+        return tuple(FreePart(wall.name, Rects.of([_strip(room, wall)])) for wall in named)
+    return (FreePart(place, Rects.of([_strip(room, wall) for wall in named])),) if named else ()
 
 
-def takers(scene: Arrangement, part: Part, *, besides: frozenset[str] = frozenset()) -> tuple[str, ...]:
+def takers(scene: Arrangement, part: FreePart, *, besides: frozenset[str] = frozenset()) -> tuple[str, ...]:
     """Ids of what stands or hangs in a part of the room; what is only walked on does not count, nor `besides`."""
     solid = tuple(p for p in scene.placements if scene.asset_of(p).collides and p.id not in besides)
     if not solid:
