@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 from functools import lru_cache
-from math import dist
+from math import dist, pi
 
 from shapely import MultiPoint
 
@@ -11,12 +11,13 @@ from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, WICKER, WOODS
 from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
 from thinkblox.assets.sizing import people
+from thinkblox.assets.stand_ins import facts_of
 from thinkblox.assets.states import shows_state
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3
 
-SEAT_WIDTH, PLACE_WIDTH = 0.5, 0.6
-"""Width that a person takes on a seat, and at the edge of a table [m]; Neufert."""
+_PLACE, _KNEES = 0.5, 0.65
+"""Width that one person takes at a table or on a bench, and how much of a long side the knees at the ends take [m]."""
 _ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
 """Least share of the plan that a round part covers, how far its sides may differ, and what of its box it may fill."""
 
@@ -28,8 +29,8 @@ def realised(asset: Asset, attribute: str) -> bool:
     """
     word = attribute.lower().replace("_", "-").replace(" ", "-")
     rule = _RULES.get(word)
-    if places := people((word,)):
-        return _seats(asset, places)
+    if wanted := people((word,)):
+        return _seats(asset) >= wanted
     if word in COLOURS:
         return shows_colour(asset.links, COLOURS[word])
     if word in MATERIALS or word in WOODS:
@@ -37,15 +38,6 @@ def realised(asset: Asset, attribute: str) -> bool:
     if rule is not None:
         return rule(asset)
     return _heeded(asset, attribute) or shows_state(asset, word)
-
-
-def _seats(asset: Asset, count: int) -> bool:
-    """Whether so many have room: side by side on a seat, or at the edge of anything else."""
-    x, y, _ = asset.size
-    known = CATALOGUE.get(asset.category)
-    if known is not None and known.is_in("seating"):
-        return y >= SEAT_WIDTH * count
-    return 2 * (x + y) >= PLACE_WIDTH * count
 
 
 def _shapes(asset: Asset) -> list[Shape]:
@@ -88,6 +80,17 @@ def _is_rectangular(asset: Asset) -> bool:
 def _is_oval(asset: Asset) -> bool:
     x, y = asset.size[:2]
     return abs(x - y) > 0.05 * max(x, y) and any(surface.round for surface in asset.surfaces)
+
+
+def _seats(asset: Asset) -> int:
+    """How many have room at a table, or side by side on what one sits on or at from one side."""
+    short, long = sorted(asset.size[:2])
+    if asset.front == "one" or facts_of(asset.category).is_in("seating"):
+        return int(asset.size[1] / _PLACE)
+    if abs(long - short) <= _ROUND * long and _is_round(asset):
+        return int(pi * long / _PLACE)
+    along = max(1, int((long - _KNEES) / _PLACE))
+    return 2 * along + 2
 
 
 def _brightness(asset: Asset) -> float:

@@ -68,8 +68,9 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
     if {"round", "circular"} & set(words):
         across = max(0.8, 0.62 * count / np.pi + 0.18)
         return (across, across, z)
-    if count <= 2 or ("square" in words and count <= 4):
-        return (min(x, 0.8 if count <= 2 else 0.9), 0.8 if count <= 2 else 0.9, z)
+    if count <= 2 or (("square" in words or x == y) and count <= 4):
+        side = 0.8 if count <= 2 else 0.9
+        return (side if x == y else min(x, side), side, z)
     sides = (count - 2) // 2 + (count - 2) % 2
     return (x, 0.62 * sides + 0.65, z)
 

@@ -34,10 +34,16 @@ def test_json_is_the_report_and_nothing_else(tmp_path):
     assert done.stderr == ""
 
 
-def test_what_the_catalogue_lacks_is_said_and_the_status_is_1(tmp_path):
+def test_what_the_catalogue_lacks_has_a_plain_stand_in_and_that_is_said(tmp_path):
     done = run("generate", "A room with a griffin and a table.", "--out", tmp_path / "room", "--no-pictures")
+    assert done.returncode == 0
+    assert "as plain stand-ins: griffin" in done.stdout
+
+
+def test_what_cannot_be_shown_is_said_and_the_status_is_1(tmp_path):
+    done = run("generate", "A room with a haunted chair and a table.", "--out", tmp_path / "room", "--no-pictures")
     assert done.returncode == 1
-    assert "griffin" in done.stdout
+    assert "haunted" in done.stdout
     assert (tmp_path / "room" / "scene.json").exists()
 
 

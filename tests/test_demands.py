@@ -235,8 +235,10 @@ def test_opposite_walls_are_opposite() -> None:
         ("table", "rectangular", True),
         ("floor_lamp", "tall", True),
         ("sofa", "three-seat", True),
-        ("dining_table", "for-6", True),
-        ("side_table", "for-6", False),
+        ("sofa", "for-12", False),
+        ("dining_table", "for-8", True),
+        ("coffee_table", "for-12", False),
+        ("play_table", "for-2", True),
         ("sofa", "leather", True),
         ("wardrobe", "sliding", False),
         ("office_chair", "swivel", True),
@@ -247,6 +249,16 @@ def test_opposite_walls_are_opposite() -> None:
 )
 def test_whether_an_attribute_is_seen(category: str, word: str, shown: bool) -> None:
     assert realised(make_asset(category, seed=3, attributes=(word,)), word) is shown
+
+
+def test_a_long_table_seats_six_without_being_made_for_them() -> None:
+    assert realised(make_asset("dining_table", seed=0, attributes=("long", "for-6")), "for-6")
+    assert not realised(make_asset("dining_table", seed=0, attributes=("small", "for-6")), "for-6")
+
+
+def test_a_square_table_for_four_stays_square() -> None:
+    width, depth, _ = make_asset("square_table", seed=0, attributes=("for-4",)).size
+    assert width == pytest.approx(depth, rel=0.1)
 
 
 @pytest.mark.parametrize("words", [("red",), ("red", "wooden"), ("black", "metal"), ("leather", "green")])

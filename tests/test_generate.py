@@ -193,7 +193,7 @@ def test_a_room_that_is_not_all_as_asked_is_begun_anew_and_the_best_attempt_is_k
 
 def test_what_no_arrangement_can_mend_is_not_tried_again():
     told: list[Progress] = []
-    result = generate_room("A room with a griffin and a table.", on_object=told.append)
+    result = generate_room("A room with a haunted chair.", on_object=told.append)
     assert [p.attempt for p in told] == [0]
     assert result.report.valid
     assert not result.report.complete

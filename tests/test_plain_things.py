@@ -23,12 +23,12 @@ from thinkblox.value import Vec3, from_json, to_json
 PLAIN = {name: category for name, category in CATALOGUE.items() if category.plain}
 FREE = [name for name, category in PLAIN.items() if category.mount in ("floor", "surface") and not category.flat]
 SPACING = 6.0
-HOLLOW = {"balloons", "balloon_bunch", "birthing_ball", "swim_ring", "tunnel"}
+HOLLOW = {"balloon_bunch", "swim_ring", "tunnel"}
 """Full of air, and so lighter than anything solid."""
 
 
 def test_there_are_many() -> None:
-    assert len(PLAIN) >= 1000
+    assert len(PLAIN) >= 900
 
 
 def test_every_word_of_the_table_stands_in_it_once() -> None:
@@ -148,7 +148,7 @@ def test_they_survive_being_written_and_read() -> None:
 
 
 def test_a_colour_that_is_asked_for_is_shown() -> None:
-    red = make_asset("wok", seed=0, attributes=("red",))
+    red = make_asset("grill_pan", seed=0, attributes=("red",))
     assert any(shape.colour[0] > 2 * shape.colour[2] for shape in shapes_of(red))
 
 

@@ -13,14 +13,15 @@ from thinkblox.knowledge.habits import load_habits
     ("name", "how", "like"),
     [
         ("bed", "catalogue", "bed"),
-        ("wok", "table", "wok"),
-        ("popcorn_machine", "table", "popcorn_machine"),
+        ("grill pan", "table", "grill_pan"),
+        ("popcorn_machine", "catalogue", "popcorn_machine"),
+        ("ice_cream_machine", "table", "ice_cream_machine"),
         ("samovar", "table", "tea_urn"),
         ("dental throne", "head", "throne"),
         ("grandfather chair", "head", "chair"),
-        ("cheese board", "table", "cheese_board"),
+        ("cheese board", "catalogue", "cutting_board"),
         ("jungle lamp", "head", "floor_lamp"),
-        ("sack of staples", "head", "sack_of_rice"),
+        ("sack of staples", "head", "sack"),
         ("gum dispenser", "head", "soap_dispenser"),
         ("nebuliser", "spelling", "humidifier"),
         ("quern", "plain", ""),
@@ -72,16 +73,16 @@ def test_what_is_registered_wins() -> None:
 
 
 def test_what_is_registered_takes_its_name_and_words_from_plain_things() -> None:
-    plain = CATALOGUE["wok"]
-    register(kind(name="wok", noun="wok", words="wok, frying pan"))
+    plain = CATALOGUE["grill_pan"]
+    register(kind(name="grill_pan", noun="grill pan", words="grill pan, crock pot"))
     try:
-        assert [stand_in(name).how for name in ("wok", "skillet")] == ["catalogue", "table"]
-        found = thing_called("frying pans")
+        assert [stand_in(name).how for name in ("grill pan", "crockpot")] == ["catalogue", "table"]
+        found = thing_called("crock pots")
         assert found is not None
-        assert found.name == "wok"
+        assert found.name == "grill_pan"
     finally:
-        unregister("wok")
-    assert CATALOGUE["wok"] is plain
+        unregister("grill_pan")
+    assert CATALOGUE["grill_pan"] is plain
 
 
 def test_every_head_leads_to_a_thing() -> None:

@@ -4,7 +4,7 @@ import numpy as np
 
 from thinkblox.assets import kind_of
 from thinkblox.assets.category import Category
-from thinkblox.assets.make import make_asset
+from thinkblox.assets.make import make_thing
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
@@ -51,7 +51,7 @@ def _for_contents(member: Member, members: Members, kind: Category) -> float | N
     if not inside:
         return None
     words = member.request.attributes
-    bottoms = [s for s in make_asset(kind.name, seed=0, attributes=words).surfaces if s.within and s.round]
+    bottoms = [s for s in make_thing(kind.name, seed=0, attributes=words).surfaces if s.within and s.round]
     usual = size_for(kind, frozenset(words), np.random.default_rng(0))[1]
     if not bottoms:
         return None

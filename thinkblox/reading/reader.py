@@ -3,7 +3,7 @@
 import math
 from typing import Literal, get_args
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -92,11 +92,11 @@ def _drop_impossible_sizes(draft: Draft) -> None:
 
 
 def _fit_tables(draft: Draft) -> None:
-    """Say of every table for how many it is, so that one of that size is made."""
+    """Say of every table that comes for more or fewer for how many it is, so that one of that size is made."""
     for table in draft.things:
         seats = sum(b.subject.count or 1 for b in draft.bonds if b.kind == "around" and table in b.anchors)
         named = any(attribute.startswith("for-") for attribute in table.attributes)
-        if seats and table.count and not named:
+        if seats and table.count and not named and kind_of(table.noun).seats:
             table.attributes.append(f"for-{max(1, seats // table.count)}")
 
 
