@@ -26,7 +26,7 @@ _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagona
 """Shapes of a floor that we do not make."""
 _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
 """Groups of things on which others lie, and not in them."""
-_PLACES = get_args(Place)
+_PLACES: tuple[Place, ...] = get_args(Place)
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
@@ -132,7 +132,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         unknown=tuple(dict.fromkeys([*(f"{shape} room" for shape in others), *draft.unknown])),
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
-        free=tuple(dict.fromkeys(place for place in draft.free if place in _PLACES)),
+        free=tuple(place for place in _PLACES if place in draft.free),
     )
 
 
