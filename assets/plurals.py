@@ -119,9 +119,10 @@ def singulars(word: str) -> Iterator[str]:
 
     Only a word list can tell which of them is a word: "shoes" gives "shoe" and "sho".
     """
-    for plural, singular in _IRREGULAR.items():
-        if word == plural or (len(word) > len(plural) + 1 and plural.endswith("men") and word.endswith(plural)):
-            yield word[: len(word) - len(plural)] + singular
+    if word in _IRREGULAR:
+        yield _IRREGULAR[word]
+    elif word.endswith("men") and len(word) > len("men") + 1:
+        yield f"{word.removesuffix('men')}man"
     if word.endswith(_NO_PLURAL) or len(word) < 3:
         return
     for ending, stems in _ENDINGS:

@@ -10,11 +10,12 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_types
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import assume, stock
+from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.english import read_english
 from thinkblox.reading.grammar import Walker
-from thinkblox.reading.language import read_items
+from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
 from thinkblox.reading.senses import choose_senses
@@ -26,7 +27,7 @@ _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagona
 """Shapes of a floor that we do not make."""
 _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
 """Groups of things on which others lie, and not in them."""
-_PLACES = get_args(Place)
+_PLACES: tuple[Place, ...] = get_args(Place)
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
@@ -41,8 +42,11 @@ def read_brief(prompt: str) -> Brief:
         raise InputError("the prompt is empty; describe a room, such as 'A bedroom, 4 m by 5 m, with a double bed.'")
     if len(prompt) > MAX_LENGTH:
         raise InputError(f"the prompt is {len(prompt)} characters long; at most {MAX_LENGTH} are read")
-    lexicon, items = read_items(prompt)
-    draft = read_english(lexicon, prompt) if lexicon.code == ENGLISH else Walker(items).walk()
+    lexicon = lexicon_of(prompt)
+    if lexicon.code == ENGLISH:
+        draft = read_english(lexicon, prompt)
+    else:
+        draft = Walker(list(Chunker(lexicon, lexicon.tokens(prompt)).items())).walk()
     _finish(draft)
     return _brief(prompt, lexicon.code, draft)
 

@@ -6,10 +6,11 @@ from dataclasses import replace
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
+from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
-__all__ = ["read_english"]
+__all__ = ["known_share", "read_english"]
 _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.)", re.IGNORECASE)
 """Abbreviations whose points end no sentence."""
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}

@@ -24,7 +24,7 @@ class Boundaries(State):
                 self._separate("and" if link.value == "and" else "comma")
 
     def _release(self) -> None:
-        """Go on after a relative clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
+        """Go on after a clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
         front, self.held = self.held, []
         self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
         self.front, self.separator, self.pending = front, "", None

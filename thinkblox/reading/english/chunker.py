@@ -108,9 +108,9 @@ class Chunker:
             return noun
         last = self.made[-1] if self.made else None
         state = grammar().at(self.tokens, self.at, "states")
-        if state is not None and isinstance(last, Link) and last.value in ("be", "leave"):
-            if link is None or state.length >= link.length:
-                return self._phrases.adjective(self.at)
+        found = isinstance(last, Link) and last.value in ("be", "leave") and state is not None
+        if found and state is not None and (link is None or state.length >= link.length):
+            link = None
         if link is not None:
             text = " ".join(token.shown for token in self.tokens[self.at : self.at + link.length])
             return Link(link.sort, link.value, self.at, self.at + link.length, text)

@@ -3,9 +3,10 @@
 from dataclasses import dataclass, field
 from typing import Literal
 
+from thinkblox.assets.plurals import singular
 from thinkblox.reading.sizes import Size
 
-NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number", "shape"]
+NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number"]
 
 
 @dataclass
@@ -77,6 +78,11 @@ class Noun:
     def each(self) -> bool:
         """Whether what is said of it is said of every single one."""
         return self.det in ("each", "either")
+
+    @property
+    def word(self) -> str:
+        """The singular of its last word."""
+        return singular(self.text.rpartition(" ")[2].lower())
 
     @property
     def many(self) -> bool:

@@ -1,7 +1,9 @@
 """Chunks of an English text to a draft, clause by clause."""
 
+from collections.abc import Callable, Mapping
+
 from thinkblox.reading.draft import Draft
-from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun, NounKind, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
 
@@ -51,23 +53,17 @@ class Clauses(Pronouns):
         self.draft.style += noun.styles if not self.excluding else []
         if noun.kind == "thing" and self._is_label(noun):
             return
-        match noun.kind:
-            case "thing":
-                self._thing(noun)
-            case "place":
-                self._place(noun)
-            case "room":
-                self._room(noun)
-            case "people":
-                self._people(noun)
-            case "number":
-                self._number(noun)
-            case "pronoun":
-                self._pronoun(noun)
-            case "part":
-                self._bare_part(noun)
-            case "abstract":
-                self._abstract(noun)
+        readers: Mapping[NounKind, Callable[[Noun], None]] = {
+            "thing": self._thing,
+            "place": self._place,
+            "room": self._room,
+            "people": self._people,
+            "number": self._number,
+            "pronoun": self._pronoun,
+            "part": self._bare_part,
+            "abstract": self._abstract,
+        }
+        readers[noun.kind](noun)
         if noun.kind != "room":
             self.separator = ""
 
@@ -86,7 +82,7 @@ class Clauses(Pronouns):
         if noun.definite and word in grammar().lists["parts"] and self._is_link(self.peek(), "prepositions", "of"):
             whole = self._next_noun(1)
             if whole is not None and whole.kind == "thing":
-                self.at = self.chunks.index(whole, self.at) + 1
+                self._go_past(whole)
                 noun = whole
         if self._is_adjective(noun):
             self._adjective(Adjective(noun.start, noun.end, noun.text, [noun.material]))
@@ -116,7 +112,7 @@ class Clauses(Pronouns):
 
     def _is_capacity(self, noun: Noun) -> bool:
         """Whether "(3 seats)" only says how large the sofa before it is."""
-        last = self.chunks[self.at - 2] if self.at >= 2 else None
+        last = self._before()
         thing = self.frontier[-1].thing if self.frontier else None
         if not self._is_link(last, "mark", "open") or thing is None or not noun.count:
             return False
@@ -127,7 +123,7 @@ class Clauses(Pronouns):
 
     def _is_adjective(self, noun: Noun) -> bool:
         """Whether a noun without an article says what something is made of: "the second is glass"."""
-        last = self.chunks[self.at - 2] if self.at >= 2 else None
+        last = self._before()
         bare = not noun.det and noun.count is None and not noun.plural and noun.material != ""
         return bare and self._is_link(last, "verbs", "be") and self.predicate
 

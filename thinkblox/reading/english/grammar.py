@@ -26,11 +26,13 @@ class Grammar:
         phrases: every phrase as a tuple of words, with all that it can be.
         prefixes: what phrases begin with.
         lists: words that are asked for by name, by the key of their list.
+        sorts: what phrases can be.
     """
 
     phrases: dict[tuple[str, ...], list[tuple[str, str]]] = field(default_factory=dict)
     prefixes: set[tuple[str, ...]] = field(default_factory=set)
     lists: dict[str, frozenset[str]] = field(default_factory=dict)
+    sorts: set[str] = field(default_factory=set)
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""
@@ -57,6 +59,7 @@ def grammar() -> Grammar:
     made = Grammar(lists={name: frozenset(_split(words)) for name, words in data.pop("lists").items()})
     for sort, value, phrase in _phrases(data):
         key = tuple(token.text for token in tokenise(phrase))
+        made.sorts.add(sort)
         made.phrases.setdefault(key, []).append((sort, value))
         made.prefixes.update(key[:end] for end in range(1, len(key)))
     return made

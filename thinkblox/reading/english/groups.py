@@ -17,7 +17,7 @@ class Groups(Looks):
             if group is not None:
                 self._take_known(noun, [group])
                 return
-        word = singular(noun.text.rpartition(" ")[2].lower())
+        word = noun.word
         if word in grammar().lists["groups"] and (noun.count or 0) > 1:
             self._take(self._new(noun), noun)
             return
@@ -75,12 +75,9 @@ class Groups(Looks):
 
     def _all_parts(self) -> list[Mention]:
         """The parts of what was parted in this sentence."""
-        node = self.frontier[-1] if self.frontier else None
-        for whole, parts in self.referents.parts.items():
-            things = [t for t in self.draft.things if id(t) == whole or t in parts]
-            if node is not None and set(map(id, node.things)) & set(map(id, things)):
-                return things
-        return []
+        things = self.frontier[-1].things if self.frontier else []
+        families = (self.referents.family(thing) for thing in things)
+        return next((family for family in families if len(family) > 1), [])
 
     def _trailing_each(self) -> None:
         """Read "two bins with five balls each", "four chairs each"."""

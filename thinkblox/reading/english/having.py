@@ -1,6 +1,5 @@
 """Opens lists of what things have: "with", "surrounded by", "holds"."""
 
-from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.groups import Groups
@@ -22,17 +21,17 @@ class Having(Groups):
             node = next((n for n in reversed(self.frontier) if n.things), None)
             if node is not None:
                 node.things[-1].unshown.append(f"with {noun.text}")
-                self.at = self.chunks.index(noun, self.at) + 1
+                self._go_past(noun)
                 return
         head = self._head_for(noun, kind)
         if head is None:
             return
         if kind == "inside" and noun is not None and self._is_described(noun, head):
             head.things[-1].attributes.append("filled")
-            self.at = self.chunks.index(noun, self.at) + 1
+            self._go_past(noun)
             return
         if noun is not None and noun.kind == "part" and noun.det == "my" and kind == "with":
-            self.at = self.chunks.index(noun, self.at) + 1
+            self._go_past(noun)
             self.frontier = self.frontier[: self.frontier.index(head) + 1] if head in self.frontier else [head]
             return
         thing = head.thing
@@ -57,7 +56,7 @@ class Having(Groups):
 
     def _is_feature(self, noun: Noun) -> bool:
         """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
-        return singular(noun.text.rpartition(" ")[2].lower()) in grammar().lists["features"] and not self.each
+        return noun.word in grammar().lists["features"] and not self.each
 
     def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
         nodes = [node for node in reversed(self.frontier) if node.things]

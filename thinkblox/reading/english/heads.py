@@ -1,14 +1,20 @@
 """What the last noun of a phrase makes of it; phrases without a noun."""
 
+from collections.abc import Mapping
+
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import noun_of
 from thinkblox.knowledge.vocabulary import is_abstract, is_person
 from thinkblox.reading.adjectives import adjective_kinds
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Noun, NounKind
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.modifiers import Modifiers
 from thinkblox.reading.english.words import Known, Unit, Units
+from thinkblox.reading.lexicon import Sort
+
+_KINDS: Mapping[Sort, NounKind] = {"room": "room", "place": "place"}
+"""What phrases of the lexicon are that are no things."""
 
 _ADJECTIVAL = (
     "ed",
@@ -43,11 +49,11 @@ class Heads(Modifiers):
         if len(nouns) > 1 and nouns[-2].owner and nouns[-2].known is not None and dict(part).get("parts"):
             noun.kind, noun.value, noun.owner = "part", dict(part)["parts"], nouns[-2].known.entry.value
             return
-        if len(nouns) > 1 and last.text.lower() in grammar().lists["parts"] and (whole := nouns[-2].known) is not None:
-            if whole.entry.sort == "object":
-                self._known_head(noun, whole)
-                noun.within = True
-                return
+        whole = nouns[-2].known if len(nouns) > 1 and last.text.lower() in grammar().lists["parts"] else None
+        if whole is not None and whole.entry.sort == "object":
+            self._known_head(noun, whole)
+            noun.within = True
+            return
         named = [unit for unit in nouns if not unit.owner] or [last]
         if last.known is not None:
             self._known_head(noun, last.known)
@@ -65,7 +71,7 @@ class Heads(Modifiers):
         entry = known.entry
         noun.value = entry.value
         noun.plural |= entry.plural
-        noun.kind = "thing" if entry.sort in ("object", "missing") else entry.sort  # type: ignore[assignment]
+        noun.kind = _KINDS.get(entry.sort, "thing")
         if entry.sort == "missing":
             words = self._text(noun.end - known.length, noun.end).lower().split()
             noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
@@ -134,7 +140,8 @@ class Heads(Modifiers):
         pronoun = grammar().at(self.tokens, noun.start, "pronouns")
         longest = max(end, at)
         if pronoun is not None and noun.start + pronoun.length >= longest and not units.adjectives:
-            if noun.count is None or pronoun.value in ("one", "other", "them") or pronoun.length > 1:
+            counted = noun.count is not None and pronoun.value not in ("one", "other", "them")
+            if not counted or pronoun.length > 1:
                 noun.kind, noun.value, noun.end = "pronoun", pronoun.value, noun.start + pronoun.length
                 return self._finished(noun)
         if noun.count is not None or noun.rows or noun.of_known:

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from thinkblox.assets.plurals import singular
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -47,7 +46,7 @@ class Lists(Ties):
         self.frontier = [node]
         self._apply_front(known)
         self.each |= noun.each
-        word = singular(noun.text.rpartition(" ")[2].lower())
+        word = noun.word
         self.per_group = known[0].groups if noun.each and known[0].group == word else 0
 
     def _push(self, node: Node) -> None:
@@ -61,34 +60,34 @@ class Lists(Ties):
     def _member(self, thing: Mention, frame: Frame) -> None:
         """Take a thing into a list: relate it to the head."""
         first = not frame.members
-        if frame.times > 1 and thing not in frame.members:
-            thing.count = (thing.count or 1) * frame.times
         if thing not in frame.members:
+            thing.count = (thing.count or 1) * frame.times if frame.times > 1 else thing.count
             frame.members.append(thing)
-        if frame.head is None or not frame.head.things:
+        head = frame.head.thing if frame.head is not None else None
+        if frame.head is None or head is None or thing is head:
             return
-        head = frame.head.things[-1]
-        if thing is head:
-            return
-        if not thing.owner:
-            thing.owner = head
-        tie = self._tie(thing, frame, first=first)
-        if tie is None:
-            tie = "next_to" if frame.each or frame.grouped or frame.kind != "with" else None
+        thing.owner = thing.owner or head
         thing.host = head
+        tie = self._tie(thing, frame, first=first)
+        if tie is None and (frame.each or frame.grouped or frame.kind != "with"):
+            tie = "next_to"
         if tie is None:
             thing.owner = None
             return
         if "shared" in thing.attributes and tie == "next_to" and head.many:
             tie = "between"
-        told = frame.kind not in ("with",)
-        anchors = tuple(frame.head.things)
-        if len(anchors) > 1 and any(a.noun != head.noun for a in anchors):
+        self._tie_to(frame, frame.head, thing, tie)
+
+    def _tie_to(self, frame: Frame, node: Node, thing: Mention, tie: str) -> None:
+        """Bind a member to the head of its list."""
+        head = node.things[-1]
+        anchors = tuple(node.things)
+        if any(a.noun != head.noun for a in anchors):
             anchors = (head,)
         each = tie != "between" and not frame.grouped and (frame.each or self._shares(thing, head, tie, frame))
         if frame.kind in ("around", "next_to") and thing.count == 1:
             each = False
-        implied = not told or self._is_told_next()
+        implied = frame.kind == "with" or self._is_told_next()
         bond = Bond(relation_kind(tie), thing, anchors, each=each, implied=implied, distributed=frame.each)
         bind(self.draft, bond)
 

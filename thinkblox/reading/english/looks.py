@@ -56,7 +56,7 @@ class Looks(Rooms):
 
     def _measured(self, size: Size) -> None:
         """Read a size: of the thing just before or after it, or of the room."""
-        before = self.chunks[self.at - 2] if self.at >= 2 else None
+        before = self._before()
         if (
             isinstance(before, Link)
             and before.sort in ("mark", "fillers")

@@ -6,10 +6,11 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning, Where
+from thinkblox.reading.english.parts import relation_at
+from thinkblox.reading.english.places import corner, opening, wall
 from thinkblox.reading.english.referents import Referents, is_small
 
 _OPENINGS = ("window", "door")
-_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
 _NAMED = {
     "in": "inside",
     "by": "next_to",
@@ -19,9 +20,11 @@ _NAMED = {
     "from": "on",
     "on_top": "on",
 }
-_SIDES = {"left": "left_of", "right": "right_of", "front": "in_front_of", "back": "behind"}
 _ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
-_CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
+_CARRYING = ("top", "middle", "inside", "in_shelf")
+"""Parts that carry or hold things."""
+_WHOLE_BY = {"foot": "at_foot_of", "long_side": "at_long_side", "short_side": "at_long_side"}
+"""The relation that tells which thing has such a part."""
 
 
 class Meanings:
@@ -158,67 +161,53 @@ class Meanings:
             return meaning
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" else 1
-        each = meaning.each
-        match said.value:
-            case "left" | "right" | "front" | "back":
-                kind = _SIDES[said.value]
-            case "side":
-                kind = "around" if self._is_seat(subjects, whole, noun) else "next_to"
-            case "end":
-                kind = self._end(subjects, whole, noun)
-            case "long_side" | "short_side":
-                kind = f"at_{said.value}"
-            case "foot":
-                kind = "at_foot_of"
-            case "head":
-                kind = "at_short_side" if load_habits().is_in(whole.noun, "tables") else "next_to"
-            case "middle":
-                kind = "in_centre"
-            case "inside" | "in_shelf":
-                kind = "inside"
-            case _:
-                kind = "on"
-        return Meaning(kind, meaning.anchors, each=each, both=both, times=times, told=meaning.told)
+        kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told)
 
     def _whole(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """What the part is a part of: a thing, or else the room."""
-        whole = where.whole
-        if whole is not None:
-            inner = Where("on" if said.value in ("top", "middle", "inside", "in_shelf") else "next_to", whole)
-            if whole.kind == "place" and whole.value in _OPENINGS:
-                return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
-            if whole.kind in ("place", "room", "abstract", "people"):
-                return self._of_room(said, subjects)
-            return self.of(inner, subjects, likely, noun)
+        if where.whole is not None:
+            return self._told_whole(where.whole, said, subjects, likely, noun)
         if said.owner:
             found = self.referents.named(Noun("thing", said.owner, 0, 0, said.owner))
             return Meaning("on", (found,), told=True) if found else None
-        plural = said.det == "my" and (self.referents.several(subjects, "on") if "their" in said.text.lower() else ())
+        plural = self.referents.several(subjects, "on") if said.det == "my" and "their" in said.text.lower() else ()
         if plural:
             return Meaning("on", plural[:1], each=plural[0].many, told=True)
-        carried = said.value in ("top", "middle", "inside", "in_shelf")
-        kind = "on" if carried else "at_foot_of" if said.value == "foot" else ""
-        kind = "at_long_side" if said.value in ("long_side", "short_side") else kind
-        if said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the":
+        if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
-        alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
-        if said.value == "middle" and said.det != "my" and not (alone and likely):
-            return self._of_room(said, subjects)
-        if (
-            said.value in ("middle", "side", "left", "right", "front", "back", "end")
-            and not likely
-            and said.det != "my"
-        ):
-            if not self.referents.topics or (subjects and where.word in ("on", "at") and said.value in _ROOM_SIDES):
-                return self._of_room(said, subjects)
-            if not subjects and not noun:
-                return self._of_room(said, subjects)
+        carried = said.value in _CARRYING
+        kind = "on" if carried else _WHOLE_BY.get(said.value, "")
         found = self._single(kind, subjects, likely, noun)
         if found is None:
             return self._of_room(said, subjects)
         return Meaning("on", (found,), each=found.many and carried and found in likely, told=True)
+
+    def _told_whole(
+        self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.kind == "place" and whole.value in _OPENINGS:
+            return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
+        if whole.kind in ("place", "room", "abstract", "people"):
+            return self._of_room(said, subjects)
+        return self.of(Where("on" if said.value in _CARRYING else "next_to", whole), subjects, likely, noun)
+
+    def _is_part_of_room(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> bool:
+        """Whether "the middle", "the left" without a thing are of the room."""
+        if said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the":
+            return True
+        alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        if said.value == "middle" and said.det != "my" and not (alone and likely):
+            return True
+        if likely or said.det == "my" or said.value not in ("middle", "side", "left", "right", "front", "back", "end"):
+            return False
+        here = bool(subjects) and where.word in ("on", "at") and said.value in _ROOM_SIDES
+        return here or not self.referents.topics or not (subjects or noun)
 
     def _of_room(self, said: Noun, subjects: list[Mention]) -> Meaning | None:
         if said.value == "middle":
@@ -227,22 +216,6 @@ class Meanings:
         if wall is None or (said.value == "front" and not subjects):
             return None
         return Meaning("against_wall", (wall,))
-
-    def _end(self, subjects: list[Mention], whole: Mention, noun: str) -> str:
-        habits = load_habits()
-        name = subjects[-1].noun if subjects else noun
-        if habits.is_in(name, "wallpieces", "screens"):
-            return "near"
-        if habits.is_in(whole.noun, "beds"):
-            return "at_foot_of"
-        if habits.is_in(name, "small") and habits.is_in(whole.noun, "surfaces"):
-            return "on"
-        return "at_short_side" if habits.is_in(whole.noun, "tables", "desks") else "next_to"
-
-    def _is_seat(self, subjects: list[Mention], whole: Mention, noun: str) -> bool:
-        habits = load_habits()
-        name = subjects[-1].noun if subjects else noun
-        return habits.tie(name, whole.noun) in ("at", "around")
 
     # --- places
 
@@ -266,59 +239,14 @@ class Meanings:
         each = said.each
         several = said.count if said.count and said.count > 1 else 0
         if name == "corner":
-            return self._corner(word, said, walls, several)
+            return corner(word, said, walls, several)
         if name in _OPENINGS:
-            return self._opening(word, name)
+            return opening(word, name)
         if name == "ceiling":
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
-        return self._wall(word, said, name, several, each=each)
-
-    def _corner(self, word: str, said: Noun, walls: list[str], several: int) -> Meaning | None:
-        if word == "far":
-            return Meaning("far", ("corner",))
-        if word not in _CORNERED:
-            return None
-        each = said.each or said.det in ("both", "all")
-        times = several or (2 if said.det == "both" else 4 if each else 1)
-        opposite = "opposite" in said.text.lower() and said.plural
-        spread = times if (each or several or opposite) else 0
-        if opposite and not several:
-            spread = 2
-        return Meaning("in_corner", tuple(walls) or ("corner",), times=times if each else 1, spread=spread)
-
-    def _opening(self, word: str, name: str) -> Meaning | None:
-        match word:
-            case "near" | "far" | "facing" | "opposite" | "left_of" | "right_of" | "above" | "outside":
-                return Meaning(word, (name,))
-            case "by" | "next_to" | "at" | "under" | "in_front_of" | "against" | "on" | "along" | "to" | "in":
-                return Meaning("next_to", (name,))
-            case "between" | "behind":
-                return Meaning("near", (name,))
-        return None
-
-    def _wall(self, word: str, said: Noun, name: str, several: int, *, each: bool) -> Meaning | None:
-        text = said.text.lower()
-        if name == "wall":
-            if "opposite walls" in text or "facing walls" in text:
-                several = several or 2
-            elif "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
-                name = "opposite_wall"
-            elif said.count == 1 and text.startswith("one"):
-                name = "one_wall"
-        if word in ("facing", "opposite", "far"):
-            return Meaning(word, (name,))
-        times = several or (4 if name == "wall" and "side" not in text else 2) if each else 1
-        if each and name in ("left_wall", "right_wall"):
-            name, times = "wall", 2
-        spread = (several or times) if (each or several) else 0
-        if said.det == "both":
-            spread = 2
-        if "all" in text.split() or "four walls" in text:
-            spread = 4
-        kind = "on" if word in ("on", "on_top") else "against_wall" if word in _AT_WALL or word == "in_front_of" else ""
-        return Meaning(kind, (name,), times=times, spread=spread) if kind else None
+        return wall(word, said, name, several, each=each)
 
     # --- things
 

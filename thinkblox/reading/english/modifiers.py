@@ -27,7 +27,8 @@ class Modifiers(Quantities):
         longest = max((f.length for f in (state, evaluative) if f), default=0)
         thing = self.thing_at(at)
         if thing is not None and thing.length >= max(longest, known.length if known else 0):
-            if not (known and known.length == thing.length and self._starts_noun(at + thing.length)):
+            as_long = known is not None and known.length == thing.length
+            if not as_long or not self._starts_noun(at + thing.length):
                 return 0
         if known is not None and known.length >= longest:
             state = state if state is not None and state.length == known.length else None
@@ -76,7 +77,8 @@ class Modifiers(Quantities):
         whole = self._known(at, "object", "missing", "attribute", "style", "room", "place")
         if whole is not None and at + whole.length > end:
             return 0
-        if grammar().at(self.tokens, at, "states") and grammar().at(self.tokens, at, "states").length > end - at:  # type: ignore[union-attr]
+        state = grammar().at(self.tokens, at, "states")
+        if state is not None and state.length > end - at:
             return 0
         name = "-".join(token.shown for token in self.tokens[at : end + 1]).lower()
         if self._seats(noun, at, end):

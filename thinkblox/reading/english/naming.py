@@ -1,6 +1,5 @@
 """Which thing a noun phrase names: a known one, or a new one."""
 
-from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
@@ -15,17 +14,26 @@ class Naming(Several):
         if noun.det == "each" and noun.every:
             return self._every(noun)
         if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
-            found_all = self.referents.every(noun)
-            exact = [t for t in found_all if noun.count is not None and self.referents.total(t) == noun.count]
-            if found_all and (noun.count is None or sum(self.referents.total(t) for t in found_all) >= noun.count):
-                return exact[:1] or found_all
-            return []
+            return self._all_named(noun)
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
             found = self.some_of(noun, besides=[])
             return [found] if found is not None else []
         bare = not noun.det and noun.count is None and not noun.plural and noun.named
-        if not (noun.definite or (bare and self._is_repeated(noun))):
-            return self._one_and_other(noun)
+        if noun.definite or (bare and self._is_repeated(noun)):
+            return self._definite(noun)
+        return self._one_and_other(noun)
+
+    def _all_named(self, noun: Noun) -> list[Mention]:
+        """What "each chair", "both lamps", "all four chairs" are."""
+        found = self.referents.every(noun)
+        if noun.count is None:
+            return found
+        exact = [t for t in found if self.referents.total(t) == noun.count]
+        enough = sum(self.referents.total(t) for t in found) >= noun.count
+        return (exact[:1] or found) if enough else []
+
+    def _definite(self, noun: Noun) -> list[Mention]:
+        """What "the chair", "the two chairs" are."""
         first = self.referents.named(noun)
         if first is None:
             return []
@@ -34,13 +42,9 @@ class Naming(Several):
             total = sum(t.count or 1 for t in every)
             if noun.count is None or noun.count == total:
                 return every
-            if noun.count < total:
-                return [first]
-            return []
+            return [first] if noun.count < total else []
         if noun.count and first.count and noun.count > first.count:
             return []
-        if not noun.plural and first.many and noun.det == "the" and first.count:
-            return [first]
         return [first]
 
     def _one_and_other(self, noun: Noun) -> list[Mention]:
@@ -79,34 +83,45 @@ class Naming(Several):
 
     def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known."""
-        if (noun.det == "each" and not noun.named) or noun.value.rpartition(" ")[2] in grammar().lists["groups"]:
-            group = self.groups.get(singular(noun.text.rpartition(" ")[2].lower()))
-            if group is not None:
-                return (group,), True
-        if noun.value == "seat" or (
-            noun.det == "each" and singular(noun.text.rpartition(" ")[2].lower()) in grammar().lists["seats"]
-        ):
-            if (seats := self._seats()) and self.referents.named(noun) is None:
-                return tuple(seats), True
+        if places := self._group_or_seats(noun):
+            return places, True
         known = [t for t in self._known(noun) or self._one_named(noun) if t not in besides or noun.plural]
         if known:
             for thing in known:
                 self.referents.speak(thing)
             return tuple(known), True
+        if same := self._same(noun, besides):
+            return same, True
+        thing = self._new(noun)
+        if not noun.definite:
+            self.fresh.add(thing)
+        return (thing,), False
+
+    def _group_or_seats(self, noun: Noun) -> tuple[Mention, ...]:
+        """What "each station", "every place" are."""
+        word = noun.word
+        if (noun.det == "each" and not noun.named) or noun.value.rpartition(" ")[2] in grammar().lists["groups"]:
+            group = self.groups.get(word)
+            if group is not None:
+                return (group,)
+        place = noun.value == "seat" or (noun.det == "each" and word in grammar().lists["seats"])
+        if place and (seats := self._seats()) and self.referents.named(noun) is None:
+            return tuple(seats)
+        return ()
+
+    def _same(self, noun: Noun, besides: list[Mention]) -> tuple[Mention, ...]:
+        """Things of that name that were mentioned, where nothing says that others are meant."""
         if not noun.det and noun.plural and noun.count is None and not noun.attributes:
             every = [t for t in self.referents.every(noun) if t not in besides and t.noun == noun.value]
             if every:
-                return tuple(every), True
+                return tuple(every)
         if noun.det in ("a", "") and not noun.plural and noun.count in (None, 1):
             found = self.referents.named(noun, besides)
             modest = found is not None and set(noun.attributes) <= set(found.attributes) and not noun.unshown
             if found is not None and modest and found.noun == noun.value and (found.many or not noun.det):
                 self.referents.speak(found)
-                return (found,), True
-        thing = self._new(noun)
-        if not noun.definite:
-            self.fresh.add(id(thing))
-        return (thing,), False
+                return (found,)
+        return ()
 
     def _seats(self) -> list[Mention]:
         return [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
@@ -127,15 +142,13 @@ class Naming(Several):
         thing.seats, thing.size = noun.seats, noun.size
         thing.groups, thing.group = noun.groups, noun.group
         self.draft.things.append(thing)
-        word = singular(noun.text.rpartition(" ")[2].lower())
+        word = noun.word
         if word in grammar().lists["groups"]:
             self.groups[word] = thing
         if cornered:
             self.draft.bonds.append(Bond("in_corner", thing, ("corner",)))
         if noun.rows:
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
-        if self.wanting_only:
-            self.draft.empty, self.wanting_only = True, False
         self.referents.speak(thing)
         return thing
 

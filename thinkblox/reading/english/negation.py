@@ -25,7 +25,7 @@ class Negation(Positions):
 
     def _not(self, link: Link) -> None:
         noun = self.peek()
-        before = self.chunks[self.at - 2] if self.at >= 2 else None
+        before = self._before()
         if link.text.lower() == "no" and isinstance(before, Noun) and (noun is None or self._is_link(noun, "mark")):
             thing = self.frontier[-1].thing if self.frontier else None
             if thing is not None:
@@ -36,10 +36,10 @@ class Negation(Positions):
             self.excluding = True
             return
         text = link.text.lower()
-        if " be" in text or text in ("is not", "are not", "isnt", "arent", "not", "never"):
-            if self.subject is None:
-                self.subject = self._whole_subject()
-                self.predicate = self.subject is not None
+        said_of = " be" in text or text in ("is not", "are not", "isnt", "arent", "not", "never")
+        if said_of and self.subject is None:
+            self.subject = self._whole_subject()
+            self.predicate = self.subject is not None
         self.negating = True
 
     def _gone(self) -> None:
@@ -59,17 +59,15 @@ class Negation(Positions):
             return
         if self._is_link(after, "prepositions", "except"):
             self.draft.empty = True
-        elif self._is_link(after, "prepositions", "on"):
+        elif isinstance(after, Link) and self._is_link(after, "prepositions", "on"):
             noun = self._next_noun(1)
             if noun is not None and noun.kind == "place" and "wall" in noun.value:
                 self.draft.excluded.update(grammar().lists["on_walls"])
                 self.at += 2
                 self.excluding = False
             elif noun is not None and noun.kind == "thing":
-                link = after
                 self.at += 1
-                where = self._read_where(link)  # type: ignore[arg-type]
-                self._set_front(where)
+                self._set_front(self._read_where(after))
         elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
             self.draft.empty = True
 
@@ -84,10 +82,8 @@ class Negation(Positions):
     def _exclude(self, noun: Noun) -> None:
         after = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "except") else None
         if after is not None and after.kind in ("number", "pronoun"):
-            self.at = self.chunks.index(after, self.at) + 1
+            self._go_past(after)
             self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
             return
         self.draft.excluded.add(noun.value)
-        if noun.det == "no" and not self.excluding:
-            self.frontier = [*self.frontier]
         self.pending = None

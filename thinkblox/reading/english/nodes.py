@@ -63,15 +63,17 @@ class Where:
         noun: what follows; None for "above", "on top".
         whole: of what the noun is a part ("the foot of the bed"), if that is said.
         second: the other of "between A and B".
-        end: the chunk after it.
+        negated: it is not so.
+        start, text: its first token, and how it was written.
     """
 
     word: str
     noun: Noun | None
     whole: Noun | None = None
     second: Noun | None = None
-    end: int = 0
     negated: bool = False
+    start: int = 0
+    text: str = ""
 
 
 @dataclass

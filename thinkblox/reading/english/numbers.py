@@ -17,49 +17,51 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
+        link = self.peek()
         bounded = noun.least is not None or noun.most is not None
-        if bounded and not noun.of_known and not self._is_link(self.peek(), "prepositions"):
+        if bounded and not noun.of_known and not self._is_link(link, "prepositions"):
             return
-        told = self._is_link(self.peek(), "prepositions") and (each := self._next_noun(1)) is not None
-        if self.bracket is not None and told and each is not None and each.kind == "pronoun" and each.value == "each":
+        each = self._next_noun(1) if self._is_link(link, "prepositions") else None
+        if self.bracket is not None and each is not None and each.kind == "pronoun" and each.value == "each":
             self.at += 2
             return
         whole = self._whole([])
-        if whole is None:
-            if noun.count and not self.draft.things:
-                self.draft.people = noun.count
-            return
+        if whole is not None:
+            self._some(whole, noun)
+        elif noun.count and not self.draft.things:
+            self.draft.people = noun.count
+
+    def _some(self, whole: Mention, noun: Noun) -> None:
+        """Speak of so many, of the other, of the third of `whole`."""
         if self._is_total(noun, whole):
             return
-        if noun.det in ("none",):
+        if noun.det == "none":
             self._resume([whole], noun)
             self.negating = True
-            return
-        if noun.det == "other" and not noun.attributes:
-            self.referents.parted = None
-            self._resume([whole], noun)
-            return
-        if noun.det == "other":
+        elif noun.det == "other":
             self._look(whole, noun)
             self.referents.parted = None
             self._resume([whole], noun)
-            return
-        if noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
+        elif noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
             self.referents.settle(whole)
             self._part_of(whole, max(1, (whole.count or 0) // noun.ordinal), noun)
+        elif noun.side or noun.ordinal:
+            self._the_one(noun)
+        else:
+            self._part_of(whole, self._how_many(noun, whole), noun)
+
+    def _the_one(self, noun: Noun) -> None:
+        """Speak of "the left one", "the second"; a verb left out is that of the one before."""
+        part = self.some_of(noun, [])
+        if part is None:
             return
-        if noun.side or noun.ordinal:
-            part = self.some_of(noun, [])
-            if part is not None:
-                self._look(part, noun)
-                self._resume([part], noun)
-                self._again(self.verb)
-                if self.said in ("hold", "carry", "have") and self._is_link(self.peek(), "mark", "comma"):
-                    self.at += 1
-                    self.subject = self.frontier[0]
-                    self._open_of_subject("with" if self.said == "have" else self.said)
-            return
-        self._part_of(whole, self._how_many(noun, whole), noun)
+        self._look(part, noun)
+        self._resume([part], noun)
+        self._again(self.verb)
+        if self.said in ("hold", "carry", "have") and self._is_link(self.peek(), "mark", "comma"):
+            self.at += 1
+            self.subject = self.frontier[0]
+            self._open_of_subject("with" if self.said == "have" else self.said)
 
     def _is_total(self, noun: Noun, whole: Mention) -> bool:
         """Whether a number only sums up: "as many mats as there are machines, five"."""
@@ -145,7 +147,7 @@ class Numbers(Verbs):
         link = self.peek()
         noun = self._next_noun(1) if self._is_link(link, "prepositions") else None
         if noun is not None and noun.kind == "part" and self._is_link(link, "prepositions", "per"):
-            self.at = self.chunks.index(noun, self.at) + 1
+            self._go_past(noun)
             return 2
         if noun is None or noun.kind not in ("part", "place") or noun.det not in ("each", "either", "both"):
             return 1

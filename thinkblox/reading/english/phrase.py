@@ -7,6 +7,8 @@ from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
 _NAMES = 5
 """Most unknown words that one name has."""
+_ENDINGS = ("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")
+"""Endings of words that may be adjectives."""
 
 _BUILT = ("floor", "wall", "ceiling", "window", "door")
 """Places that a noun before them can describe: "a checkerboard floor"."""
@@ -56,9 +58,7 @@ class PhraseReader(Heads):
             return False
         noun.kind, noun.value, noun.end = "part", part.value, after
         noun.plural = self.tokens[after - 1].text.endswith("s")
-        if noun.det == "no":
-            return False
-        return True
+        return noun.det != "no"
 
     def _adjective_ends(self, at: int) -> bool:
         """Whether only an adjective comes: "leave the middle free for ..."."""
@@ -83,40 +83,42 @@ class PhraseReader(Heads):
         return at
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
-        if self.tokens[at].text in ("x", "one", "ones") and (units.nouns or units.adjectives or noun.det):
-            return 0
-        if self.tokens[at].text == "x":
+        """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
+        text = self.tokens[at].text
+        if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
             return 0
         if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
             units.nouns.append(Unit(self._text(at, at + part.length)))
             return part.length
-        known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
-        stop = grammar().at(self.tokens, at, *STOPS)
         if not units.nouns and (length := self._side(noun, at)):
             return length
-        if self.tokens[at].glued and (known is None or not self._covers(at, known.length)):
-            if length := self._glued(noun, at, units):
-                return length
+        known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
+        unjoined = known is None or not self._covers(at, known.length)
+        if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
+            return length
+        stop = grammar().at(self.tokens, at, *STOPS)
         if known is not None and self._is_better(known, stop, units):
-            unknown = all(unit.known is None and not unit.owner for unit in units.nouns)
-            built = known.entry.sort == "place" and known.entry.value.split()[0] in _BUILT
-            if known.entry.sort == "place" and units.nouns and not (built and unknown):
-                if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
-                    return 0
-                units.nouns.append(Unit(self.tokens[at].shown))
-                return 1
-            last = at + known.length - 1
-            units.nouns.append(Unit(self._text(at, at + known.length), known, self.tokens[last].owner))
-            return known.length
+            return self._take(noun, at, units, known)
         if not units.nouns and (length := self._adjective(noun, at)):
             if stop is None or length > stop.length or self._continues(noun, at + length):
                 units.adjectives += 1
                 return length
             self._forget(noun)
             return 0
-        if stop is not None:
-            return self._despite(noun, at, stop, units)
-        return self._open(noun, at, units)
+        return self._despite(noun, at, stop, units) if stop is not None else self._open(noun, at, units)
+
+    def _take(self, noun: Noun, at: int, units: Units, known: Known) -> int:
+        """Take a phrase of the lexicon; a place after nouns ends them, unless it is a word of their name."""
+        unknown = all(unit.known is None and not unit.owner for unit in units.nouns)
+        built = known.entry.value.split()[0] in _BUILT and unknown
+        if known.entry.sort == "place" and units.nouns and not built:
+            if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
+                return 0
+            units.nouns.append(Unit(self.tokens[at].shown))
+            return 1
+        owner = self.tokens[at + known.length - 1].owner
+        units.nouns.append(Unit(self._text(at, at + known.length), known, owner))
+        return known.length
 
     def _covers(self, at: int, length: int) -> bool:
         """Whether a phrase covers all that hyphens join at `at`."""
@@ -168,16 +170,8 @@ class PhraseReader(Heads):
     def _open(self, noun: Noun, at: int, units: Units) -> int:
         """Take a word that no list has."""
         token = self.tokens[at]
-        filler = grammar().at(self.tokens, at, "fillers")
-        if filler is not None:
-            can = (noun.det or noun.count is not None or units.adjectives) and not units.nouns
-            return filler.length if can and self._starts_noun(at + filler.length) else 0
-        if (noun.det, token.text) == ("each", "half"):
-            units.nouns.append(Unit(token.shown))
-            return 1
-        if grammar().at(self.tokens, at, "participles", "pronouns") is not None:
-            can = (noun.det or noun.count is not None) and not units.nouns and self._starts_noun(at + 1)
-            return 1 if can else 0
+        if (length := self._between_words(noun, at, units)) is not None:
+            return length
         if token.kind == "number" and self._is_inner_number(at) and units.nouns:
             return 1
         if token.kind != "word":
@@ -187,22 +181,37 @@ class PhraseReader(Heads):
             return 1
         if token.text.endswith("ly") and len(token.text) > 4 and self._known(at + 1, "object") is None:
             return 1 if self._starts_noun(at + 1) and not units.nouns else 0
-        if units.nouns and self._is_verb(at, units):
+        if units.nouns and self._ends_before(at, units):
             return 0
-        if units.nouns and units.nouns[-1].known is not None and not units.nouns[-1].owner:
-            if not self._ends_name(at, units):
-                return 0
-        if len(units.nouns) >= _NAMES:
-            return 0
-        if not units.nouns and token.text.endswith(("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")):
-            if self._starts_noun(at + 1) and self._has_noun(at + 1):
-                noun.unshown.append(token.shown.lower())
-                units.adjectives += 1
-                return 1
+        if not units.nouns and token.text.endswith(_ENDINGS) and self._starts_noun(at + 1) and self._has_noun(at + 1):
+            noun.unshown.append(token.shown.lower())
+            units.adjectives += 1
+            return 1
         units.nouns.append(Unit(token.shown))
         return 1
 
-    def _ends_name(self, at: int, units: Units) -> bool:
+    def _between_words(self, noun: Noun, at: int, units: Units) -> int | None:
+        """How many tokens a filler, participle or pronoun takes before a noun; None where it is none of them."""
+        counted = bool(noun.det) or noun.count is not None
+        filler = grammar().at(self.tokens, at, "fillers")
+        if filler is not None:
+            can = (counted or units.adjectives) and not units.nouns
+            return filler.length if can and self._starts_noun(at + filler.length) else 0
+        if (noun.det, self.tokens[at].text) == ("each", "half"):
+            units.nouns.append(Unit("half"))
+            return 1
+        if grammar().at(self.tokens, at, "participles", "pronouns") is None:
+            return None
+        return 1 if counted and not units.nouns and self._starts_noun(at + 1) else 0
+
+    def _ends_before(self, at: int, units: Units) -> bool:
+        """Whether the name that was read ends before an unknown word."""
+        if self._is_verb(at, units) or len(units.nouns) >= _NAMES:
+            return True
+        last = units.nouns[-1]
+        return last.known is not None and not last.owner and not self._ends_name(at)
+
+    def _ends_name(self, at: int) -> bool:
         """Whether an unknown word after a known noun is the head of a longer name: "popcorn machine"."""
         word = self.tokens[at].text
         if grammar().at(self.tokens, at, "abstract", "people") or self._known(at, "attribute", "style"):

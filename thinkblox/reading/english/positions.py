@@ -16,12 +16,13 @@ _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposit
 class Positions(Subjects):
     """Reads where things are."""
 
-    def _read_where(self, link: Link, word: str = "") -> Where:
+    def _read_where(self, link: Link) -> Where:
         """The preposition with what it is to; goes past it."""
         index = self._skip_fillers(self.at)
         chunk = self.chunks[index] if index < len(self.chunks) else None
-        where = Where(word or link.value, None, negated=self.negating)
-        if self._is_link(chunk, "joins", "which") and chunk.text.lower() in ("which", "whom"):  # type: ignore[union-attr]
+        where = Where(link.value, None, negated=self.negating, start=link.start, text=link.text)
+        which = isinstance(chunk, Link) and chunk.value == "which" and chunk.text.lower() in ("which", "whom")
+        if which and self._is_link(chunk, "joins"):
             self.at = index + 1
             return self._which(where)
         if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
@@ -29,21 +30,33 @@ class Positions(Subjects):
         where.noun = chunk
         self.at = index + 1
         if chunk.kind in ("part", "place", "abstract") and self._is_link(self.peek(), "prepositions", "of"):
-            whole = self._next_noun(1)
-            if whole is not None:
-                where.whole = whole
-                self.at = self.chunks.index(whole, self.at) + 1
-        if (
-            link.value == "between"
-            and self._is_link(self.peek(), "joins", "and")
-            and chunk.kind != "pronoun"
-            and not chunk.many
-        ):
-            second = self._next_noun(1)
-            if second is not None and second.kind in ("thing", "place", "pronoun"):
-                where.second = second
-                self.at = self.chunks.index(second, self.at) + 1
+            where.whole = self._next_noun(1)
+            if where.whole is not None:
+                self._go_past(where.whole)
+        if link.value == "between":
+            where.second = self._second(chunk)
         return where
+
+    def _second(self, first: Noun) -> Noun | None:
+        """The other of "between A and B"; goes past it."""
+        if first.kind == "pronoun" or first.many or not self._is_link(self.peek(), "joins", "and"):
+            return None
+        second = self._next_noun(1)
+        if second is None or second.kind not in ("thing", "place", "pronoun"):
+            return None
+        self._go_past(second)
+        return second
+
+    def _stand(self, word: str) -> None:
+        """Read what follows as what the subject stands to as `word` says."""
+        self._where(self._read_where(Link("prepositions", word, self.at, self.at)))
+
+    def _hang_from(self) -> None:
+        """Read "hanging from the beam": where it hangs from a thing, it is next to it."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "from") else None
+        if noun is not None and noun.kind == "thing":
+            self.at += 1
+            self._stand("next_to")
 
     def _which(self, where: Where) -> Where:
         """Read "A counter, on which a monitor stands": a clause of its own about what was just named."""
@@ -54,7 +67,7 @@ class Positions(Subjects):
             self.outer = named[0]
             self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
             self.front, self.separator = [], ""
-        where.noun = Noun("pronoun", "it", 0, 0, "which")
+        where.noun = Noun("pronoun", "it", self.at, self.at, "which")
         return where
 
     def _where(self, where: Where) -> None:
@@ -62,46 +75,51 @@ class Positions(Subjects):
         self.negating = False
         if where.word == "halfway":
             where.noun = None
-        if where.noun is not None and where.noun.kind in ("people", "abstract", "room") and where.noun.kind != "room":
-            self._beyond(where)
-            return
-        if where.noun is not None and where.noun.kind == "number" and where.noun.rows:
-            things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
-            if things:
-                bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(where.noun.rows, 0)))
-            return
-        if where.noun is not None and where.noun.kind == "room":
-            if where.word == "in" and not self.draft.room:
-                self._room(where.noun)
-            return
-        if where.negated and where.noun is not None and where.noun.kind == "thing" and where.noun.det in ("a", ""):
-            if not self.referents.named(where.noun):
-                self.draft.excluded.add(where.noun.value)
-                return
-        if self.opening is not None and not self.frontier and where.noun is not None and where.noun.kind == "place":
-            if where.noun.value.endswith("_wall"):
-                self.opening.wall = where.noun.value
-            return
-        if self.opening is not None and not self.frontier and where.noun is not None and where.noun.kind == "thing":
-            for thing in self.anchors(where.noun, [])[0]:
-                bind(self.draft, Bond("next_to", thing, (self.opening.kind,)))
+        if (where.noun is not None and self._is_elsewhere(where, where.noun)) or self._is_of_opening(where):
             return
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
             self._place_node(Node(anchors, self.clause, known=True), where)
             self.frontier = []
             return
-        if self._is_fronted():
+        fronted = self._is_fronted()
+        node = None if fronted else self._subject_of(where)
+        if node is not None:
+            self._place_node(node, where)
+        elif fronted or where.noun is not None:
             self._set_front(where)
-            return
-        node = self._subject_of(where)
-        if node is None:
-            if (
-                where.noun is not None and where.noun.kind == "thing" and where.noun.det not in ("the", "each", "my")
-            ) or where.noun is not None:
-                self._set_front(where)
-            return
-        self._place_node(node, where)
+
+    def _is_elsewhere(self, where: Where, noun: Noun) -> bool:
+        """Take what follows a preposition without being a thing or place that others could stand to."""
+        if noun.kind in ("people", "abstract"):
+            self._beyond(where)
+            return True
+        if noun.kind == "number" and noun.rows:
+            things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
+            if things:
+                bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(noun.rows, 0)))
+            return True
+        if noun.kind == "room":
+            if where.word == "in" and not self.draft.room:
+                self._room(noun)
+            return True
+        if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
+            self.draft.excluded.add(noun.value)
+            return True
+        return False
+
+    def _is_of_opening(self, where: Where) -> bool:
+        """Take where a door or window is, when it was named last."""
+        noun = where.noun
+        if self.opening is None or self.frontier or noun is None or noun.kind not in ("place", "thing"):
+            return False
+        if noun.kind == "place":
+            if noun.value.endswith("_wall"):
+                self.opening.wall = noun.value
+            return True
+        for thing in self.anchors(noun, [])[0]:
+            bind(self.draft, Bond("next_to", thing, (self.opening.kind,)))
+        return True
 
     def _qualifies_front(self) -> bool:
         """Whether it says more of what was just named in front: "on the desk against the wall a laptop"."""
@@ -157,9 +175,9 @@ class Positions(Subjects):
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
                 bond.subject = carrier
         for front in self.front:
-            if front.anchors and isinstance(front.anchors[0], str) and front.kind != "on":
-                if not any(b.kind == front.kind for b in self.draft.bonds_of(carrier)):
-                    self._relate([carrier], replace(front.meaning), negated=front.where.negated)
+            place = isinstance(front.anchors[0], str) and front.kind != "on"
+            if place and not any(b.kind == front.kind for b in self.draft.bonds_of(carrier)):
+                self._relate([carrier], replace(front.meaning), negated=front.where.negated)
 
     def _set_front(self, where: Where) -> None:
         noun = self._noun_ahead()
@@ -216,8 +234,8 @@ class Positions(Subjects):
         if isinstance(after, Noun) and after.kind in ("thing",) and not after.definite:
             return True
         if self._is_link(after, "verbs", "be", "stand", "hang"):
-            following = self._next_noun(ahead + 1)
-            return following is not None and following.kind == "thing"
+            subject = self._next_noun(ahead + 1)
+            return subject is not None and subject.kind == "thing"
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None

@@ -1,11 +1,10 @@
 """Prepositions that say something else than where: "of", "for", "as", "without"."""
 
-from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.chunks import Link
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
-from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.referents import is_small, last_word
 
 
 class Prepositions(Negation):
@@ -36,7 +35,7 @@ class Prepositions(Negation):
                 return
             case "among":
                 if (noun := self._next_noun()) is not None and noun.kind in ("room", "abstract", "place"):
-                    self.at = self.chunks.index(noun) + 1
+                    self._go_past(noun)
                 return
         self._began = self.at - 1
         self._where(self._read_where(link))
@@ -46,54 +45,52 @@ class Prepositions(Negation):
         noun = self._next_noun()
         if noun is None:
             return
-        index = self.chunks.index(noun, self.at)
         if not self.frontier and not self.clause.members and noun.kind == "thing":
             known, _ = self.anchors(noun, [])
             self.whole = known[0] if known else None
-            self.at = index + 1
+            self._go_past(noun)
             return
         head = self.frontier[-1].thing if self.frontier else None
         if noun.kind != "thing" or head is None:
-            self.at = index + 1
+            self._go_past(noun)
             if noun.kind == "people" and noun.count:
                 self._people(noun)
             return
-        word = singular(head.text.rpartition(" ")[2].lower())
+        word = last_word(head)
         contents = noun.plural or noun.count is not None
         if contents and (word in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves")):
             self._open("inside")
             return
         if noun.definite and not is_small(head):
-            self.at = index + 1
+            self._go_past(noun)
             return
-        self.at = index + 1
+        self._go_past(noun)
         head.text = f"{head.text} of {noun.text}"
 
     def _for(self) -> None:
         noun = self._next_noun()
         if noun is None:
             return
-        index = self.chunks.index(noun, self.at)
         thing = self.frontier[-1].thing if self.frontier else None
         if noun.kind in ("people", "number") and noun.count and thing is not None:
             if self.habits.is_in(thing.noun, "tables", "desks"):
                 thing.seats = noun.count
-            self.at = index + 1
+            self._go_past(noun)
         elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
             self.draft.people = noun.count
-            self.at = index + 1
+            self._go_past(noun)
         elif noun.kind == "thing" and thing is not None and (noun.count or noun.plural) and not noun.definite:
             self._open("hold")
         elif noun.kind == "thing" and not self.referents.named(noun) and (noun.named or noun.det == "the"):
             found = self._new(noun)
             self.frontier = [Node([found], self.clause)]
             self.clause.members.append(found)
-            self.at = index + 1
+            self._go_past(noun)
             self.leaving = False
         else:
-            self.at = index + 1
+            self._go_past(noun)
 
     def _as(self) -> None:
         noun = self._next_noun()
         if noun is not None and noun.kind in ("thing", "room", "abstract") and noun.count in (None, 1):
-            self.at = self.chunks.index(noun, self.at) + 1
+            self._go_past(noun)

@@ -10,10 +10,9 @@ class Pronouns(Numbers):
     """Reads pronouns."""
 
     def _pronoun(self, noun: Noun) -> None:
-        following = self.peek()
         match noun.value:
             case "each":
-                self._each(following)
+                self._each(self.peek())
             case "former" | "latter":
                 found = self.referents.of_two(noun.value)
                 self._resume([found] if found is not None else [], noun)
@@ -30,32 +29,35 @@ class Pronouns(Numbers):
                     self.frontier = [Node(things, self.clause, known=True)]
                     self.separator = ""
             case "one" | "other" | "half" | "none":
-                count = noun.count or 1
-                if noun.value == "one" and (before := self._one_before()) is not None:
-                    self._take(self._copy_of(before), noun)
+                self._one_of_several(noun)
+
+    def _one_of_several(self, noun: Noun) -> None:
+        """Read "one", "another", "the other", "half", "none" of what was named."""
+        if noun.value == "one" and (before := self._one_before()) is not None:
+            self._take(self._copy_of(before), noun)
+            return
+        whole = self._whole([])
+        if whole is None:
+            return
+        match noun.value:
+            case "none":
+                self._resume([whole], noun)
+                self.negating = True
+            case "other" if noun.text.lower() == "another":
+                if self.referents.parted is None and self._repeat():
                     return
-                whole = self._whole([])
-                if whole is None:
-                    return
-                if noun.value == "none":
-                    self._resume([whole], noun)
-                    self.negating = True
-                    return
-                if noun.text.lower() == "another" and self.referents.parted is None and self._repeat():
-                    return
-                if noun.value == "other" and noun.text.lower() == "another":
-                    said = self.verb
-                    self._part_of(whole, 1, noun)
-                    self._again(said)
-                    return
-                if noun.value == "other":
-                    self.referents.parted = None
-                    said = self.said or self.verb
-                    self._resume([whole], noun)
-                    self._again(said)
-                    return
-                count = max(1, (whole.count or 2) // 2) if noun.value == "half" else count
-                self._part_of(whole, count)
+                said = self.verb
+                self._part_of(whole, 1, noun)
+                self._again(said)
+            case "other":
+                self.referents.parted = None
+                said = self.said or self.verb
+                self._resume([whole], noun)
+                self._again(said)
+            case "half":
+                self._part_of(whole, max(1, (whole.count or 2) // 2))
+            case _:
+                self._part_of(whole, noun.count or 1)
 
     def _one_before(self) -> Mention | None:
         """The single thing that "one" repeats: "one bin on its left and one on its right"."""

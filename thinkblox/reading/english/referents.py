@@ -25,6 +25,7 @@ class Referents:
         topics: what clauses were about, the latest last.
         pairs: things that were just related or joined.
         parted: what is left of several of which some were set apart.
+        parts: what was set apart from each.
     """
 
     def __init__(self, draft: Draft) -> None:
@@ -33,7 +34,8 @@ class Referents:
         self.topics: list[Mention] = []
         self.pairs: list[tuple[Mention, Mention]] = []
         self.parted: Mention | None = None
-        self.parts: dict[int, list[Mention]] = {}
+        self.parts: dict[Mention, list[Mention]] = {}
+        self._whole_of: dict[Mention, Mention] = {}
 
     def speak(self, thing: Mention) -> None:
         """Remember that a thing was spoken of just now."""
@@ -43,19 +45,19 @@ class Referents:
         """The latest thing that "the <noun>" can mean, `besides` some; None when nothing like it was mentioned."""
         recent = [t for t in reversed(self.draft.things[-_REACH:]) if t not in besides or t.many]
         recent = [t for t in recent if t.asked]
-        word = singular(_last_word(noun.text))
+        word = noun.word
         said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
         tests = (
-            lambda t: t.noun == noun.value and singular(_last_word(t.text)) == word,
+            lambda t: t.noun == noun.value and last_word(t) == word,
             lambda t: t.noun == noun.value,
-            lambda t: singular(_last_word(t.text)) == word,
+            lambda t: last_word(t) == word,
             lambda t: are_alike(t.noun, noun.value),
         )
         for things in (said, recent) if noun.attributes else (recent,):
             for test in tests:
                 if (found := next(filter(test, things), None)) is not None:
                     return found
-        ending = (t for t in recent if len(word) > 3 and singular(_last_word(t.text)).endswith(word))
+        ending = (t for t in recent if len(word) > 3 and last_word(t).endswith(word))
         return next((t for t in recent if t.group and t.group == word), None) or next(ending, None)
 
     def every(self, noun: Noun) -> list[Mention]:
@@ -63,42 +65,35 @@ class Referents:
         first = self.named(noun)
         if first is None:
             return []
-        word = singular(_last_word(noun.text))
+        word = noun.word
         same = [t for t in self.draft.things if t.noun == first.noun and t.asked]
-        return [t for t in same if singular(_last_word(t.text)) in (word, singular(_last_word(first.text)))] or [first]
+        return [t for t in same if last_word(t) in (word, last_word(first))] or [first]
 
     def single(
         self, subject: Mention | None, kind: str, likely: Sequence[Mention] = (), noun: str = ""
     ) -> Mention | None:
         """What "it" means as the anchor of a relation; `likely` comes before what was spoken of last."""
         noun = noun or (subject.noun if subject is not None else "")
-        if kind == "opposite" and noun in load_habits().group("screens"):
-            noun = "tv_stand"
-        candidates = list(dict.fromkeys([*likely, *reversed(self.topics[-3:]), *self._recent()]))
-        candidates = [t for t in candidates if t is not subject and t in self.draft.things]
         habits = load_habits()
+        if kind == "opposite" and habits.is_in(noun, "screens"):
+            noun = "tv_stand"
+        kept = set(self.draft.things)
+        candidates = list(dict.fromkeys([*likely, *reversed(self.topics[-3:]), *self._recent()]))
+        candidates = [t for t in candidates if t is not subject and t in kept]
         sound = [t for t in candidates if fits(t, kind, noun)]
-        if kind in _BY_HABIT and noun:
-            usual = [t for t in sound if t in likely and habits.tie(noun, t.noun) == kind]
-            if usual:
-                return usual[0]
-        for thing in candidates[: len(likely)]:
-            if (thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps")) or thing in sound:
-                return thing
-        if kind in _BY_HABIT and noun:
-            usual = [t for t in sound if habits.tie(noun, t.noun) == kind]
-            if usual:
-                return usual[0]
+        usual = [t for t in sound if kind in _BY_HABIT and noun and habits.tie(noun, t.noun) == kind]
+        said = [t for t in usual if t in likely] or [t for t in candidates[: len(likely)] if _may_be(t, likely, sound)]
+        if found := said or usual:
+            return found[0]
         if kind in ("in_front_of", "behind", "facing") and habits.is_in(noun, "seats"):
             seated = [t for t in sound if habits.tie(noun, t.noun) in ("at", "around")]
             if seated:
                 return seated[0]
         if kind == "under":
             sound = [t for t in sound if not habits.is_in(t.noun, "wallpieces")] or sound
-        large = [t for t in sound if not is_small(t)]
         if kind != "on" and not (subject is not None and is_small(subject)):
-            sound = large or sound
-        return next(iter(sound), None) or next(iter(candidates), None)
+            sound = [t for t in sound if not is_small(t)] or sound
+        return next(iter(sound or candidates), None)
 
     def several(self, subject: Sequence[Mention], kind: str) -> tuple[Mention, ...]:
         """What "them" means: a plural thing, or two that were just related or joined."""
@@ -114,7 +109,7 @@ class Referents:
             if pair and (kind == "between" or not thing.many):
                 return pair
             if thing.many and not (is_small(thing) and kind in ("between", "around")):
-                return (thing, *[p for p in self.parts.get(id(thing), ()) if p in self.draft.things])
+                return (thing, *[p for p in self.parts.get(thing, ()) if p in self.draft.things])
         standing = [t for t in self._recent() if not is_small(t) and t not in subject]
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
@@ -130,11 +125,15 @@ class Referents:
 
     def family(self, thing: Mention) -> list[Mention]:
         """All the parts of the several that a thing was set apart from, or that were set apart from it."""
-        for whole, parts in self.parts.items():
-            things = [t for t in self.draft.things if id(t) == whole or t in parts]
-            if thing in things:
-                return things
-        return [thing]
+        whole = self._whole_of.get(thing, thing)
+        if whole not in self.parts or thing not in self.draft.things:
+            return [thing]
+        return [t for t in (*self.parts[whole], whole) if t in self.draft.things]
+
+    def last_family(self) -> list[Mention]:
+        """The latest things of which some were set apart from others; empty where there are none."""
+        families = (self.family(t) for t in reversed(self.draft.things[-_REACH:]))
+        return next((family for family in families if len(family) > 1), [])
 
     def part(self, whole: Mention, count: int) -> Mention:
         """Set so many of `whole` apart, with all that was said of it; the others stay `whole`."""
@@ -165,7 +164,8 @@ class Referents:
                 at = bond.anchors.index(whole)
                 bond.anchors = (*bond.anchors[:at], part, *bond.anchors[at:])
         self.parted = whole
-        self.parts.setdefault(id(whole), []).append(part)
+        self.parts.setdefault(whole, []).append(part)
+        self._whole_of[part] = whole
         self.speak(part)
         return part
 
@@ -194,6 +194,11 @@ class Referents:
     def plural(self) -> Iterator[Mention]:
         """Things that stand for several, the latest first."""
         return (t for t in self._recent() if t.many)
+
+
+def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention]) -> bool:
+    """Whether a likely thing is meant: the likeliest, unless it is a lamp, or one that can be the anchor."""
+    return (thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps")) or thing in sound
 
 
 def is_small(thing: Mention) -> bool:
@@ -227,5 +232,6 @@ def parts_of(bond: Bond) -> list[Mention]:
     return [anchor for anchor in bond.anchors if isinstance(anchor, Mention)]
 
 
-def _last_word(text: str) -> str:
-    return text.rpartition(" ")[2].casefold()
+def last_word(thing: Mention) -> str:
+    """The singular of the last word that a thing was named by."""
+    return singular(thing.text.rpartition(" ")[2].casefold())

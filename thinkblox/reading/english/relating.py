@@ -26,25 +26,27 @@ class Relating(Naming):
             self._multiply(subject, meaning)
             if self._is_laid(subject, meaning, anchors) and not negated:
                 continue
-            kind = relation_kind(meaning.kind)
-            if kind == "on" and not negated and self._is_seated_on(subject, anchors):
-                continue
-            if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
-                kind = "next_to"
-            bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
-            if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
-                self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
-                bind(self.draft, lying)
-            if negated:
-                self.draft.bonds.append(bond)
-                continue
-            self._share(bond)
-            bind(self.draft, bond)
-            for anchor in anchors:
-                if isinstance(anchor, Mention) and kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
-                    self.referents.pairs.append((subject, anchor))
-        if self.opening is not None and not subjects and isinstance(anchors[0], str) and anchors[0].endswith("_wall"):
-            self.opening.wall = anchors[0]
+            self._bind_one(subject, meaning, anchors, negated=negated)
+
+    def _bind_one(
+        self, subject: Mention, meaning: Meaning, anchors: tuple[Mention | str, ...], *, negated: bool
+    ) -> None:
+        kind = relation_kind(meaning.kind)
+        if kind == "on" and not negated and self._is_seated_on(subject, anchors):
+            return
+        if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
+            kind = "next_to"
+        bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+        if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
+            self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
+            bind(self.draft, lying)
+        if negated:
+            self.draft.bonds.append(bond)
+            return
+        self._share(bond)
+        bind(self.draft, bond)
+        if kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
+            self.referents.pairs += [(subject, anchor) for anchor in anchors if isinstance(anchor, Mention)]
 
     def _flanks(self, subjects: list[Mention], meaning: Meaning) -> bool:
         """One of two things "on either side" stands at the left, the other at the right."""
@@ -70,14 +72,15 @@ class Relating(Naming):
                 node.things = [part, subject]
         return True
 
-    def _is_seated_on(self, table: Mention, seats: tuple[Mention | str, ...]) -> bool:
+    def _is_seated_on(self, table: Mention, anchors: tuple[Mention | str, ...]) -> bool:
         """Put the chairs around a table that "seats eight people on eight chairs"."""
         if not self.habits.is_in(table.noun, "tables", "desks"):
             return False
-        if not all(isinstance(s, Mention) and self.habits.is_in(s.noun, "seats", "chairs") for s in seats):
+        seats = [a for a in anchors if isinstance(a, Mention) and self.habits.is_in(a.noun, "seats", "chairs")]
+        if len(seats) < len(anchors):
             return False
         for seat in seats:
-            bind(self.draft, Bond("around", seat, (table,)))  # type: ignore[arg-type]
+            bind(self.draft, Bond("around", seat, (table,)))
         return True
 
     def _lies_on(self, subject: Mention, anchors: tuple[Mention | str, ...]) -> bool:

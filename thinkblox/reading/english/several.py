@@ -17,23 +17,18 @@ class Several(Boundaries):
             return self.referents.parted
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
-        family = next((f for t in reversed(self.draft.things) if len(f := self.referents.family(t)) > 1), [])
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
         near += self.clause.members[::-1]
         many = [t for t in near if t.many and t not in besides]
         found = next(iter(many), None) or next((t for t in self.referents.plural() if t not in besides), None)
-        return found or next((t for t in reversed(family) if t not in besides), None)
+        return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
 
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number, "the left one" or "the other" means."""
-        if noun.kind == "thing":
-            whole = self.referents.named(noun, besides)
-            parts = [*self.referents.parts.get(id(whole), ())] if whole else []
-        else:
-            whole = self._whole(besides)
-            parts = [*self.referents.parts.get(id(whole), ())] if whole else []
+        whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._whole(besides)
         if whole is None:
             return None
+        parts = self.referents.parts.get(whole, [])
         if noun.ordinal:
             return self._ordinal(noun, whole)
         told = [t for t in [*parts, whole] if noun.side and noun.side == self.sides.get(t)]
@@ -53,7 +48,7 @@ class Several(Boundaries):
         """The first, second, ... of several."""
         family = self.referents.family(whole)
         whole = next((t for t in family if t.many), whole)
-        order = self.ordinals.setdefault(id(family[0]) if len(family) > 1 else id(whole), {})
+        order = self.ordinals.setdefault(family[0] if len(family) > 1 else whole, {})
         for known in self.ordinals.values():
             if noun.ordinal in known and known[noun.ordinal] in family:
                 return known[noun.ordinal]
@@ -66,7 +61,7 @@ class Several(Boundaries):
     def _how_many(self, noun: Noun, whole: Mention) -> int:
         total = whole.count or 2
         if noun.det == "half":
-            total += sum(p.count or 0 for p in self.referents.parts.get(id(whole), ()))
+            total += sum(p.count or 0 for p in self.referents.parts.get(whole, ()))
             return max(1, total // 2)
         if noun.det in ("each", "all", "none", "both") and noun.count is None:
             return total
@@ -76,18 +71,14 @@ class Several(Boundaries):
         """The left one of two that flank something stands at its left."""
         other = {"left": "right", "right": "left"}.get(side, "")
         self.sides[part] = side
-        if part is not whole:
-            self.sides[whole] = other
+        if part is whole:
+            return
+        self.sides[whole] = other
         if not other:
             return
         for thing, where in ((part, side), (whole, other)):
             for bond in self.draft.bonds_of(thing):
-                if (
-                    bond.kind == "next_to"
-                    and bond.anchors
-                    and isinstance(bond.anchors[0], Mention)
-                    and part is not whole
-                ):
+                if bond.kind == "next_to" and bond.anchors and isinstance(bond.anchors[0], Mention):
                     bond.kind = relation_kind(f"{where}_of")
 
     def _every(self, noun: Noun) -> list[Mention]:

@@ -11,7 +11,32 @@ from thinkblox.reading.english.referents import Referents
 
 
 class State(Namer):
-    """The chunks of one text, how far they are read, and what is open."""
+    """The chunks of one text, how far they are read, and what is open.
+
+    Attributes:
+        draft: what was understood.
+        groups: things that stand for several together ("station"), by that word.
+        opening: the door or window that was named last.
+        whole: the several whose parts a colon or dash begins to tell.
+        fresh: what the sentence named for the first time as an anchor.
+        verb, said: the verb of this clause, and of the one that a semicolon ended.
+        bracket: what was spoken of before an open bracket.
+        ordinals: which of a family is the first, the second, ...
+        sides: which of two is the left one, which the right one.
+        counted: things whose number was told as a part of several, and is not that of each side.
+        summed: several without a number, whose parts are being counted.
+        each_of: of how many "every two" were the last.
+        frontier: what the next words can be about, the outermost first.
+        front: relations whose subject is still to come; `held`: the same, outside of a relative clause.
+        clause: what the clause names.
+        subject, predicate: what the verb of the clause is said of, and whether it was read.
+        relative: what "which" stands for; `outer`: what the sentence goes on with after "on which".
+        pending: the list that the next thing begins.
+        separator: "comma", "and" or "comma_and", when that was read last.
+        negating, excluding, excepting, leaving, existential: "not", "without", "except", "leave", "there is" hold.
+        each: what comes is said of each.
+        per_group, crowd: so many of what comes, for so many groups, or people.
+    """
 
     def __init__(self, chunks: Sequence[Chunk]) -> None:
         self.chunks = list(chunks)
@@ -21,20 +46,19 @@ class State(Namer):
         self.meanings = Meanings(self.referents, self)
         self.habits = load_habits()
         self.groups: dict[str, Mention] = {}
-        self._begin()
         self.opening: Gap | None = None
         self.whole: Mention | None = None
-        self.wanting_only = False
         self._began = 0
-        self.fresh: set[int] = set()
+        self.fresh: set[Mention] = set()
         self.said = ""
         self.verb = ""
         self.bracket: tuple[list[Node], Frame, Node | None, bool] | None = None
-        self.ordinals: dict[int, dict[int, Mention]] = {}
+        self.ordinals: dict[Mention, dict[int, Mention]] = {}
         self.sides: dict[Mention, str] = {}
         self.counted: set[Mention] = set()
         self.summed: Mention | None = None
         self.each_of = 0
+        self._begin()
 
     def _begin(self) -> None:
         """Begin a clause."""
@@ -64,24 +88,35 @@ class State(Namer):
 
     def _next_noun(self, ahead: int = 0) -> Noun | None:
         """The noun that comes next, past fillers."""
-        index = self.at + ahead
-        while index < len(self.chunks) and self._is_filler(self.chunks[index]):
-            index += 1
+        index = self._skip_fillers(self.at + ahead)
         chunk = self.chunks[index] if index < len(self.chunks) else None
         return chunk if isinstance(chunk, Noun) else None
 
     def _is_filler(self, chunk: Chunk) -> bool:
-        return (isinstance(chunk, Link) and chunk.sort in ("fillers",)) or (
-            isinstance(chunk, Adjective) and not chunk.attributes
-        )
+        if isinstance(chunk, Link):
+            return chunk.sort == "fillers"
+        return isinstance(chunk, Adjective) and not chunk.attributes
 
     def _is_link(self, chunk: Chunk | None, sort: str, *values: str) -> bool:
         return isinstance(chunk, Link) and chunk.sort == sort and (not values or chunk.value in values)
 
     def _skip_fillers(self, index: int) -> int:
+        """The first index from `index` on that is no filler."""
         while index < len(self.chunks) and self._is_filler(self.chunks[index]):
             index += 1
         return index
+
+    def _before(self, back: int = 1) -> Chunk | None:
+        """The chunk so many before the one that is being read."""
+        index = self.at - 1 - back
+        return self.chunks[index] if index >= 0 else None
+
+    def _go_past(self, noun: Noun) -> None:
+        """Go on after a noun that was found ahead."""
+        while self.at < len(self.chunks):
+            self.at += 1
+            if self.chunks[self.at - 1] is noun:
+                return
 
     def _belongs(self, noun: str, group: str) -> bool:
         """Whether a noun belongs to a group of things; what nobody knows counts as small."""

@@ -3,7 +3,7 @@
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.having import Having
-from thinkblox.reading.english.nodes import Node, Where
+from thinkblox.reading.english.nodes import Frame, Node, Where
 from thinkblox.reading.english.referents import is_small
 
 _BY_OWNER = (
@@ -30,43 +30,50 @@ class Subjects(Having):
         return Node(things, self.clause, known=node.known, each=node.each or self.each) if things else None
 
     def _subject_of(self, where: Where) -> Node | None:
+        """What a relation that follows is about; None when nothing was named yet."""
         nodes = [node for node in reversed(self.frontier) if node.things]
         if not nodes:
             return self.subject
         if self.predicate and self.subject is not None and len(self.frontier) <= 1:
             return self.subject
         inner = nodes[0]
-        noun = where.noun
         if inner.frame is None:
             return self._past_anchor(nodes, where)
         head = inner.frame.head
-        if head is not None and head.things and where.word == "between" and self._is_pronominal(where):
-            if self._belongs(inner.things[-1].noun, "small") and not head.things[-1].many:
-                return head
-        if head is not None and head.things and self._is_pronominal(where) and where.word in _BY_OWNER:
-            lying = [b for b in self.draft.bonds_of(inner.things[-1]) if b.implied and b.kind in ("on", "inside")]
-            within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
-            if (
-                lying
-                and noun is not None
-                and noun.kind == "pronoun"
-                and (within or self._behind_its_carrier(head, where))
-            ):
-                return head
-        middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
-        if head is not None and head.things and middle and inner.things[-1].many and not inner.frame.each:
+        if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return head
-        if head is not None and head.things and not self._is_pronominal(where):
-            thing = inner.things[-1]
-            place = noun is not None and noun.kind == "place" and not (noun.value == "centre" and where.whole is None)
-            if place and not self.habits.is_in(thing.noun, "wallpieces", "ceiling") and not inner.frame.each:
-                if noun is not None and not (noun.value in ("wall", "floor", "ceiling") and where.word == "on"):
-                    return head
-            same = noun is not None and noun.kind == "thing" and self._is_head(noun, head)
-            if where.word in _BY_OWNER and not same and noun is not None and noun.kind == "thing":
-                if self.habits.is_in(thing.noun, "small", "seats", "lamps"):
-                    return head
         return self._joined(inner, where)
+
+    def _is_of_head(self, inner: Node, frame: Frame, head: Node, where: Where) -> bool:
+        """Whether a relation after the last thing of a list is about what has the list."""
+        thing, noun = inner.things[-1], where.noun
+        middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
+        if middle and thing.many and not frame.each:
+            return True
+        if not self._is_pronominal(where):
+            return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
+                noun is not None and self._is_beside_head(thing, head, where, noun)
+            )
+        if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
+            return True
+        if where.word not in _BY_OWNER or noun is None or noun.kind != "pronoun":
+            return False
+        lying = [b for b in self.draft.bonds_of(thing) if b.implied and b.kind in ("on", "inside")]
+        within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
+        return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_place_of_head(self, thing: Mention, frame: Frame, where: Where, noun: Noun) -> bool:
+        """Whether a place is where the owner stands: "a desk with a chair by the window"."""
+        if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
+            return False
+        on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
+        return not on_surface and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
+
+    def _is_beside_head(self, thing: Mention, head: Node, where: Where, noun: Noun) -> bool:
+        """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
+        if where.word not in _BY_OWNER or noun.kind != "thing" or self._is_head(noun, head):
+            return False
+        return self.habits.is_in(thing.noun, "small", "seats", "lamps")
 
     def _behind_its_carrier(self, head: Node, where: Where) -> bool:
         """Whether "it" is something before the shelves: "a counter, shelves with bottles behind it"."""
@@ -164,5 +171,5 @@ class Subjects(Having):
             return []
         before = [m for m in node.frame.members if m not in node.things][-1:]
         said = [b for m in before for b in self.draft.bonds_of(m) if not b.implied]
-        anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention) and id(a) not in self.fresh]
+        anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention) and a not in self.fresh]
         return anchors if not (before and is_small(before[0]) and said and said[-1].kind == "on") else []

@@ -1,10 +1,10 @@
 """Which list a thing belongs to, and how its members stand to the head."""
 
-from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Link, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Frame
+from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.relating import Relating
 
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
@@ -46,45 +46,41 @@ class Ties(Relating):
             return frame.each and tie in _CARRIED
         if frame.told and tie not in _CARRIED:
             return False
-        if self.separator == "comma_and" and tie not in _CARRIED and not frame.each:
-            return False
-        return True
+        return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
 
     def _told_of(self, frame: Frame) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
-        link = self.peek()
-        if not isinstance(link, Link) or link.sort not in ("prepositions", "participles"):
-            return None
-        index = 0
-        if link.sort == "participles":
-            index, link = 1, self.peek(1)
-            if not isinstance(link, Link) or link.sort != "prepositions":
-                return None
+        index = 1 if self._is_link(self.peek(), "participles") else 0
+        link = self.peek(index)
         noun = self._next_noun(index + 1)
-        if noun is None or link.value in ("with", "of", "for"):
+        if noun is None or not isinstance(link, Link) or link.sort != "prepositions":
+            return None
+        if link.value in ("with", "of", "for"):
             return None
         if frame.head is None:
             return frame.times > 1
-        if noun.kind == "pronoun" or (noun.kind == "part" and self._is_mine(noun, index)):
-            return True
-        if noun.kind == "thing" and noun.definite:
-            return self._is_of(frame, noun)
-        if noun.kind == "part":
-            whole = self._next_noun(index + 3)
-            if whole is not None and whole.kind == "thing":
-                return self._is_of(frame, whole)
-        if noun.kind == "place" and noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
-            return None if frame.each and noun.value.split()[0] == "wall" else False
+        match noun.kind:
+            case "pronoun":
+                return True
+            case "thing" if noun.definite:
+                return self._is_of(frame, noun)
+            case "part":
+                return self._is_part_of(frame, index)
+            case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
+                return None if frame.each and noun.value.split()[0] == "wall" else False
         return None
+
+    def _is_part_of(self, frame: Frame, index: int) -> bool | None:
+        """Whether "on the side" is of the head: always, unless it goes on with "of the bed"."""
+        if not self._is_link(self.peek(index + 2), "prepositions", "of"):
+            return True
+        whole = self._next_noun(index + 3)
+        return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
 
     def _is_of(self, frame: Frame, noun: Noun) -> bool | None:
         if frame.head is not None and self.referents.named(noun) in frame.head.things:
             return True
         return None if frame.each else False
-
-    def _is_mine(self, noun: Noun, index: int) -> bool:
-        after = self.peek(index + 2)
-        return not self._is_link(after, "prepositions", "of")
 
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""
@@ -109,36 +105,45 @@ class Ties(Relating):
             return None
         first = first or not frame.members
         usual = self.habits.tie(thing.noun, head.noun)
-        small = self._belongs(thing.noun, "small")
-        small |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
-        shelves = self.habits.is_in(head.noun, *[g for g in ("shelves", "containers") if g in self.habits.groups])
+        lies = self._belongs(thing.noun, "small")
+        lies |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
+        lies_here = lies or first or usual == "on"
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
                 return usual
-            case "hold" | "carry":
-                if not (small or first or usual == "on"):
-                    return None
-                within = self._contains(head, shelves=shelves) if frame.kind == "hold" else shelves
-                return "inside" if within else "on"
+            case "hold" if lies_here:
+                return "inside" if self._contains(head) else "on"
+            case "carry" if lies_here:
+                return "inside" if self._has_shelves(head) else "on"
             case "inside":
-                return "inside" if small or first else None
-            case "on":
-                return "on" if small or first or usual == "on" else None
+                return "inside" if lies or first else None
+            case "on" if lies_here:
+                return "on"
             case "with":
-                if usual == "on" and shelves and small:
-                    return "inside"
-                if usual:
-                    return str(usual)
-                surfaces = self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
-                contains = self._contains(head, shelves=shelves)
-                seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
-                flat = singular(head.text.rpartition(" ")[2].lower()) in grammar().lists["flat"]
-                laid = small and (surfaces or contains or seats or flat) and thing.noun != "tv"
-                if laid:
-                    return "inside" if contains else "on"
-                return "next_to" if frame.each else None
-        return frame.kind if frame.kind != "list" else None
+                return self._tie_with(thing, head, usual, frame, lies=lies, first=first)
+            case "hold" | "carry" | "on" | "list":
+                return None
+        return frame.kind
 
-    def _contains(self, head: Mention, *, shelves: bool) -> bool:
-        word = singular(head.text.rpartition(" ")[2].lower())
-        return shelves or word in grammar().lists["containers"]
+    def _tie_with(
+        self, thing: Mention, head: Mention, usual: str | None, frame: Frame, *, lies: bool, first: bool
+    ) -> str | None:
+        """How a thing belongs to another "with" it."""
+        if usual == "on" and lies and self._has_shelves(head):
+            return "inside"
+        if usual:
+            return usual
+        contains = self._contains(head)
+        seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
+        flat = last_word(head) in grammar().lists["flat"]
+        carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
+        if lies and carries and thing.noun != "tv":
+            return "inside" if contains else "on"
+        return "next_to" if frame.each else None
+
+    def _has_shelves(self, head: Mention) -> bool:
+        return self.habits.is_in(head.noun, *[g for g in ("shelves", "containers") if g in self.habits.groups])
+
+    def _contains(self, head: Mention) -> bool:
+        """Whether what a thing holds lies within it."""
+        return self._has_shelves(head) or last_word(head) in grammar().lists["containers"]

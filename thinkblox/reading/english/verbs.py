@@ -4,46 +4,47 @@ from thinkblox.reading.english.chunks import Link, Noun
 from thinkblox.reading.english.nodes import Frame
 from thinkblox.reading.english.prepositions import Prepositions
 
+_STANDS = {"face": "facing", "surround": "around", "flank": "next_to", "line": "along"}
+"""Verbs that say how the subject stands to their object, as the prepositions of the same meaning."""
+
 
 class Verbs(Prepositions):
     """Reads verbs."""
 
     def _verb(self, link: Link) -> None:
-        text = link.text.lower()
-        if link.value == "put":
-            self.existential |= not self.clause.members
-            if not self.clause.members and not self.front:
-                return
-            if self.subject is None and self.clause.members and not self.separator:
-                self.subject = self._whole_subject()
-                self._open_of_subject("with")
-            return
-        if link.value == "other":
-            self.frontier, self.subject, self.pending = [], None, None
-            return
-        if link.value == "leave":
-            self.leaving = True
-            return
-        if text.startswith(("there", "here", "you ", "we ")):
-            if self.clause.members:
-                self._begin_again()
-            self.existential = True
-            return
-        last = self.chunks[self.at - 2] if self.at >= 2 else None
-        if self.outer is not None and self._is_link(last, "mark", "comma", "close") and not self.front_only():
+        match link.value:
+            case "put":
+                self._put()
+            case "other":
+                self.frontier, self.subject, self.pending = [], None, None
+            case "leave":
+                self.leaving = True
+            case _ if link.text.lower().startswith(("there", "here", "you ", "we ")):
+                if self.clause.members:
+                    self._begin_again()
+                self.existential = True
+            case _:
+                self._find_subject()
+                if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
+                    self._predicate(link)
+
+    def _put(self) -> None:
+        """Read "put": what follows is asked for, or lies on what was just named."""
+        self.existential |= not self.clause.members
+        if self.subject is None and self.clause.members and not self.separator:
+            self.subject = self._whole_subject()
+            self._open_of_subject("with")
+
+    def _find_subject(self) -> None:
+        """Find what a verb is said of."""
+        last = self._before()
+        front_only = bool(self.front) and not self.clause.members
+        if self.outer is not None and self._is_link(last, "mark", "comma", "close") and not front_only:
             self.subject, self.outer = self.outer, None
         elif self.relative is not None:
-            self.subject = self.relative
-            self.relative = None
+            self.subject, self.relative = self.relative, None
         elif self.subject is None or (self.clause.members and not self.predicate):
             self.subject = self._whole_subject()
-        if self.subject is None and link.value in ("be", "stand", "hang", "serve"):
-            return
-        self._predicate(link)
-
-    def front_only(self) -> bool:
-        """Whether only a relation, and nothing that it is about, has been read."""
-        return bool(self.front) and not self.clause.members
 
     def _predicate(self, link: Link) -> None:
         self.predicate = True
@@ -56,14 +57,8 @@ class Verbs(Prepositions):
                 self._have(link.value)
             case "hold" | "carry":
                 self._open_of_subject(link.value)
-            case "face":
-                self._where(self._read_where(Link("prepositions", "facing", 0, 0)))
-            case "surround":
-                self._where(self._read_where(Link("prepositions", "around", 0, 0)))
-            case "flank":
-                self._flank()
-            case "line":
-                self._where(self._read_where(Link("prepositions", "along", 0, 0)))
+            case verb if verb in _STANDS:
+                self._stand(_STANDS[verb])
             case "share":
                 self._have_shared()
             case "serve":
@@ -71,13 +66,7 @@ class Verbs(Prepositions):
             case "seat":
                 self._seat()
             case "hang":
-                if (
-                    self._is_link(self.peek(), "prepositions", "from")
-                    and (n := self._next_noun(1))
-                    and n.kind == "thing"
-                ):
-                    self.at += 1
-                    self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
+                self._hang_from()
 
     def _seat(self) -> None:
         """Read "a table that seats ten"."""
@@ -85,7 +74,7 @@ class Verbs(Prepositions):
         thing = self.subject.thing if self.subject is not None else None
         if noun is not None and noun.count and noun.kind in ("number", "people") and thing is not None:
             thing.seats = noun.count
-            self.at = self.chunks.index(noun, self.at) + 1
+            self._go_past(noun)
 
     def _have(self, kind: str) -> None:
         if self.subject is None and self.crowd:
@@ -114,25 +103,11 @@ class Verbs(Prepositions):
             self.each_of = 0
         self.pending = frame
 
-    def _flank(self) -> None:
-        where = self._read_where(Link("prepositions", "next_to", 0, 0))
-        self._where(where)
-
     def _participle(self, kind: str) -> None:
         match kind:
             case "hold" | "carry":
                 self._open(kind)
-            case "surround":
-                self._where(self._read_where(Link("prepositions", "around", 0, 0)))
-            case "flank":
-                self._flank()
-            case "line":
-                self._where(self._read_where(Link("prepositions", "along", 0, 0)))
+            case doing if doing in _STANDS:
+                self._stand(_STANDS[doing])
             case "hang":
-                if (
-                    self._is_link(self.peek(), "prepositions", "from")
-                    and (n := self._next_noun(1))
-                    and n.kind == "thing"
-                ):
-                    self.at += 1
-                    self._where(self._read_where(Link("prepositions", "next_to", 0, 0)))
+                self._hang_from()

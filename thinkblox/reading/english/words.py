@@ -128,9 +128,9 @@ class Words:
         if thing is not None and thing.length > found.length and (token.glued or not thing.entry.plural):
             return None
         value, length = int(found.value), found.length
-        if value >= 20 and value % 10 == 0 and (unit := grammar().at(self.tokens, at + length, "count")):
-            if 0 < int(unit.value) < 10 and unit.length == 1:
-                return value + int(unit.value), length + 1
+        unit = grammar().at(self.tokens, at + length, "count") if value >= 20 and value % 10 == 0 else None
+        if unit is not None and 0 < int(unit.value) < 10 and unit.length == 1:
+            return value + int(unit.value), length + 1
         if at + length < len(self.tokens) and self.tokens[at + length].text == "dozen":
             return value * 12, length + 1
         return value, length

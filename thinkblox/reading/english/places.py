@@ -1,0 +1,58 @@
+"""What prepositions mean with corners, openings and walls."""
+
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Meaning
+
+_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
+_CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
+
+
+def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | None:
+    """What stands so to one corner or several; `walls` are those that meet there."""
+    if word == "far":
+        return Meaning("far", ("corner",))
+    if word not in _CORNERED:
+        return None
+    each = said.each or said.det in ("both", "all")
+    times = several or (2 if said.det == "both" else 4 if each else 1)
+    opposite = "opposite" in said.text.lower() and said.plural
+    spread = times if (each or several or opposite) else 0
+    if opposite and not several:
+        spread = 2
+    return Meaning("in_corner", tuple(walls) or ("corner",), times=times if each else 1, spread=spread)
+
+
+def opening(word: str, name: str) -> Meaning | None:
+    """What stands so to a window or door."""
+    match word:
+        case "near" | "far" | "facing" | "opposite" | "left_of" | "right_of" | "above" | "outside":
+            return Meaning(word, (name,))
+        case "by" | "next_to" | "at" | "under" | "in_front_of" | "against" | "on" | "along" | "to" | "in":
+            return Meaning("next_to", (name,))
+        case "between" | "behind":
+            return Meaning("near", (name,))
+    return None
+
+
+def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meaning | None:
+    """What stands so to one wall or several."""
+    text = said.text.lower()
+    if name == "wall":
+        if "opposite walls" in text or "facing walls" in text:
+            several = several or 2
+        elif "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
+            name = "opposite_wall"
+        elif said.count == 1 and text.startswith("one"):
+            name = "one_wall"
+    if word in ("facing", "opposite", "far"):
+        return Meaning(word, (name,))
+    times = several or (4 if name == "wall" and "side" not in text else 2) if each else 1
+    if each and name in ("left_wall", "right_wall"):
+        name, times = "wall", 2
+    spread = (several or times) if (each or several) else 0
+    if said.det == "both":
+        spread = 2
+    if "all" in text.split() or "four walls" in text:
+        spread = 4
+    kind = "on" if word in ("on", "on_top") else "against_wall" if word in _AT_WALL or word == "in_front_of" else ""
+    return Meaning(kind, (name,), times=times, spread=spread) if kind else None
