@@ -8,6 +8,11 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
 
 
+def _sorts(text: str) -> list[tuple[str, str]]:
+    """What the grammar says of a word, as its section and the word."""
+    return [(sort, text) for sort, _ in grammar().phrases.get(tuple(text.split()[-1:]), ())]
+
+
 class Clauses(Pronouns):
     """Reads the chunks of one text."""
 
@@ -48,6 +53,7 @@ class Clauses(Pronouns):
                 self._negation(link)
             case "mutual":
                 self._mutual(link.value)
+                self.predicate |= link.text.lower().startswith(("face ", "are ", "stand "))
 
     def _noun(self, noun: Noun) -> None:
         self.draft.style += noun.styles if not self.excluding else []
@@ -103,7 +109,8 @@ class Clauses(Pronouns):
 
     def _is_mood(self, noun: Noun) -> bool:
         """Whether words that nobody knows only say how it is to feel: "nail salon, instagram ready"."""
-        if noun.named or noun.det or noun.count is not None or noun.plural or self.pending is not None:
+        matter = ("abstract", noun.text.lower()) in _sorts(noun.text.lower())
+        if (noun.named and not matter) or noun.det or noun.count is not None or noun.plural or self.pending is not None:
             return False
         told = self._is_link(self.peek(), "prepositions") and not self._is_link(
             self.peek(), "prepositions", "of", "for"

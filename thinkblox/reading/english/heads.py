@@ -55,6 +55,10 @@ class Heads(Modifiers):
             noun.within = True
             return
         named = [unit for unit in nouns if not unit.owner] or [last]
+        people = "people" in dict(grammar().phrases.get((last.text.lower(),), ()))
+        if people and noun.det in ("the", "my", "") and noun.count is None:
+            noun.kind, noun.value = "people", "people"
+            return
         if last.known is not None:
             self._known_head(noun, last.known)
             self._modifiers(noun, named[:-1])

@@ -109,7 +109,7 @@ class PhraseReader(Heads):
 
     def _take(self, noun: Noun, at: int, units: Units, known: Known) -> int:
         """Take a phrase of the lexicon; a place after nouns ends them, unless it is a word of their name."""
-        unknown = all(unit.known is None and not unit.owner for unit in units.nouns)
+        unknown = not any(unit.owner for unit in units.nouns)
         built = known.entry.value.split()[0] in _BUILT and unknown
         if known.entry.sort == "place" and units.nouns and not built:
             if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
