@@ -27,7 +27,7 @@ NAMED = {
     "treasure chest": "chest",
     "recliner": "recliner",
     "grand piano": "grand_piano",
-    "cheese board": "cutting_board",
+    "cheese board": "cheese_board",
     "floor cushion": "floor_cushion",
     "glass display case": "display_case",
     "record player": "record_player",

@@ -75,9 +75,9 @@ PROMPTS = {
     ),
     "A cafe with a counter, an espresso machine and a cake display on it, a menu board behind it, five round "
     "tables with two chairs each and a potted plant by the entrance.": (
-        "1 counter, 1 coffee_machine, 1 food_tray, 1 menu_board, 5 dining_table, 10 chair, 1 potted_plant",
+        "1 counter, 1 coffee_machine, 1 cake_display, 1 menu_board, 5 dining_table, 10 chair, 1 potted_plant",
         (
-            "coffee_machine on counter, food_tray on counter, menu_board behind counter, chair around "
+            "coffee_machine on counter, cake_display on counter, menu_board behind counter, chair around "
             "dining_table, potted_plant next_to door"
         ),
         "",
@@ -115,8 +115,8 @@ PROMPTS = {
     ),
     "A pharmacy with shelves of medicine bottles along the walls, a counter with a computer and a cash register, "
     "and three chairs for waiting.": (
-        "2 shelving_unit, 3 bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
-        ("bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, cash_register on counter"),
+        "2 shelving_unit, 3 medicine_bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
+        ("medicine_bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, cash_register on counter"),
         "",
     ),
     "A dorm room for two students: two beds, two desks with chairs and lamps, two wardrobes.": (
