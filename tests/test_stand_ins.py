@@ -13,13 +13,12 @@ from thinkblox.knowledge.habits import load_habits
     ("name", "how", "like"),
     [
         ("bed", "catalogue", "bed"),
-        ("grill pan", "table", "grill_pan"),
-        ("popcorn_machine", "catalogue", "popcorn_machine"),
-        ("ice_cream_machine", "table", "ice_cream_machine"),
+        ("wok", "table", "wok"),
+        ("slush_machine", "table", "ice_cream_machine"),
         ("samovar", "table", "tea_urn"),
         ("dental throne", "head", "throne"),
         ("grandfather chair", "head", "chair"),
-        ("cheese board", "catalogue", "cutting_board"),
+        ("cheese board", "table", "cheese_board"),
         ("jungle lamp", "head", "floor_lamp"),
         ("sack of staples", "head", "sack"),
         ("gum dispenser", "head", "soap_dispenser"),
@@ -73,16 +72,16 @@ def test_what_is_registered_wins() -> None:
 
 
 def test_what_is_registered_takes_its_name_and_words_from_plain_things() -> None:
-    plain = CATALOGUE["grill_pan"]
-    register(kind(name="grill_pan", noun="grill pan", words="grill pan, crock pot"))
+    plain = CATALOGUE["wok"]
+    register(kind(name="wok", noun="wok", words="wok, baking tray"))
     try:
-        assert [stand_in(name).how for name in ("grill pan", "crockpot")] == ["catalogue", "table"]
-        found = thing_called("crock pots")
+        assert [stand_in(name).how for name in ("wok", "cookie_sheet")] == ["catalogue", "table"]
+        found = thing_called("baking trays")
         assert found is not None
-        assert found.name == "grill_pan"
+        assert found.name == "wok"
     finally:
-        unregister("grill_pan")
-    assert CATALOGUE["grill_pan"] is plain
+        unregister("wok")
+    assert CATALOGUE["wok"] is plain
 
 
 def test_every_head_leads_to_a_thing() -> None:

@@ -9,14 +9,14 @@ from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of, thin
 @pytest.mark.parametrize(
     ("phrase", "category", "length", "plural"),
     [
-        ("dustpan", "dustpan", 1, False),
+        ("wok", "wok", 1, False),
         ("a pair of heavy frying pans", "frying_pan", 2, True),
         ("wooden cutting-boards", "cutting_board", 1, True),
         ("coffee table", "coffee_table", 2, False),
         ("chests of drawers", "dresser", 3, True),
         ("bookshelves", "bookcase", 1, True),
         ("bread loaves", "bread", 2, True),
-        ("cheese board", "cutting_board", 2, False),
+        ("cheese board", "cheese_board", 2, False),
         ("tables", "any_table", 1, True),
         ("mice", "mouse", 1, True),
         ("glasses", "glass", 1, True),
@@ -35,7 +35,7 @@ def test_the_longest_name_at_the_end_of_a_phrase_is_found(
 
 @pytest.mark.parametrize(
     ("phrase", "name"),
-    [("samovars", "samovar"), ("crock pots", "crock_pot"), ("couches", "sofa"), ("tables", "any_table")],
+    [("samovars", "samovar"), ("bread loaves", "bread"), ("couches", "sofa"), ("tables", "any_table")],
 )
 def test_what_is_plain_is_asked_for_by_its_own_name(phrase: str, name: str) -> None:
     found = name_of(phrase.split())
