@@ -14,6 +14,8 @@ __all__ = ["known_share", "read_english"]
 _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.)", re.IGNORECASE)
 """Abbreviations whose points end no sentence."""
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
+_JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
+"""Words with "is" joined to them by an apostrophe."""
 
 
 def read_english(lexicon: Lexicon, text: str) -> Draft:
@@ -24,4 +26,11 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:
     """Words that people shorten, as the lexicon has them."""
-    return [replace(t, text=_SHORT[t.text]) if t.text in _SHORT else t for t in tokens]
+    spelt: list[Token] = []
+    for token in tokens:
+        if len(token.shown) > len(token.text) and token.text in _JOINED:
+            head = token.text[:-1]
+            spelt += [replace(token, text=head, owner=False), replace(token, text="is", shown="is", owner=False)]
+        else:
+            spelt.append(replace(token, text=_SHORT.get(token.text, token.text)))
+    return spelt

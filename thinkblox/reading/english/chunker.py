@@ -102,6 +102,10 @@ class Chunker:
     def _words(self) -> Chunk:
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
+            last = self.made[-1]
+            if isinstance(last, Noun) and last.kind == "thing":
+                return Link("prepositions", "in", self.at, self.at + 1, "in")
         if (doing := self._participle()) is not None:
             return doing
         if noun is not None and (link is None or self._is_noun(noun, link)):
@@ -173,6 +177,9 @@ class Chunker:
             after = grammar().at(self.tokens, noun.end, "verbs")
             return not (self._after_noun() and after is not None) and link.value == "which" and noun.value != "who"
         return link.sort == "fillers" or noun.end - noun.start >= link.length
+
+    def _text_at(self, at: int) -> str:
+        return self.tokens[at].text if at < len(self.tokens) else ""
 
     def _after_noun(self) -> bool:
         return bool(self.made) and isinstance(self.made[-1], Noun)

@@ -66,12 +66,20 @@ class Clauses(Pronouns):
             "people": self._people,
             "number": self._number,
             "pronoun": self._pronoun,
-            "part": self._bare_part,
+            "part": self._part,
             "abstract": self._abstract,
         }
         readers[noun.kind](noun)
         if noun.kind != "room":
             self.separator = ""
+
+    def _part(self, noun: Noun) -> None:
+        """Read a part without a preposition: "a flag either side of the door"."""
+        if noun.value == "side" and noun.det in ("either", "both", "each") and self.frontier:
+            self.at -= 1
+            self._where(self._read_where(Link("prepositions", "on", 0, 0)))
+        else:
+            self._bare_part(noun)
 
     def _thing(self, noun: Noun) -> None:
         if noun.det == "no" or (self.excluding and not self.excepting):

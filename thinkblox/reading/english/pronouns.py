@@ -67,4 +67,5 @@ class Pronouns(Numbers):
         return last if last.count == 1 and last.text.lower().startswith("one ") else None
 
     def _spoken_of(self) -> list[Mention]:
-        return [t for t in (*self.referents.topics[-1:],) if not t.many]
+        recent = self.clause.members[-1:] if self.separator else []
+        return [t for t in (*recent, *self.referents.topics[-1:]) if not t.many]

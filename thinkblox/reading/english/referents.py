@@ -82,6 +82,9 @@ class Referents:
         candidates = [t for t in candidates if t is not subject and t in kept]
         sound = [t for t in candidates if fits(t, kind, noun)]
         usual = [t for t in sound if kind in _BY_HABIT and noun and habits.tie(noun, t.noun) == kind]
+        owner = subject.owner if subject is not None else None
+        if owner is not None and owner in likely and owner in sound and kind in ("on", "inside"):
+            return owner
         said = [t for t in usual if t in likely] or [t for t in candidates[: len(likely)] if _may_be(t, likely, sound)]
         if found := said or usual:
             return found[0]

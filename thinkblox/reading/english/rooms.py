@@ -6,6 +6,7 @@ from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Lists
+from thinkblox.reading.english.nodes import Front, Meaning, Where
 from thinkblox.reading.sizes import Size
 
 
@@ -71,7 +72,7 @@ class Rooms(Lists):
         """Whether a size is that of a room rather than of a thing."""
         sides = [length.metres for length in size.lengths]
         square = isinstance(said := self.peek(2), Adjective) and said.attributes == ["square"]
-        return size.area is not None or ((len(sides) > 1 or square) and min(sides) > 1.0)
+        return size.area is not None or ((len(sides) > 1 or square) and min(sides) >= 0.8)
 
     def _colon_ahead(self) -> bool:
         """Whether a colon ends what was begun, before any other mark."""
@@ -101,6 +102,18 @@ class Rooms(Lists):
             self.frontier = []
         elif not self.separator:
             self.frontier = []
+            wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Link)
+            if wall and verb is not None and verb.value in ("hold", "carry", "have"):
+                self.front = [Front(Where("on", noun), Meaning("on", (name,)))]
+
+    def _verb_ahead(self) -> Link | None:
+        """The verb that a place before it is the subject of: "the wall behind it bears six posters"."""
+        for chunk in self.chunks[self.at : self.at + 4]:
+            if isinstance(chunk, Link) and chunk.sort == "verbs":
+                return chunk
+            if isinstance(chunk, Link) and chunk.sort == "mark":
+                return None
+        return None
 
     def _free(self, place: str) -> None:
         self.draft.free.append(place.split()[0])

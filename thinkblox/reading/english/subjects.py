@@ -129,7 +129,8 @@ class Subjects(Having):
             else kind
         )
         group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
-        if group is None or not self._belongs(thing.noun, group):
+        any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
+        if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         free: list[Mention] = []

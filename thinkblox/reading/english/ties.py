@@ -53,7 +53,11 @@ class Ties(Relating):
         index = 1 if self._is_link(self.peek(), "participles") else 0
         link = self.peek(index)
         noun = self._next_noun(index + 1)
-        if noun is None or not isinstance(link, Link) or link.sort != "prepositions":
+        if not isinstance(link, Link) or link.sort != "prepositions":
+            return None
+        if noun is None and link.value in ("above", "under", "behind", "opposite") and self.separator == "and":
+            return True
+        if noun is None:
             return None
         if link.value in ("with", "of", "for"):
             return None
