@@ -13,7 +13,7 @@ from thinkblox.placing import Effort
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.value import to_json
 
-MANY = "A room of 4 m by 4 m with 1e9 chairs."
+MANY = "A room of 4 m by 4 m with 1000 chairs."
 
 
 def test_what_the_budget_left_out_is_absent_and_says_why() -> None:

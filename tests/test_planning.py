@@ -199,6 +199,17 @@ def test_the_same_seed_gives_the_same_room() -> None:
     assert plan_room(brief, rng=5) != plan_room(brief, rng=6)
 
 
+def test_a_door_leaves_room_for_a_plant_in_each_corner() -> None:
+    for prompt in (
+        "A waiting room with a plant in each corner.",
+        "A waiting room with four plants in the four corners.",
+    ):
+        room = plan_room(read_brief(prompt), rng=0)
+        for opening in room.openings:
+            length = room.walls[opening.wall].length
+            assert min(opening.offset, length - opening.offset - opening.width) >= 0.85, prompt
+
+
 def test_walls_are_seen_from_the_door() -> None:
     plan = plan_of(
         "A bedroom with a bed against the far wall, a desk along the left wall and a plant in the near right corner."

@@ -119,7 +119,7 @@ def _by_length(room: Room, place: str) -> list[int]:
 
 def _corner_distance(brief: Brief) -> float:
     """Doors keep away from corners that are to be filled."""
-    filled = any(relation.kind == "in_corner" and relation.each for relation in brief.relations)
+    filled = any(r.kind == "in_corner" and (r.each or r.spread > 1) for r in brief.relations)
     return _FILLED_CORNER if filled else _CORNER
 
 

@@ -96,7 +96,6 @@ _HEADS: dict[str, PhraseKind] = {
     "people": "people",
     "ignored": "ignored",
     "gap": "gap",
-    "wares": "wares",
     "other": "other",
     "all": "all",
 }
@@ -235,7 +234,7 @@ class _NounPhrase:
 
     def _modifier(self, lexeme: Lexeme) -> bool:
         following = self.chunker.peek(lexeme.length)
-        noun = lexeme.entry("object", "room", "place", "missing")
+        noun = lexeme.entry("object", "room", "place")
         adjectives = [e for e in lexeme.entries if e.sort in ("attribute", "style")]
         if adjectives and (not noun or _continues(following)):
             for entry in adjectives:
@@ -277,7 +276,7 @@ class _NounPhrase:
         verb = not self.determined and lexeme.entry("word", value="filler") is not None
         shade = lexeme.entry("attribute")
         said_of = bare and shade is not None and shade.value in COLOURS  # "the sofa is orange" names no fruit
-        noun = None if verb or said_of else lexeme.entry("object") or lexeme.entry("room", "place", "missing")
+        noun = None if verb or said_of else lexeme.entry("object") or lexeme.entry("room", "place")
         entry = noun or self._part(lexeme) or self._word(lexeme)
         if entry is None:
             return False
@@ -370,4 +369,4 @@ def _determiner_of(lexeme: Lexeme) -> Entry | None:
 
 
 def _continues(lexeme: Lexeme) -> bool:
-    return lexeme.entry("attribute", "style", "object", "room", "place", "missing") is not None
+    return lexeme.entry("attribute", "style", "object", "room", "place") is not None

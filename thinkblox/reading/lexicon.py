@@ -34,7 +34,6 @@ _SORTS: Mapping[str, Sort] = {
     "objects": "object",
     "rooms": "room",
     "places": "place",
-    "missing": "missing",
     "relations": "relation",
     "having": "having",
     "adverbs": "adverb",
@@ -129,11 +128,11 @@ class Lexicon:
         return Lexeme(shown, found, length, tokens[start])
 
     def _plain(self, tokens: list[Token], found: tuple[Entry, ...], length: int) -> tuple[tuple[Entry, ...], int]:
-        """The plain thing that the tokens begin with, where its name is longer than what was found, or that is missing.
+        """The plain thing that the tokens begin with, where its name is longer than what was found.
 
         The thousands of names of plain things are looked up rather than added one by one, which would take long.
         """
-        shortest = length if all(entry.sort == "missing" for entry in found) else length + 1
+        shortest = length + 1 if found else length
         words = list(takewhile(lambda token: token.kind == "word", tokens))
         for count in range(len(words), shortest - 1, -1):
             name = thing_called(" ".join(token.text for token in words[:count]), count)
@@ -226,7 +225,7 @@ def _add_all(lexicon: Lexicon, phrases: str, sort: Sort, value: str, plurals: st
         lexicon.add(singular, Entry(sort, value, False, attribute))
         if plural and plural != singular:
             lexicon.add(plural, Entry(sort, value, True, attribute))
-        elif not irregular and sort in ("object", "room", "place", "missing"):
+        elif not irregular and sort in ("object", "room", "place"):
             for form in _plural_forms(singular, plurals):
                 lexicon.add(form, Entry(sort, value, True, attribute))
 

@@ -35,7 +35,7 @@ class Nouns(Parts):
 
     def _is_excluded(self, phrase: Phrase) -> bool:
         none = phrase.count == 0
-        if not (self.negating or none) or phrase.kind not in ("object", "place", "missing", "room", "wares"):
+        if not (self.negating or none) or phrase.kind not in ("object", "place", "missing", "room"):
             return False
         if phrase.kind == "object":
             self.draft.excluded.add(phrase.value)
@@ -161,14 +161,6 @@ class Nouns(Parts):
         self.joined = self.separator == "and"
         self.run.append(thing)
         self.mention(thing)
-
-    def _wares(self, phrase: Phrase) -> None:
-        """Goods fill the shelves they are said to be on; by themselves they are things we do not have."""
-        carrier = self.current
-        if carrier is None or not (self.separator == "having" or self.items[self.at - 1] == Connective("of")):
-            self._missing(phrase)
-        elif self.habits.is_in(carrier.noun, "surfaces"):
-            carrier.attributes.append("filled")
 
     def _gap(self, phrase: Phrase) -> None:
         """Aisles and gaps are no objects; what is said of them next is not about the thing before."""

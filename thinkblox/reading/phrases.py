@@ -18,7 +18,6 @@ PhraseKind = Literal[
     "missing",
     "ignored",
     "gap",
-    "wares",
     "other",
     "all",
 ]

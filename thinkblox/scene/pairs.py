@@ -259,7 +259,7 @@ def _in_centre(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
-    """In front of the anchor, fronts against each other, well apart."""
+    """In front of the anchor, fronts against each other, well apart; what hangs on facing walls, however far."""
     ahead, _ = _on_side(1, 0, math.inf)(subject, anchor)
     turn = turn_between(subject.gaze, anchor.gaze + 180.0)
     if "any" in (subject.front, anchor.front):
@@ -269,6 +269,8 @@ def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
     apart = ground_gap(subject, anchor)
     text = f"{subject.name} {apart:.2f} m from {anchor.name}, {turn:.0f} degrees off facing it"
     least, most = ACROSS
+    if subject.hung and anchor.hung:
+        most = math.inf
     return ahead and least - ROUNDING <= apart <= most + ROUNDING and turn <= FACING + ROUNDING, text
 
 
