@@ -137,6 +137,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
         free=tuple(place for place in _PLACES if place in draft.free),
+        account=draft.account,
     )
 
 

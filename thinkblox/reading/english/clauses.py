@@ -24,10 +24,11 @@ class Clauses(Pronouns):
                 case Adjective():
                     self._adjective(chunk)
                 case Measured():
-                    self._measured(chunk.size)
+                    self._measured(chunk)
                 case Stray():
                     self.draft.unknown.append(chunk.text)
         self._drop_groups()
+        self.draft.account = self.account.words()
         return self.draft
 
     def _link(self, link: Link) -> None:

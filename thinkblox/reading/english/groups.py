@@ -40,7 +40,8 @@ class Groups(Looks):
         for thing in self.groups.values():
             if thing in self.draft.things and thing.noun not in self.habits.known():
                 self.draft.drop(thing)
-                self.draft.unknown.append(thing.text)
+                noun = self.named_by[thing]
+                self._lose(noun.start, noun.end)
 
     def _each(self, following: Chunk | None) -> None:
         if self.crowd:

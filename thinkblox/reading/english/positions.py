@@ -9,6 +9,8 @@ from thinkblox.reading.english.nodes import Frame, Front, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.subjects import Subjects
 
+_FRONTS = 20
+"""Most relations that wait for their subject."""
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
 
@@ -202,7 +204,7 @@ class Positions(Subjects):
             small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
             self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
-            self.front.append(Front(where, meaning))
+            self.front = [*self.front[-_FRONTS:], Front(where, meaning)]
         self.frontier = []
         self.clause = Frame(times=self.clause.times)
         self.subject = None
