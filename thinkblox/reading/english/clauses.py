@@ -48,7 +48,7 @@ class Clauses(Pronouns):
             case "negations":
                 self._negation(link)
             case "mutual":
-                self._mutual(link.value)
+                self._mutual(link)
 
     def _noun(self, noun: Noun) -> None:
         self.draft.style += noun.styles if not self.excluding else []

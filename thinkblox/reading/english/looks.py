@@ -35,12 +35,14 @@ class Looks(Rooms):
         thing.unshown += noun.unshown
         thing.states += noun.states
 
-    def _mutual(self, kind: str) -> None:
+    def _mutual(self, link: Link) -> None:
         """Read "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""
         nodes = [n for n in reversed(self.frontier) if n.things]
         if not nodes:
+            self._lose(link.start, link.end)
             return
         node = next((n for n in nodes if any(t.many for t in n.things)), None)
+        kind = link.value
         things = node.things if node is not None else list(self.clause.members)
         if self.predicate and self.subject is not None:
             things = self.subject.things

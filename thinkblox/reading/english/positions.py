@@ -100,6 +100,8 @@ class Positions(Subjects):
             things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
             if things:
                 bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(noun.rows, 0)))
+            else:
+                self._lose_where(where)
             return True
         if noun.kind == "room":
             if where.word == "in" and not self.draft.room:
@@ -140,10 +142,17 @@ class Positions(Subjects):
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
 
+    def _lose_where(self, where: Where) -> None:
+        """Note a relation to a thing or place that could not be made out."""
+        nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
+        if nouns and nouns[0].kind in ("thing", "part", "place", "number") and where.text:
+            self._lose(where.start, nouns[-1].end)
+
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
         meaning = self.meanings.of(where, subjects, self._likely(node))
         if meaning is None:
+            self._lose_where(where)
             return
         self._relate(subjects, meaning, negated=where.negated)
         if where.negated:
@@ -205,6 +214,8 @@ class Positions(Subjects):
             self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
             self.front = [*self.front[-_FRONTS:], Front(where, meaning)]
+        else:
+            self._lose_where(where)
         self.frontier = []
         self.clause = Frame(times=self.clause.times)
         self.subject = None
