@@ -27,6 +27,7 @@ class Clauses(Pronouns):
                     self._measured(chunk)
                 case Stray():
                     self.draft.unknown.append(chunk.text)
+        self._begin()
         self._drop_groups()
         self.draft.account = self.account.words()
         return self.draft

@@ -81,6 +81,7 @@ class Positions(Subjects):
             return
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+            self.front[-1].used = True
             self._place_node(Node(anchors, self.clause, known=True), where)
             self.frontier = []
             return
@@ -142,12 +143,6 @@ class Positions(Subjects):
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
 
-    def _lose_where(self, where: Where) -> None:
-        """Note a relation to a thing or place that could not be made out."""
-        nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
-        if nouns and nouns[0].kind in ("thing", "part", "place", "number") and where.text:
-            self._lose(where.start, nouns[-1].end)
-
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
         meaning = self.meanings.of(where, subjects, self._likely(node))
@@ -187,6 +182,7 @@ class Positions(Subjects):
                 bond.subject = carrier
         for front in self.front:
             place = isinstance(front.anchors[0], str) and front.kind != "on"
+            front.used |= place
             if place and not any(b.kind == front.kind for b in self.draft.bonds_of(carrier)):
                 self._relate([carrier], replace(front.meaning), negated=front.where.negated)
 
