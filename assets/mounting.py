@@ -1,11 +1,11 @@
-"""What a thing is placed on: as its category says, or on a wall where the words say so and it can hang there."""
+"""What a thing is placed on: as its category says, or on a wall or the ceiling where the words say so."""
 
 from collections.abc import Collection
 
 from thinkblox.assets.category import Category
 from thinkblox.scene.asset import Mount
 
-WALL_MOUNTED = "wall-mounted"
+WALL_MOUNTED, HANGING = "wall-mounted", "hanging"
 _CAN_HANG = frozenset(
     {
         "bedside_cabinet",
@@ -25,10 +25,15 @@ _CAN_HANG = frozenset(
         "tv_stand",
     }
 )
-"""Categories that usually stand, and are hung on walls too."""
+"""Categories that usually stand, and are hung on walls too, besides plain things and those that lie on others."""
 
 
 def mount_of(category: Category, words: Collection[str]) -> Mount:
     """What one of a category that the words describe is placed on."""
-    hangs = category.name in _CAN_HANG and WALL_MOUNTED in {word.lower().replace("_", "-") for word in words}
-    return "wall" if hangs else category.mount
+    said = {word.lower().replace("_", "-") for word in words}
+    light = category.plain or category.mount == "surface"
+    if HANGING in said and light:
+        return "ceiling"
+    if WALL_MOUNTED in said and (light or category.name in _CAN_HANG) and category.mount != "ceiling":
+        return "wall"
+    return category.mount

@@ -65,19 +65,6 @@ _IRREGULAR: Mapping[str, str] = {
     "zombies": "zombie",
     "brownies": "brownie",
     "smoothies": "smoothie",
-    "gas": "gas",
-    "bus": "bus",
-    "lens": "lens",
-    "canvas": "canvas",
-    "atlas": "atlas",
-    "iris": "iris",
-    "trellis": "trellis",
-    "thermos": "thermos",
-    "chaos": "chaos",
-    "rhinoceros": "rhinoceros",
-    "albatross": "albatross",
-    "cactus": "cactus",
-    "christmas": "christmas",
     "glasses": "glass",
     "bookcases": "bookcase",
     "suitcases": "suitcase",
@@ -92,23 +79,17 @@ _IRREGULAR: Mapping[str, str] = {
     "blouses": "blouse",
     "causes": "cause",
     "corpses": "corpse",
-    "scissors": "scissors",
-    "pliers": "pliers",
-    "binoculars": "binoculars",
-    "trousers": "trousers",
-    "jeans": "jeans",
-    "headphones": "headphones",
-    "goggles": "goggles",
-    "tongs": "tongs",
-    "tweezers": "tweezers",
-    "pyjamas": "pyjamas",
-    "stairs": "stairs",
-    "bellows": "bellows",
-    "news": "news",
     "bongos": "bongo",
     "maracas": "maraca",
     "dominoes": "domino",
 }
+_SINGULAR = frozenset(
+    (
+        "gas bus lens canvas atlas iris trellis thermos chaos rhinoceros albatross cactus christmas scissors "
+        "pliers binoculars trousers jeans headphones goggles tongs tweezers pyjamas stairs bellows news"
+    ).split()
+)
+"""Nouns that only look like plurals, or have no other form."""
 _ENDINGS = (("ves", ("f", "fe", "ve")), ("ies", ("y", "ie")), ("es", ("e", "")), ("s", ("",)))
 _NO_PLURAL = ("ss", "us", "is")
 """Endings in -s of nouns that are not plurals: "glass", "cactus", "tennis"."""
@@ -134,7 +115,7 @@ def singular(word: str) -> str:
     """The likeliest singular of a lower-case noun by its spelling; the word itself where it has no plural ending."""
     if word in _IRREGULAR:
         return _IRREGULAR[word]
-    if len(word) < 4 or not word.endswith("s") or word.endswith(_NO_PLURAL):
+    if word in _SINGULAR or len(word) < 4 or not word.endswith("s") or word.endswith(_NO_PLURAL):
         return word
     if word.endswith("ies"):
         return word[:-3] + "y"

@@ -79,12 +79,21 @@ def _settle_carriers(draft: Draft) -> None:
         anchor = bond.anchors[0] if bond.anchors else None
         if bond.kind == "inside" and isinstance(anchor, Mention) and load_habits().is_in(anchor.noun, *_TOPS):
             bond.kind = "on"
-        elif bond.kind == "on" and isinstance(anchor, str) and anchor.endswith("wall") and _stands(bond.subject.noun):
-            bond.kind = "against_wall"
+        elif bond.kind == "on" and isinstance(anchor, str) and not bond.negated:
+            _hang(bond, anchor)
 
 
-def _stands(noun: str) -> bool:
-    return noun in CATALOGUE and CATALOGUE[noun].mount == "floor"
+def _hang(bond: Bond, place: str) -> None:
+    """Hang what is said to be on a wall or the ceiling, where it can; furniture stands against the wall."""
+    thing, kind = bond.subject, kind_of(bond.subject.noun)
+    word = HANGING if place == "ceiling" else WALL_MOUNTED if place.endswith("wall") else ""
+    mount = "ceiling" if place == "ceiling" else "wall"
+    if not word or kind.mount == mount:
+        return
+    if mount_of(kind, (word,)) == mount:
+        thing.attributes += [word] if word not in thing.attributes else []
+    elif mount == "wall" and kind.mount == "floor":
+        bond.kind = "against_wall"
 
 
 def _drop_impossible_sizes(draft: Draft) -> None:
@@ -137,6 +146,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
         free=tuple(place for place in _PLACES if place in draft.free),
+        account=draft.account,
     )
 
 

@@ -21,7 +21,8 @@ _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
-    return Clauses(cut(lexicon, _spelt_out(lexicon.tokens(text)))).read()
+    tokens = _spelt_out(lexicon.tokens(text))
+    return Clauses(tokens, cut(lexicon, tokens)).read()
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:

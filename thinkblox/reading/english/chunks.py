@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from thinkblox.assets.plurals import singular
+from thinkblox.brief import Fate
 from thinkblox.reading.sizes import Size
 
 NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number"]
@@ -34,6 +35,7 @@ class Noun:
         named: the head is in the catalogue or another list of ours.
         material: what the same words say as an adjective ("glass").
         within: it names a part of the thing ("the oven handle").
+        fates: what becomes of words of the phrase that ask for nothing, by token.
         share: "half as many" is 0.5; 0 where it is not said of something else's number.
     """
 
@@ -68,6 +70,7 @@ class Noun:
     share: float = 0.0
     material: str = ""
     within: bool = False
+    fates: dict[int, Fate] = field(default_factory=dict)
 
     @property
     def definite(self) -> bool:

@@ -29,10 +29,12 @@ class Clauses(Pronouns):
                 case Adjective():
                     self._adjective(chunk)
                 case Measured():
-                    self._measured(chunk.size)
+                    self._measured(chunk)
                 case Stray():
                     self.draft.unknown.append(chunk.text)
+        self._begin()
         self._drop_groups()
+        self.draft.account = self.account.words()
         return self.draft
 
     def _link(self, link: Link) -> None:
@@ -52,7 +54,7 @@ class Clauses(Pronouns):
             case "negations":
                 self._negation(link)
             case "mutual":
-                self._mutual(link.value)
+                self._mutual(link)
                 self.predicate |= link.text.lower().startswith(("face ", "are ", "stand "))
 
     def _noun(self, noun: Noun) -> None:

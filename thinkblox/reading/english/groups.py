@@ -41,7 +41,8 @@ class Groups(Looks):
             alone = len(thing.text.split()) <= 2 or thing.unshown
             if thing in self.draft.things and thing.noun not in self.habits.known() and alone:
                 self.draft.drop(thing)
-                self.draft.unknown.append(thing.text)
+                noun = self.named_by[thing]
+                self._lose(noun.start, noun.end)
 
     def _each(self, following: Chunk | None) -> None:
         if self.crowd:

@@ -118,6 +118,7 @@ class Lists(Ties):
                 "around",
             ):
                 continue
+            front.used = True
             self._relate(things, replace(front.meaning), negated=front.where.negated)
 
     def _resume(self, things: list[Mention], noun: Noun) -> None:

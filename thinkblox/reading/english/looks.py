@@ -5,9 +5,8 @@ from itertools import pairwise
 
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Link, Noun
+from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun
 from thinkblox.reading.english.rooms import Rooms
-from thinkblox.reading.sizes import Size
 
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
@@ -36,12 +35,14 @@ class Looks(Rooms):
         thing.unshown += noun.unshown
         thing.states += noun.states
 
-    def _mutual(self, kind: str) -> None:
+    def _mutual(self, link: Link) -> None:
         """Read "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""
         nodes = [n for n in reversed(self.frontier) if n.things]
         if not nodes:
+            self._lose(link.start, link.end)
             return
         node = next((n for n in nodes if any(t.many for t in n.things)), None)
+        kind = link.value
         things = node.things if node is not None else list(self.clause.members)
         if self.predicate and self.subject is not None:
             things = self.subject.things
@@ -54,9 +55,9 @@ class Looks(Rooms):
         elif things and things[-1].many and kind != "around":
             bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
 
-    def _measured(self, size: Size) -> None:
+    def _measured(self, measured: Measured) -> None:
         """Read a size: of the thing just before or after it, or of the room."""
-        before = self._before()
+        size, before = measured.size, self._before()
         if (
             isinstance(before, Link)
             and before.sort in ("mark", "fillers")
@@ -81,7 +82,7 @@ class Looks(Rooms):
             and following.sort == "prepositions"
             and following.value in ("from", "far", "away")
         ):
-            self.draft.unknown.append(f"{size.text} {following.text}")
+            self._lose(measured.start, following.end)
         elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
             following.size = size
         elif isinstance(before, Noun) and before.kind == "thing" and thing is not None and not ceiling:

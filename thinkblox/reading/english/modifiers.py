@@ -1,9 +1,10 @@
 """Adjectives, and words that hyphens join."""
 
+from thinkblox.brief import Fate
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.quantities import Quantities
-from thinkblox.reading.english.words import Unit, Units
+from thinkblox.reading.english.words import Known, Unit, Units
 
 
 class Modifiers(Quantities):
@@ -31,26 +32,38 @@ class Modifiers(Quantities):
             if not as_long or not self._starts_noun(at + thing.length):
                 return 0
         if known is not None and known.length >= longest:
-            state = state if state is not None and state.length == known.length else None
-            for entry in (known.entry, *known.others):
-                if entry.sort == "attribute" and state is not None:
-                    noun.states.append(self._text(at, at + known.length).lower())
-                    state = None
-                    break
-                if entry.sort == "attribute":
-                    noun.attributes.append(entry.value)
-                elif entry.sort == "style":
-                    noun.styles.append(entry.value)
+            self._describe(noun, at, known, is_state=state is not None and state.length == known.length)
             return known.length
         if state is not None and state.length >= (evaluative.length if evaluative else 0):
             noun.states.append(self._text(at, at + state.length).lower())
             return state.length
-        return evaluative.length if evaluative is not None else 0
+        if evaluative is None:
+            return 0
+        self._idle(noun, at, at + evaluative.length)
+        return evaluative.length
+
+    def _describe(self, noun: Noun, at: int, known: Known, *, is_state: bool) -> None:
+        """Take what the lexicon knows as an adjective."""
+        if known.entry.sort == "style":
+            self._idle(noun, at, at + known.length, "style")
+        for entry in (known.entry, *known.others):
+            if entry.sort == "attribute" and is_state:
+                noun.states.append(self._text(at, at + known.length).lower())
+                break
+            if entry.sort == "attribute":
+                noun.attributes.append(entry.value)
+            elif entry.sort == "style":
+                noun.styles.append(entry.value)
 
     def _forget(self, noun: Noun) -> None:
         noun.attributes.clear()
         noun.styles.clear()
         noun.states.clear()
+        noun.fates.clear()
+
+    def _idle(self, noun: Noun, start: int, end: int, fate: Fate = "filler") -> None:
+        """Note words of the phrase that ask for nothing."""
+        noun.fates.update(dict.fromkeys(range(start, end), fate))
 
     def _continues(self, noun: Noun, at: int) -> bool:
         return bool(noun.det or noun.count is not None) and self._starts_noun(at)
@@ -90,6 +103,8 @@ class Modifiers(Quantities):
             evaluative = grammar().at(self.tokens, at, "evaluative")
             if evaluative is None or evaluative.length <= end - at:
                 noun.unshown.append(name)
+            else:
+                self._idle(noun, at, end + 1)
             units.adjectives += 1
         elif self._known(end, "object") is not None:
             return end - at

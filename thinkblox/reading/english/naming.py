@@ -142,6 +142,7 @@ class Naming(Several):
         thing.seats, thing.size = noun.seats, noun.size
         thing.groups, thing.group = noun.groups, noun.group
         self.draft.things.append(thing)
+        self.named_by[thing] = noun
         word = noun.word
         if word in grammar().lists["groups"]:
             self.groups[word] = thing

@@ -86,4 +86,5 @@ class Negation(Positions):
             self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
             return
         self.draft.excluded.add(noun.value)
+        self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None

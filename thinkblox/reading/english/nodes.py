@@ -97,15 +97,21 @@ class Meaning:
 
 @dataclass(eq=False)
 class Front:
-    """A relation whose subject comes later: "on the desk stands a lamp"."""
+    """A relation whose subject comes later: "on the desk stands a lamp"; `used` once that came."""
 
     where: Where
     meaning: Meaning
+    used: bool = False
 
     @property
     def kind(self) -> str:
         """The relation."""
         return self.meaning.kind
+
+    @property
+    def is_known(self) -> bool:
+        """Whether it is to a place, or to what was named before; a new thing is at least asked for."""
+        return self.meaning.told or isinstance(self.anchors[0], str)
 
     @property
     def anchors(self) -> tuple[Mention | str, ...]:

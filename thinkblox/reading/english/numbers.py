@@ -30,6 +30,8 @@ class Numbers(Verbs):
             self._some(whole, noun)
         elif noun.count and not self.draft.things:
             self.draft.people = noun.count
+        else:
+            self._lose(noun.start, noun.end)
 
     def _some(self, whole: Mention, noun: Noun) -> None:
         """Speak of so many, of the other, of the third of `whole`."""

@@ -196,6 +196,7 @@ class PhraseReader(Heads):
         filler = grammar().at(self.tokens, at, "fillers")
         if filler is not None:
             can = (counted or units.adjectives) and not units.nouns
+            self._idle(noun, at, at + filler.length)
             return filler.length if can and self._starts_noun(at + filler.length) else 0
         if (noun.det, self.tokens[at].text) == ("each", "half"):
             units.nouns.append(Unit("half"))

@@ -9,6 +9,8 @@ from thinkblox.reading.english.nodes import Frame, Front, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.subjects import Subjects
 
+_FRONTS = 20
+"""Most relations that wait for their subject."""
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
 
@@ -79,6 +81,7 @@ class Positions(Subjects):
             return
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+            self.front[-1].used = True
             self._place_node(Node(anchors, self.clause, known=True), where)
             self.frontier = []
             return
@@ -98,6 +101,8 @@ class Positions(Subjects):
             things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
             if things:
                 bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(noun.rows, 0)))
+            else:
+                self._lose_where(where)
             return True
         if noun.kind == "room":
             if where.word == "in" and not self.draft.room:
@@ -142,6 +147,7 @@ class Positions(Subjects):
         subjects = node.things
         meaning = self.meanings.of(where, subjects, self._likely(node))
         if meaning is None:
+            self._lose_where(where)
             return
         self._relate(subjects, meaning, negated=where.negated)
         if where.negated:
@@ -176,6 +182,7 @@ class Positions(Subjects):
                 bond.subject = carrier
         for front in self.front:
             place = isinstance(front.anchors[0], str) and front.kind != "on"
+            front.used |= place
             if place and not any(b.kind == front.kind for b in self.draft.bonds_of(carrier)):
                 self._relate([carrier], replace(front.meaning), negated=front.where.negated)
 
@@ -202,7 +209,9 @@ class Positions(Subjects):
             small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
             self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
-            self.front.append(Front(where, meaning))
+            self.front = [*self.front[-_FRONTS:], Front(where, meaning)]
+        else:
+            self._lose_where(where)
         self.frontier = []
         self.clause = Frame(times=self.clause.times)
         self.subject = None

@@ -38,6 +38,7 @@ class Pronouns(Numbers):
             return
         whole = self._whole([])
         if whole is None:
+            self._lose(noun.start, noun.end)
             return
         match noun.value:
             case "none":

@@ -4,16 +4,20 @@ from collections.abc import Sequence
 
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Gap, Mention
+from thinkblox.reading.english.account import Account
 from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Noun
 from thinkblox.reading.english.meaning import Meanings, Namer
-from thinkblox.reading.english.nodes import Frame, Front, Node
+from thinkblox.reading.english.nodes import Frame, Front, Node, Where
 from thinkblox.reading.english.referents import Referents
+from thinkblox.reading.tokens import Token
 
 
 class State(Namer):
     """The chunks of one text, how far they are read, and what is open.
 
     Attributes:
+        account: what becomes of every word.
+        named_by: the phrases that things were first named by.
         draft: what was understood.
         groups: things that stand for several together ("station"), by that word.
         opening: the door or window that was named last.
@@ -38,8 +42,10 @@ class State(Namer):
         per_group, crowd: so many of what comes, for so many groups, or people.
     """
 
-    def __init__(self, chunks: Sequence[Chunk]) -> None:
+    def __init__(self, tokens: Sequence[Token], chunks: Sequence[Chunk]) -> None:
         self.chunks = list(chunks)
+        self.account = Account(tokens, chunks)
+        self.named_by: dict[Mention, Noun] = {}
         self.at = 0
         self.draft = Draft()
         self.referents = Referents(self.draft)
@@ -58,12 +64,17 @@ class State(Namer):
         self.counted: set[Mention] = set()
         self.summed: Mention | None = None
         self.each_of = 0
+        self.front: list[Front] = []
+        self.held: list[Front] = []
         self._begin()
 
     def _begin(self) -> None:
-        """Begin a clause."""
+        """Begin a clause; relations for which no subject came are lost."""
+        for front in (*self.front, *self.held):
+            if not front.used and front.is_known:
+                self._lose_where(front.where)
         self.frontier: list[Node] = []
-        self.front: list[Front] = []
+        self.front = []
         self.clause = Frame()
         self.subject: Node | None = None
         self.relative: Node | None = None
@@ -79,7 +90,18 @@ class State(Namer):
         self.per_group = 0
         self.outer: Node | None = None
         self.crowd = 0
-        self.held: list[Front] = []
+        self.held = []
+
+    def _lose(self, start: int, end: int) -> None:
+        """Note words that name or change a thing and that nothing is made of."""
+        self.account.mark(start, end, "not_understood")
+        self.draft.unknown.append(self.account.text(start, end))
+
+    def _lose_where(self, where: Where) -> None:
+        """Note a relation to a thing or place that could not be made out."""
+        nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
+        if nouns and nouns[0].kind in ("thing", "part", "place", "number") and where.text:
+            self._lose(where.start, nouns[-1].end)
 
     def peek(self, ahead: int = 0) -> Chunk | None:
         """The chunk so many after the next one."""

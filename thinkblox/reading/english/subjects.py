@@ -155,7 +155,8 @@ class Subjects(Having):
             found += self._anchor_before(node)
         if self.subject is not None and self.subject is not node:
             found += self.subject.things
-        for member in [m for m in self.clause.members if m not in node.things][-1:]:
+        member = next((m for m in reversed(self.clause.members) if m not in node.things), None)
+        if member is not None:
             lying = [b for b in self.draft.bonds_of(member) if b.kind in ("on", "inside") and not b.negated]
             found += [a for b in lying for a in b.anchors if isinstance(a, Mention) and a in self.clause.members]
             found.append(member)

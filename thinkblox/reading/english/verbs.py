@@ -16,7 +16,7 @@ class Verbs(Prepositions):
             case "put":
                 self._put()
             case "other":
-                self.frontier, self.subject, self.pending = [], None, None
+                self._do_something(link)
             case "leave":
                 self.leaving = True
             case _ if link.text.lower().startswith(("there", "here", "you ", "we ")):
@@ -27,6 +27,14 @@ class Verbs(Prepositions):
                 self._find_subject()
                 if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
                     self._predicate(link)
+
+    def _do_something(self, link: Link) -> None:
+        """Go past a verb that says nothing about a room, unless it ties a thing to another that was named."""
+        noun = self.peek()
+        named = isinstance(noun, Noun) and noun.kind == "thing" and noun.definite
+        if named and isinstance(noun, Noun) and self.clause.members and self.referents.named(noun) is not None:
+            self._lose(link.start, noun.end)
+        self.frontier, self.subject, self.pending = [], None, None
 
     def _put(self) -> None:
         """Read "put": what follows is asked for, or lies on what was just named."""

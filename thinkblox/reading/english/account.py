@@ -1,0 +1,76 @@
+"""What became of every word of a text: asked for, related, a constraint, style, filler, or not understood."""
+
+from collections.abc import Sequence
+
+from thinkblox.brief import Fate, Word
+from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, Noun, NounKind, Stray
+from thinkblox.reading.tokens import Token
+
+_LINKS: dict[str, Fate] = {
+    "prepositions": "related",
+    "inverses": "related",
+    "participles": "related",
+    "mutual": "related",
+    "verbs": "related",
+    "negations": "constraint",
+}
+"""What becomes of words between noun phrases, by section of the grammar; the others are filler."""
+_IDLE = ("be", "other", "put", "serve")
+"""Verbs that say nothing themselves."""
+_NOUNS: dict[NounKind, Fate] = {
+    "thing": "requested",
+    "number": "requested",
+    "room": "requested",
+    "place": "related",
+    "part": "related",
+    "pronoun": "related",
+    "people": "filler",
+    "abstract": "filler",
+}
+
+
+class Account:
+    """The fate of each token of one text.
+
+    A chunk has the fate that such a chunk usually has, until the reader of clauses says that it was put to other use,
+    or to none.
+    """
+
+    def __init__(self, tokens: Sequence[Token], chunks: Sequence[Chunk]) -> None:
+        self._tokens = list(tokens)
+        self._fates: list[Fate] = ["filler"] * len(self._tokens)
+        for chunk in chunks:
+            self.mark(chunk.start, chunk.end, _usual(chunk))
+            if isinstance(chunk, Noun):
+                for at, fate in chunk.fates.items():
+                    self._fates[at] = fate
+
+    def mark(self, start: int, end: int, fate: Fate) -> None:
+        """Say what became of the tokens from `start` to before `end`."""
+        for at in range(start, min(end, len(self._tokens))):
+            self._fates[at] = fate
+
+    def text(self, start: int, end: int) -> str:
+        """The tokens from `start` to before `end` as they were written."""
+        return " ".join(token.shown for token in self._tokens[start:end])
+
+    def words(self) -> tuple[Word, ...]:
+        """Every word and number in order, each once."""
+        pairs = zip(self._tokens, self._fates, strict=True)
+        return tuple(Word(text=t.shown, start=t.start, fate=fate) for t, fate in pairs if t.kind != "mark")
+
+
+def _usual(chunk: Chunk) -> Fate:
+    match chunk:
+        case Noun():
+            return "constraint" if chunk.det == "no" else _NOUNS[chunk.kind]
+        case Link():
+            idle = chunk.sort == "verbs" and chunk.value in _IDLE
+            return "filler" if idle else _LINKS.get(chunk.sort, "filler")
+        case Adjective():
+            said = chunk.attributes or chunk.states or chunk.unshown
+            return "requested" if said else "style" if chunk.styles else "filler"
+        case Measured():
+            return "constraint"
+        case Stray():
+            return "not_understood"
