@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets.names import identifier_of
+from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.repaint import MATERIALS
 from thinkblox.assets.stand_ins import noun_of
 from thinkblox.knowledge.vocabulary import is_abstract, is_person, thing_called
 from thinkblox.reading.english.chunks import Adjective, Noun
@@ -400,6 +402,8 @@ class PhraseReader:
         if self.tokens[at].glued and (known is None or not self._covers(at, known.length)):
             if length := self._glued(noun, at, units):
                 return length
+        if known is not None and not units.nouns and self._is_shade(at, known.length):
+            known = None
         if known is not None and self._is_better(known, stop, units):
             if known.entry.sort == "place" and units.nouns:
                 if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
@@ -418,6 +422,13 @@ class PhraseReader:
         if stop is not None:
             return self._despite(noun, at, stop, units)
         return self._open(noun, at, units)
+
+    def _is_shade(self, at: int, length: int) -> bool:
+        """Whether what names a thing too is the colour or material of what follows: "orange cushions", "a glass table"."""
+        said = self._known(at, "attribute")
+        return (
+            said is not None and said.length == length and _is_look(said.entry.value) and self._starts_noun(at + length)
+        )
 
     def _covers(self, at: int, length: int) -> bool:
         """Whether a phrase covers all that hyphens join at `at`."""
@@ -837,3 +848,8 @@ _HEADS = (
     "pot",
 )
 """Words that make a name of the noun before them."""
+
+
+def _is_look(attribute: str) -> bool:
+    """Whether an attribute is a colour or a material."""
+    return attribute in COLOURS or attribute in MATERIALS
