@@ -3,7 +3,7 @@
 import math
 from typing import Literal, get_args
 
-from thinkblox.assets import CATALOGUE, kind_of
+from thinkblox.assets import kind_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits

@@ -1,5 +1,7 @@
 """Noun phrases with any noun: determiner, quantity, modifiers, head."""
 
+from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.repaint import MATERIALS
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.heads import Heads
@@ -97,6 +99,8 @@ class PhraseReader(Heads):
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
         stop = grammar().at(self.tokens, at, *STOPS)
+        if known is not None and not units.nouns and self._is_shade(at, known.length):
+            known = None
         if known is not None and self._is_better(known, stop, units):
             return self._take(noun, at, units, known)
         if not units.nouns and (length := self._adjective(noun, at)):
@@ -119,6 +123,13 @@ class PhraseReader(Heads):
         owner = self.tokens[at + known.length - 1].owner
         units.nouns.append(Unit(self._text(at, at + known.length), known, owner))
         return known.length
+
+    def _is_shade(self, at: int, length: int) -> bool:
+        """Whether a word for a thing is the colour or material of what follows: "orange cushions", "a glass table"."""
+        said = self._known(at, "attribute")
+        if said is None or said.length != length or not self._starts_noun(at + length):
+            return False
+        return said.entry.value in COLOURS or said.entry.value in MATERIALS
 
     def _covers(self, at: int, length: int) -> bool:
         """Whether a phrase covers all that hyphens join at `at`."""
