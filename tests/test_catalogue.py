@@ -130,7 +130,7 @@ def test_a_registered_category_may_turn_into_another() -> None:
         ({"high": 0.5}, "high is 0.5"),
         ({"generator": None}, "its generator is None; give a function"),
         ({"words": "lamp"}, "'lamp' means 'any_lamp' already"),
-        ({"words": "scope|knives"}, "'knives' means 'cutlery' already"),
+        ({"words": "scope|knives"}, "'knives' means 'knife' already"),
         ({"habits": ("on desc",)}, "names 'desc'"),
         ({"habits": ("on desk if teevee",)}, "names 'teevee'"),
         ({"senses": ("glob if room:library",)}, "names 'glob'"),
