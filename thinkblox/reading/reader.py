@@ -4,6 +4,7 @@ import math
 from typing import Literal, get_args
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.mounting import HANGING, WALL_MOUNTED, mount_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
