@@ -114,6 +114,7 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
     "light": lambda asset: _brightness(asset) > 0.55,
     "wicker": _is_wicker,
     "wall-mounted": lambda asset: asset.mount == "wall",
+    "hanging": lambda asset: asset.mount in ("ceiling", "wall"),
     "standing": lambda asset: asset.mount == "floor",
 }
 
