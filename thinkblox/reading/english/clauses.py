@@ -6,6 +6,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun, NounKind, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
+from thinkblox.reading.english.state import LOOKAHEAD
 
 
 class Clauses(Pronouns):
@@ -123,7 +124,7 @@ class Clauses(Pronouns):
         if (self.separator == "and" and fresh) or (self.separator == "comma" and fresh and not self.front):
             return False
         index = self.at
-        while index < len(self.chunks):
+        while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
             if isinstance(chunk, Link):
                 if chunk.sort == "verbs":
