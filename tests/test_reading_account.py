@@ -22,8 +22,11 @@ def _fates(prompt: str) -> dict[str, str]:
 
 
 def _covered(text: str) -> None:
-    words = [(t.shown, t.start) for t in tokenise(text) if t.kind != "mark"]
-    assert [(w.text, w.start) for w in read_english(load("en"), text).account] == words
+    shown = [(t.shown, t.start) for t in tokenise(text) if t.kind != "mark"]
+    words = [(w.text, w.start) for w in read_english(load("en"), text).account]
+    assert [start for _, start in words] == sorted({start for _, start in words})
+    assert "".join(text for text, _ in words) == "".join(text for text, _ in shown)
+    assert {start for _, start in shown} <= {start for _, start in words}
 
 
 @settings(deadline=None, max_examples=150)
@@ -79,6 +82,12 @@ def test_words_that_ask_for_nothing_are_no_loss(prompt: str) -> None:
     brief = read_brief(prompt)
     assert brief.unknown == ()
     assert "not_understood" not in {word.fate for word in brief.account}
+
+
+def test_a_contracted_verb_is_read() -> None:
+    brief = read_brief("A bedroom with a bed and a wardrobe. The wardrobe? It's opposite the bed.")
+    assert ("opposite", "wardrobe", ("bed",)) in [(r.kind, r.subject, r.anchors) for r in brief.relations]
+    assert [w.text for w in brief.account][-4:] == ["'s", "opposite", "the", "bed"]
 
 
 def test_english_is_known_by_its_words_and_polish_is_not() -> None:

@@ -27,11 +27,18 @@ class Clauses(Pronouns):
                 case Measured():
                     self._measured(chunk)
                 case Stray():
-                    self.draft.unknown.append(chunk.text)
+                    self._stray(chunk)
         self._begin()
         self._drop_groups()
         self.draft.account = self.account.words()
         return self.draft
+
+    def _stray(self, stray: Stray) -> None:
+        """Note a word that means nothing to us; a lone article or letter names and changes nothing."""
+        if len(stray.text) == 1 or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns"):
+            self.account.mark(stray.start, stray.end, "filler")
+        else:
+            self._lose(stray.start, stray.end)
 
     def _link(self, link: Link) -> None:
         match link.sort:
