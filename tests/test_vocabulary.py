@@ -2,7 +2,7 @@ import pytest
 
 from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.names import known_phrases
-from thinkblox.assets.plurals import singulars
+from thinkblox.assets.plurals import singular, singulars
 from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of, thing_called
 
 
@@ -109,3 +109,19 @@ def test_people_are_told_from_things() -> None:
 def test_nothing_of_the_catalogue_is_called_abstract_or_a_person_by_its_only_word() -> None:
     nouns = [kind.noun for kind in CATALOGUE.values() if " " not in kind.noun]
     assert [noun for noun in nouns if is_abstract(noun) or is_person(noun)] == []
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [
+        ("shelves", "shelf"),
+        ("boxes", "box"),
+        ("berries", "berry"),
+        ("glass", "glass"),
+        ("gas", "gas"),
+        ("crises", "crisis"),
+        ("sheep", "sheep"),
+    ],
+)
+def test_the_likeliest_singular_is_told_by_spelling(word: str, expected: str) -> None:
+    assert singular(word) == expected

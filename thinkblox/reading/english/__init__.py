@@ -11,7 +11,7 @@ from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
 __all__ = ["known_share", "read_english"]
-_POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.)", re.IGNORECASE)
+_POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.|max\.|min\.)", re.IGNORECASE)
 """Abbreviations whose points end no sentence."""
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
@@ -26,6 +26,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:
+<<<<<<< HEAD
     """Words that people shorten, as the lexicon has them."""
     spelt: list[Token] = []
     for token in tokens:
@@ -35,3 +36,15 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
         else:
             spelt.append(replace(token, text=_SHORT.get(token.text, token.text)))
     return spelt
+=======
+    """Words that people shorten, as the lexicon has them; "it's" as two."""
+    whole: list[Token] = []
+    for token in tokens:
+        if token.text == "its" and token.owner:
+            it, rest = token.shown[:2], token.shown[2:]
+            whole.append(Token("it", it, "word", start=token.start))
+            whole.append(Token("is", rest, "word", start=token.start + len(it)))
+        else:
+            whole.append(replace(token, text=_SHORT.get(token.text, token.text)))
+    return whole
+>>>>>>> english

@@ -17,6 +17,8 @@ _LINKS: dict[str, Fate] = {
 """What becomes of words between noun phrases, by section of the grammar; the others are filler."""
 _IDLE = ("be", "other", "put", "serve")
 """Verbs that say nothing themselves."""
+_BARRING = ("without", "except", "instead")
+"""Prepositions that say what is not wanted."""
 _NOUNS: dict[NounKind, Fate] = {
     "thing": "requested",
     "number": "requested",
@@ -66,6 +68,8 @@ def _usual(chunk: Chunk) -> Fate:
             return "constraint" if chunk.det == "no" else _NOUNS[chunk.kind]
         case Link():
             idle = chunk.sort == "verbs" and chunk.value in _IDLE
+            if chunk.sort == "prepositions" and chunk.value in _BARRING:
+                return "constraint"
             return "filler" if idle else _LINKS.get(chunk.sort, "filler")
         case Adjective():
             said = chunk.attributes or chunk.states or chunk.unshown

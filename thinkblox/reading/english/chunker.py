@@ -7,7 +7,6 @@ from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, N
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.lexicon import Lexicon
-from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token
 
 _MARKS = {
@@ -76,7 +75,7 @@ class Chunker:
             return Link("prepositions", "with", self.at, self.at + 2, "w/")
         about = grammar().at(self.tokens, self.at, "quantifiers")
         if about is not None and about.value == "about":
-            found = read_size(self.lexicon, self.tokens, self.at + about.length)
+            found = self._phrases.size_at(self.at + about.length)
             if found is not None:
                 return Measured(found[0], self.at, found[1])
         if (
@@ -84,7 +83,7 @@ class Chunker:
             or token.text in ("nan", "inf", "infinity")
             or grammar().at(self.tokens, self.at, "count")
         ):
-            found = read_size(self.lexicon, self.tokens, self.at)
+            found = self._phrases.size_at(self.at)
             if found is not None:
                 return Measured(found[0], self.at, found[1])
         return self._words()

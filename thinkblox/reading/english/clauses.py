@@ -6,6 +6,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun, NounKind, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
+from thinkblox.reading.english.state import LOOKAHEAD
 
 
 def _sorts(text: str) -> list[tuple[str, str]]:
@@ -31,11 +32,18 @@ class Clauses(Pronouns):
                 case Measured():
                     self._measured(chunk)
                 case Stray():
-                    self.draft.unknown.append(chunk.text)
+                    self._stray(chunk)
         self._begin()
         self._drop_groups()
         self.draft.account = self.account.words()
         return self.draft
+
+    def _stray(self, stray: Stray) -> None:
+        """Note a word that means nothing to us; a lone article or letter names and changes nothing."""
+        if len(stray.text) == 1 or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns"):
+            self.account.mark(stray.start, stray.end, "filler")
+        else:
+            self._lose(stray.start, stray.end)
 
     def _link(self, link: Link) -> None:
         match link.sort:
@@ -150,7 +158,7 @@ class Clauses(Pronouns):
         if (self.separator == "and" and fresh) or (self.separator == "comma" and fresh and not self.front):
             return False
         index = self.at
-        while index < len(self.chunks):
+        while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
             if isinstance(chunk, Link):
                 if chunk.sort == "verbs":

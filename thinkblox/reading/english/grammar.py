@@ -38,6 +38,10 @@ class Grammar:
         """The longest phrase of one of these sorts that begins at `start`."""
         return next(iter(self.all_at(tokens, start, *sorts)), None)
 
+    def knows(self, word: str, *sorts: str) -> bool:
+        """Whether a single folded word can be of one of these sorts."""
+        return any(sort in sorts for sort, _ in self.phrases.get((word,), ()))
+
     def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
         """Everything of these sorts that begins at `start`, the longest first."""
         found: list[Function] = []

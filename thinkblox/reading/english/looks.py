@@ -22,8 +22,10 @@ class Looks(Rooms):
             return
         node = self.frontier[-1] if self.frontier else None
         if node is None or not node.things:
-            if self.draft.things == []:
+            if not self.draft.things:
                 self.draft.room_attributes += said.attributes
+            elif said.attributes:
+                self.account.mark(said.start, said.end, "style")
             return
         for thing in (self.subject or node).things if self.predicate else node.things:
             thing.attributes += said.attributes if not self.negating else []
@@ -85,11 +87,11 @@ class Looks(Rooms):
             self._lose(measured.start, following.end)
         elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
             following.size = size
-        elif isinstance(before, Noun) and before.kind == "thing" and thing is not None and not ceiling:
-            thing.size = thing.size or size
-        elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things:
+        elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things or thing is None or ceiling:
             self.draft.sizes.append(size)
-        elif thing is not None and single and size.area is None and not ceiling:
+        elif (isinstance(before, Noun) and before.kind == "thing") or (single and size.area is None):
+            if thing.size is not None and thing.size != size:
+                self._lose(measured.start, measured.end)
             thing.size = thing.size or size
         else:
             self.draft.sizes.append(size)

@@ -4,6 +4,7 @@ from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.several import Several
+from thinkblox.reading.english.state import LOOKAHEAD
 
 
 class Naming(Several):
@@ -51,7 +52,7 @@ class Naming(Several):
         """Read "One cot has a bag on it, the other has not": one of those that were named."""
         if not noun.text.lower().startswith("one ") or self.separator:
             return []
-        for chunk in self.chunks[self.at :]:
+        for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
             if self._is_link(chunk, "mark", "stop"):
                 return []
             if isinstance(chunk, Noun) and (chunk.det == "other" or chunk.value == "other"):

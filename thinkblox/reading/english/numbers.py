@@ -30,7 +30,7 @@ class Numbers(Verbs):
             self._some(whole, noun)
         elif noun.count and not self.draft.things:
             self.draft.people = noun.count
-        else:
+        elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
 
     def _some(self, whole: Mention, noun: Noun) -> None:

@@ -7,6 +7,7 @@ from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Link, Noun
 from thinkblox.reading.english.nodes import Frame, Front, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.english.subjects import Subjects
 
 _FRONTS = 20
@@ -232,7 +233,9 @@ class Positions(Subjects):
     def _is_fronted(self) -> bool:
         """Whether what was just read says where something is that comes only now."""
         ahead = 0
-        while self._is_link(self.peek(ahead), "prepositions") and isinstance(self.peek(ahead + 1), Noun):
+        while ahead < LOOKAHEAD and self._is_link(self.peek(ahead), "prepositions"):
+            if not isinstance(self.peek(ahead + 1), Noun):
+                break
             ahead += 2
         after = self.peek(ahead)
         begins = not self.frontier and self.subject is None

@@ -28,7 +28,7 @@ class Prepositions(Negation):
                 self._of()
                 return
             case "for":
-                self._for()
+                self._for(link)
                 return
             case "as":
                 self._as()
@@ -67,7 +67,7 @@ class Prepositions(Negation):
         self._go_past(noun)
         head.text = f"{head.text} of {noun.text}"
 
-    def _for(self) -> None:
+    def _for(self, link: Link) -> None:
         noun = self._next_noun()
         if noun is None:
             return
@@ -89,6 +89,8 @@ class Prepositions(Negation):
             self.leaving = False
         else:
             self._go_past(noun)
+            if noun.kind == "thing" and thing is not None and noun.definite:
+                self._lose(link.start, noun.end)
 
     def _as(self) -> None:
         noun = self._next_noun()

@@ -38,7 +38,8 @@ class Pronouns(Numbers):
             return
         whole = self._whole([])
         if whole is None:
-            self._lose(noun.start, noun.end)
+            if noun.value != "half":
+                self._lose(noun.start, noun.end)
             return
         match noun.value:
             case "none":

@@ -4,7 +4,6 @@ from thinkblox.assets.plurals import singular
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
-from thinkblox.reading.sizes import read_size
 
 
 class Quantities(Words):
@@ -71,14 +70,14 @@ class Quantities(Words):
         if self.tokens[at].text == "between" and (between := self._between(noun, at)):
             return between
         skip = quantifier.length if quantifier else 0
-        if read_size(self.lexicon, self.tokens, at) is not None:
+        if self.size_at(at) is not None:
             return 0
         number = self._number(at + skip)
         if number is None:
             return 0 if quantifier else self._vague(noun, at)
         value, length = number
         prepositional = self.tokens[at].text in ("around", "about", "over", "under", "up") and value < 2
-        if quantifier and (prepositional or read_size(self.lexicon, self.tokens, at + skip) is not None):
+        if quantifier and (prepositional or self.size_at(at + skip) is not None):
             return 0
         if self._is_word_of_compound(at + skip, length):
             return 0
@@ -195,7 +194,7 @@ class Quantities(Words):
     def _size(self, noun: Noun, at: int) -> int:
         if not noun.det or noun.count is not None or noun.size is not None:
             return 0
-        found = read_size(self.lexicon, self.tokens, at)
+        found = self.size_at(at)
         if found is None:
             return 0
         noun.size = found[0]

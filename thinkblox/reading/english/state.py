@@ -11,6 +11,9 @@ from thinkblox.reading.english.nodes import Frame, Front, Node, Where
 from thinkblox.reading.english.referents import Referents
 from thinkblox.reading.tokens import Token
 
+LOOKAHEAD = 60
+"""How many chunks ahead the reader looks at most."""
+
 
 class State(Namer):
     """The chunks of one text, how far they are read, and what is open.

@@ -6,6 +6,8 @@ from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Frame, Node, Where
 from thinkblox.reading.english.referents import is_small
 
+_BONDS = 20
+"""Most bonds of a thing that tell what a pronoun after it means."""
 _BY_OWNER = (
     "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
 )  # fmt: skip
@@ -146,7 +148,7 @@ class Subjects(Having):
         """What a pronoun means first: the head of the list, then what the clause is about."""
         found: list[Mention] = []
         frame = node.frame
-        for bond in (b for t in node.things for b in self.draft.bonds_of(t)):
+        for bond in (b for t in node.things for b in self.draft.bonds_of(t)[-_BONDS:]):
             found += [a for a in bond.anchors if isinstance(a, Mention) and not bond.negated]
         found += [t.host for t in node.things if t.host is not None]
         if frame is not None and frame.head is not None:

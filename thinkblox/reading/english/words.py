@@ -7,6 +7,7 @@ from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.lexicon import LONGEST, Entry, Lexicon, Sort
+from thinkblox.reading.sizes import Size, read_size
 from thinkblox.reading.tokens import Token
 
 STOPS = ("mutual", "negations", "inverses", "prepositions", "verbs", "joins", "determiners", "quantifiers")
@@ -47,6 +48,13 @@ class Words:
         self.tokens = list(tokens)
         self.group = False
         self._seen: dict[tuple[int, tuple[str, ...]], Known | None] = {}
+        self._sizes: dict[int, tuple[Size, int] | None] = {}
+
+    def size_at(self, at: int) -> tuple[Size, int] | None:
+        """The size that begins at `at`, and the token after it."""
+        if at not in self._sizes:
+            self._sizes[at] = read_size(self.lexicon, self.tokens, at)
+        return self._sizes[at]
 
     def thing_at(self, at: int) -> Known | None:
         """The longest name of a thing that begins at `at`."""

@@ -1,0 +1,96 @@
+"""Every word of a prompt has a fate, and what names or changes a thing is made of something or said not to be."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from thinkblox.errors import InputError
+from thinkblox.reading import read_brief
+from thinkblox.reading.english import read_english
+from thinkblox.reading.lexicon import load
+from thinkblox.reading.tokens import tokenise
+
+WORDS = (
+    "a the two each chair table lamp bed shelf window wall corner with without on in next to of for not no only it them "
+    "one other both half left right red wooden cosy large is are stands holds has facing between 3 m x , . ; : ( ) and "
+    "or but which where dozen at least every second of them the rest quickly frobnicator café don't"
+).split(" ")
+
+
+def _fates(prompt: str) -> dict[str, str]:
+    return {word.text.lower(): word.fate for word in read_brief(prompt).account}
+
+
+def _covered(text: str) -> None:
+    shown = [(t.shown, t.start) for t in tokenise(text) if t.kind != "mark"]
+    words = [(w.text, w.start) for w in read_english(load("en"), text).account]
+    assert [start for _, start in words] == sorted({start for _, start in words})
+    assert "".join(text for text, _ in words) == "".join(text for text, _ in shown)
+    assert {start for _, start in shown} <= {start for _, start in words}
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(st.sampled_from(WORDS), max_size=40).map(" ".join))
+def test_the_account_covers_every_word_once_and_in_order(text: str) -> None:
+    _covered(text)
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.text(max_size=80))
+def test_the_account_covers_every_word_of_any_text(text: str) -> None:
+    _covered(text)
+
+
+def test_words_are_found_again_where_they_begin() -> None:
+    prompt = "A study: two desks (1.2 m wide), each with a lamp; no rug."
+    for word in read_brief(prompt).account:
+        assert prompt[word.start :].startswith(word.text)
+
+
+def test_what_is_asked_for_related_and_wanted_away() -> None:
+    fates = _fates("A cosy bedroom with a red bed against the wall and no television, 4 m by 5 m.")
+    assert fates["bed"] == fates["red"] == fates["bedroom"] == "requested"
+    assert fates["against"] == fates["wall"] == "related"
+    assert fates["no"] == fates["television"] == fates["4"] == "constraint"
+    assert fates["cosy"] in ("style", "filler")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A sofa and a rug. In the corner, far from the window.", "In the corner"),
+        ("A study with a desk and a chair. The chair is for the desk.", "for the desk"),
+        ("A desk with a lamp. A shelf stands 40 cm from the desk.", "40 cm from"),
+    ],
+)
+def test_what_is_dropped_is_said(prompt: str, lost: str) -> None:
+    brief = read_brief(prompt)
+    assert lost in brief.unknown
+    assert "not_understood" in {word.fate for word in brief.account}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bedroom for a programmer who never tidies up, with a bed and a desk.",
+        "An instagram ready kitchen, so two stools in all, smells like apple pie.",
+        "A living room with ample seating, providing a cozy touch: a sofa and two armchairs.",
+        "1950s barber shop, checkerboard floor, chrome and red leather",
+    ],
+)
+def test_words_that_ask_for_nothing_are_no_loss(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.unknown == ()
+    assert "not_understood" not in {word.fate for word in brief.account}
+
+
+def test_a_contracted_verb_is_read() -> None:
+    brief = read_brief("A bedroom with a bed and a wardrobe. The wardrobe? It's opposite the bed.")
+    assert ("opposite", "wardrobe", ("bed",)) in [(r.kind, r.subject, r.anchors) for r in brief.relations]
+    assert [w.text for w in brief.account][-4:] == ["'s", "opposite", "the", "bed"]
+
+
+def test_english_is_known_by_its_words_and_polish_is_not() -> None:
+    assert read_brief("haunted victorian parlour, halloween party tonight").language == "en"
+    with pytest.raises(InputError, match="hardly a word"):
+        read_brief("W pokoju stoi duże łóżko, szafa i biurko z lampą przy oknie.")
