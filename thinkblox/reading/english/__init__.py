@@ -26,25 +26,14 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:
-<<<<<<< HEAD
-    """Words that people shorten, as the lexicon has them."""
-    spelt: list[Token] = []
-    for token in tokens:
-        if len(token.shown) > len(token.text) and token.text in _JOINED:
-            head = token.text[:-1]
-            spelt += [replace(token, text=head, owner=False), replace(token, text="is", shown="is", owner=False)]
-        else:
-            spelt.append(replace(token, text=_SHORT.get(token.text, token.text)))
-    return spelt
-=======
     """Words that people shorten, as the lexicon has them; "it's" as two."""
     whole: list[Token] = []
     for token in tokens:
-        if token.text == "its" and token.owner:
-            it, rest = token.shown[:2], token.shown[2:]
-            whole.append(Token("it", it, "word", start=token.start))
-            whole.append(Token("is", rest, "word", start=token.start + len(it)))
+        if token.text in _JOINED and token.owner:
+            head = len(token.text) - 1
+            first, rest = token.shown[:head], token.shown[head:]
+            whole.append(Token(token.text[:head], first, "word", start=token.start))
+            whole.append(Token("is", rest, "word", start=token.start + head))
         else:
             whole.append(replace(token, text=_SHORT.get(token.text, token.text)))
     return whole
->>>>>>> english
