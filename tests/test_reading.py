@@ -317,7 +317,10 @@ def test_a_size_of_an_object_is_not_the_rooms() -> None:
     brief = read_brief("A living room with a 2 m sofa and a rug of 2 x 3 m.")
     assert (brief.width, brief.area) == (None, None)
     assert brief.unknown == ()
-    assert {r.category: r.size for r in brief.requests if r.asked} == {"sofa": (None, 2.0, None), "rug": (2.0, 3.0, None)}
+    assert {r.category: r.size for r in brief.requests if r.asked} == {
+        "sofa": (None, 2.0, None),
+        "rug": (2.0, 3.0, None),
+    }
 
 
 def test_openings() -> None:

@@ -68,6 +68,8 @@ class Chunker:
         token = self.tokens[self.at]
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
+        if self._is_decade():
+            return Link("fillers", "words", self.at, self.at + 2, token.shown)
         if token.kind == "mark":
             value = _MARKS.get(token.text)
             return Link("mark", value, self.at, self.at + 1, token.shown) if value else None
@@ -87,6 +89,11 @@ class Chunker:
             if found is not None:
                 return Measured(found[0], self.at, found[1])
         return self._words()
+
+    def _is_decade(self) -> bool:
+        """Whether a number says when: "the 1950s"."""
+        token, after = self.tokens[self.at], self._text_at(self.at + 1)
+        return token.kind == "number" and token.value > 1000 and after == "s"
 
     def _quoted(self) -> Link | None:
         """Go past words in quotation marks, unless they name what comes right after."""
