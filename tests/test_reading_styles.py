@@ -117,7 +117,8 @@ PROMPTS = {
     "and three chairs for waiting.": (
         "2 shelving_unit, 3 medicine_bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
         (
-            "medicine_bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, cash_register on counter"
+            "medicine_bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, "
+            "cash_register on counter"
         ),
         "",
     ),
@@ -183,7 +184,8 @@ PROMPTS = {
     " dresser with a television. In the far right corner stands a plant.": (
         "1 bed, 2 nightstand, 1 dresser, 1 tv, 1 plant",
         (
-            "bed in_centre centre, nightstand left_of bed, nightstand right_of bed, dresser opposite bed, tv on dresser, plant "
+            "bed in_centre centre, nightstand left_of bed, nightstand right_of bed, dresser opposite bed, "
+            "tv on dresser, plant "
             "in_corner far_wall right_wall"
         ),
         "",
@@ -266,7 +268,8 @@ PROMPTS = {
     "each side of the sofa.": (
         "1 reception_desk, 3 chair, 1 sofa, 2 plant",
         (
-            "chair in_front_of reception_desk, chair behind reception_desk, sofa against_wall wall, plant left_of sofa, plant right_of sofa"
+            "chair in_front_of reception_desk, chair behind reception_desk, sofa against_wall wall, "
+            "plant left_of sofa, plant right_of sofa"
         ),
         "",
     ),

@@ -109,8 +109,8 @@ class Chunker:
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
-            last = self.made[-1]
-            if isinstance(last, Noun) and last.kind == "thing":
+            named = self.made[-1]
+            if isinstance(named, Noun) and named.kind == "thing":
                 return Link("prepositions", "in", self.at, self.at + 1, "in")
         if (doing := self._participle()) is not None:
             return doing
