@@ -72,7 +72,7 @@ class Request(CheckedValue, frozen=True, kw_only=True):
 
     Attributes:
         key: unique in its brief ("lamp", "lamp-2"); relations refer to it.
-        category: one of the catalogue's.
+        category: one of the catalogue's, or the name of what has a plain stand-in.
         asked: named in the prompt; False when assumed from what such a room usually holds.
         attributes: what the prompt says of it, in the catalogue's words ("round", "double", "low").
         phrase: the words it was read from; empty when assumed.
