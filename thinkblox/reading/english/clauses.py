@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from thinkblox.reading.draft import Draft
-from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun, NounKind, Stray
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -20,7 +20,7 @@ class Clauses(Pronouns):
             match chunk:
                 case Noun():
                     self._noun(chunk)
-                case Link():
+                case Connector():
                     self._link(chunk)
                 case Adjective():
                     self._adjective(chunk)
@@ -40,7 +40,7 @@ class Clauses(Pronouns):
         else:
             self._lose(stray.start, stray.end)
 
-    def _link(self, link: Link) -> None:
+    def _link(self, link: Connector) -> None:
         match link.sort:
             case "mark":
                 self._mark(link)
@@ -133,7 +133,7 @@ class Clauses(Pronouns):
         index = self.at
         while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
-            if isinstance(chunk, Link):
+            if isinstance(chunk, Connector):
                 if chunk.sort == "verbs":
                     text = chunk.text.lower()
                     return chunk.value != "put" and not text.startswith("there")

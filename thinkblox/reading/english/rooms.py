@@ -3,13 +3,13 @@
 from dataclasses import replace
 
 from thinkblox.reading.draft import Gap
-from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.lists import Lists
+from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.sizes import Size
 
 
-class Rooms(Lists):
+class Rooms(Memberships):
     """Reads what is said of the room."""
 
     def _room(self, noun: Noun) -> None:
@@ -75,7 +75,7 @@ class Rooms(Lists):
 
     def _colon_ahead(self) -> bool:
         """Whether a colon ends what was begun, before any other mark."""
-        marks = (c for c in self.chunks[self.at :] if isinstance(c, Link) and c.sort == "mark")
+        marks = (c for c in self.chunks[self.at :] if isinstance(c, Connector) and c.sort == "mark")
         first = next(marks, None)
         return first is not None and first.value == "colon"
 
