@@ -11,9 +11,9 @@ from thinkblox.reading.lexicon import load
 from thinkblox.reading.tokens import tokenise
 
 WORDS = (
-    "a the two each chair table lamp bed shelf window wall corner with without on in next to of for not no only it them "
-    "one other both half left right red wooden cosy large is are stands holds has facing between 3 m x , . ; : ( ) and "
-    "or but which where dozen at least every second of them the rest quickly frobnicator café don't"
+    "a the two each chair table lamp bed shelf window wall corner with without on in next to of for not no only it "
+    "them one other both half left right red wooden cosy large is are stands holds has facing between 3 m x , . ; "
+    ": ( ) and or but which where dozen at least every second of them the rest quickly frobnicator café don't"
 ).split(" ")
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from thinkblox.brief import Fate, Word
-from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, Noun, NounKind, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, NounKind, Stray
 from thinkblox.reading.tokens import Token
 
 _LINKS: dict[str, Fate] = {
@@ -66,7 +66,7 @@ def _usual(chunk: Chunk) -> Fate:
     match chunk:
         case Noun():
             return "constraint" if chunk.det == "no" else _NOUNS[chunk.kind]
-        case Link():
+        case Connector():
             idle = chunk.sort == "verbs" and chunk.value in _IDLE
             if chunk.sort == "prepositions" and chunk.value in _BARRING:
                 return "constraint"

@@ -1,15 +1,15 @@
 """Where clauses begin and end: marks, conjunctions, brackets."""
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Link
-from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.chunks import Connector
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import State
 
 
 class Boundaries(State):
     """Ends clauses and parts the members of lists."""
 
-    def _mark(self, link: Link) -> None:
+    def _mark(self, link: Connector) -> None:
         match link.value:
             case "stop" | "semicolon" | "colon" | "dash":
                 self._end(link.value)
@@ -26,7 +26,7 @@ class Boundaries(State):
     def _release(self) -> None:
         """Go on after a clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
         front, self.held = self.held, []
-        self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
+        self.frontier, self.clause, self.subject, self.predicate = [], Listed(), None, False
         self.front, self.separator, self.pending = front, "", None
 
     def _close_bracket(self) -> None:
@@ -72,7 +72,7 @@ class Boundaries(State):
         self.referents.topics += topic
         self._begin()
 
-    def _join(self, link: Link) -> None:
+    def _join(self, link: Connector) -> None:
         match link.value:
             case "and" | "or":
                 keep = self.excluding and link.value == "or"
@@ -113,4 +113,4 @@ class Boundaries(State):
         if noun is None or noun.kind != "thing" or (bare and (noun.det or noun.count is not None)):
             return False
         after = self.peek(1)
-        return not isinstance(after, Link) or after.sort == "mark" or after.value in ("or", "and")
+        return not isinstance(after, Connector) or after.sort == "mark" or after.value in ("or", "and")

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from functools import cached_property
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Measured, Noun, Stray
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.lexicon import Lexicon
@@ -40,7 +40,7 @@ _LINKS = (
 )
 
 
-class Chunker:
+class Cutter:
     """Cuts the tokens of one text into chunks."""
 
     def __init__(self, lexicon: Lexicon, tokens: Sequence[Token]) -> None:
@@ -69,12 +69,12 @@ class Chunker:
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
         if self._is_decade():
-            return Link("fillers", "words", self.at, self.at + 2, token.shown)
+            return Connector("fillers", "words", self.at, self.at + 2, token.shown)
         if token.kind == "mark":
             value = _MARKS.get(token.text)
-            return Link("mark", value, self.at, self.at + 1, token.shown) if value else None
+            return Connector("mark", value, self.at, self.at + 1, token.shown) if value else None
         if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
-            return Link("prepositions", "with", self.at, self.at + 2, "w/")
+            return Connector("prepositions", "with", self.at, self.at + 2, "w/")
         about = grammar().at(self.tokens, self.at, "quantifiers")
         if about is not None and about.value == "about":
             found = self._phrases.size_at(self.at + about.length)
@@ -95,14 +95,14 @@ class Chunker:
         token, after = self.tokens[self.at], self._text_at(self.at + 1)
         return token.kind == "number" and token.value > 1000 and after == "s"
 
-    def _quoted(self) -> Link | None:
+    def _quoted(self) -> Connector | None:
         """Go past words in quotation marks, unless they name what comes right after."""
         for end in range(self.at + 1, min(self.at + 12, len(self.tokens))):
             if self.tokens[end].text in _QUOTES:
                 after = self._phrases.read(end + 1) if end + 1 < len(self.tokens) else None
                 if end - self.at < 2 or (after is not None and after.start == end + 1 and not after.det):
                     return None
-                return Link("fillers", "words", self.at, end + 1, "")
+                return Connector("fillers", "words", self.at, end + 1, "")
         return None
 
     def _words(self) -> Chunk:
@@ -111,19 +111,19 @@ class Chunker:
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
             named = self.made[-1]
             if isinstance(named, Noun) and named.kind == "thing":
-                return Link("prepositions", "in", self.at, self.at + 1, "in")
+                return Connector("prepositions", "in", self.at, self.at + 1, "in")
         if (doing := self._participle()) is not None:
             return doing
         if noun is not None and (link is None or self._is_noun(noun, link)):
             return noun
         last = self.made[-1] if self.made else None
         state = grammar().at(self.tokens, self.at, "states")
-        found = isinstance(last, Link) and last.value in ("be", "leave") and state is not None
+        found = isinstance(last, Connector) and last.value in ("be", "leave") and state is not None
         if found and state is not None and (link is None or state.length >= link.length):
             link = None
         if link is not None:
             text = " ".join(token.shown for token in self.tokens[self.at : self.at + link.length])
-            return Link(link.sort, link.value, self.at, self.at + link.length, text)
+            return Connector(link.sort, link.value, self.at, self.at + link.length, text)
         adjective = self._phrases.adjective(self.at)
         if adjective is not None:
             return adjective
@@ -131,7 +131,7 @@ class Chunker:
 
     def _after_preposition(self) -> bool:
         last = self.made[-1] if self.made else None
-        return isinstance(last, Link) and last.sort in ("prepositions", "inverses")
+        return isinstance(last, Connector) and last.sort in ("prepositions", "inverses")
 
     def _link(self) -> Function | None:
         found = grammar().all_at(self.tokens, self.at, *_LINKS)
@@ -161,17 +161,17 @@ class Chunker:
             return noun.kind in ("thing", "place", "room") and first is not None
         return False
 
-    def _participle(self) -> Link | None:
+    def _participle(self) -> Connector | None:
         """Read a verb that no list has after "is": "are chilling in the fridge"."""
         last = self.made[-1] if self.made else None
         token = self.tokens[self.at]
-        if not isinstance(last, Link) or last.sort != "verbs" or last.value != "be":
+        if not isinstance(last, Connector) or last.sort != "verbs" or last.value != "be":
             return None
         if not token.text.endswith(("ing", "ed")) or grammar().at(self.tokens, self.at, *_LINKS, "states"):
             return None
         if grammar().at(self.tokens, self.at + 1, "prepositions") is None:
             return None
-        return Link("participles", "stand", self.at, self.at + 1, token.shown)
+        return Connector("participles", "stand", self.at, self.at + 1, token.shown)
 
     def _number_follows(self, link: Function) -> bool:
         return grammar().at(self.tokens, self.at + link.length, "count") is not None or (
@@ -193,7 +193,7 @@ class Chunker:
 
 def cut(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Chunk]:
     """The chunks of a text."""
-    return Chunker(lexicon, tokens).chunks()
+    return Cutter(lexicon, tokens).chunks()
 
 
 __all__ = ["Adjective", "cut"]

@@ -94,7 +94,7 @@ class Noun:
 
 
 @dataclass
-class Link:
+class Connector:
     """Words between noun phrases: a preposition, verb, conjunction, mark, ..., as a section and key of the grammar."""
 
     sort: str
@@ -135,4 +135,4 @@ class Stray:
     text: str
 
 
-Chunk = Noun | Link | Adjective | Measured | Stray
+Chunk = Noun | Connector | Adjective | Measured | Stray

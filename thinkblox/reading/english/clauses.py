@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from thinkblox.reading.draft import Draft
-from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun, NounKind, Stray
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -25,7 +25,7 @@ class Clauses(Pronouns):
             match chunk:
                 case Noun():
                     self._noun(chunk)
-                case Link():
+                case Connector():
                     self._link(chunk)
                 case Adjective():
                     self._adjective(chunk)
@@ -45,7 +45,7 @@ class Clauses(Pronouns):
         else:
             self._lose(stray.start, stray.end)
 
-    def _link(self, link: Link) -> None:
+    def _link(self, link: Connector) -> None:
         match link.sort:
             case "mark":
                 self._mark(link)
@@ -87,7 +87,7 @@ class Clauses(Pronouns):
         """Read a part without a preposition: "a flag either side of the door"."""
         if noun.value == "side" and noun.det in ("either", "both", "each") and self.frontier:
             self.at -= 1
-            self._where(self._read_where(Link("prepositions", "on", 0, 0)))
+            self._where(self._read_where(Connector("prepositions", "on", 0, 0)))
         else:
             self._bare_part(noun)
 
@@ -160,7 +160,7 @@ class Clauses(Pronouns):
         index = self.at
         while index < min(len(self.chunks), self.at + LOOKAHEAD):
             chunk = self.chunks[index]
-            if isinstance(chunk, Link):
+            if isinstance(chunk, Connector):
                 if chunk.sort == "verbs":
                     text = chunk.text.lower()
                     return chunk.value != "put" and not text.startswith("there")

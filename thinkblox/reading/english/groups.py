@@ -2,13 +2,13 @@
 
 from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Chunk, Link, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.looks import Looks
-from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.looks import Descriptions
+from thinkblox.reading.english.nodes import Listed, Node
 
 
-class Groups(Looks):
+class Groups(Descriptions):
     """Reads "each", and groups of things."""
 
     def _abstract(self, noun: Noun) -> None:
@@ -26,7 +26,7 @@ class Groups(Looks):
 
     def _dissolve(self, group: Mention) -> None:
         """Let the members of a list stand for a group that is no thing itself: each member as often as the group."""
-        frame = Frame(None, "list", times=group.count or 1, each=True)
+        frame = Listed(None, "list", times=group.count or 1, each=True)
         self.draft.drop(group)
         self.groups = {word: thing for word, thing in self.groups.items() if thing is not group}
         self.clause = frame
@@ -63,7 +63,7 @@ class Groups(Looks):
                 self.clause.members += found
                 self.each = True
                 return
-        trailing = following is None or (isinstance(following, Link) and following.sort in ("mark", "joins"))
+        trailing = following is None or (isinstance(following, Connector) and following.sort in ("mark", "joins"))
         if trailing:
             self._trailing_each()
             return

@@ -3,7 +3,7 @@
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.groups import Groups
-from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.nodes import Listed, Node
 
 
 class Having(Groups):
@@ -38,7 +38,7 @@ class Having(Groups):
         if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
             self._dissolve(thing)
             return
-        frame = Frame(head, kind, each=self.each or head.each or (head.frame is not None and head.frame.times > 1))
+        frame = Listed(head, kind, each=self.each or head.each or (head.frame is not None and head.frame.times > 1))
         self.each = False
         if head in self.frontier:
             del self.frontier[self.frontier.index(head) + 1 :]
@@ -77,7 +77,7 @@ class Having(Groups):
     def _open_of_subject(self, kind: str) -> None:
         if self.subject is None:
             return
-        self.pending = Frame(self.subject, kind, each=self.each or self.subject.each)
+        self.pending = Listed(self.subject, kind, each=self.each or self.subject.each)
         if self.per_group:
             self.pending.each, self.pending.times, self.per_group = False, self.per_group, 0
             self.pending.grouped = True

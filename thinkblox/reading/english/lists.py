@@ -5,11 +5,11 @@ from dataclasses import replace
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.ties import Ties
 
 
-class Lists(Ties):
+class Memberships(Ties):
     """Adds things to lists."""
 
     def _take(self, thing: Mention, noun: Noun) -> None:
@@ -57,7 +57,7 @@ class Lists(Ties):
             self.frontier = []
         self.frontier.append(node)
 
-    def _member(self, thing: Mention, frame: Frame) -> None:
+    def _member(self, thing: Mention, frame: Listed) -> None:
         """Take a thing into a list: relate it to the head."""
         first = not frame.members
         if thing not in frame.members:
@@ -78,7 +78,7 @@ class Lists(Ties):
             tie = "between"
         self._tie_to(frame, frame.head, thing, tie)
 
-    def _tie_to(self, frame: Frame, node: Node, thing: Mention, tie: str) -> None:
+    def _tie_to(self, frame: Listed, node: Node, thing: Mention, tie: str) -> None:
         """Bind a member to the head of its list."""
         head = node.things[-1]
         anchors = tuple(node.things)

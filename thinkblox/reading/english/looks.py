@@ -5,14 +5,14 @@ from itertools import pairwise
 
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.rooms import Rooms
 
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
 
-class Looks(Rooms):
+class Descriptions(Rooms):
     """Reads what is said of single things."""
 
     def _adjective(self, said: Adjective) -> None:
@@ -37,7 +37,7 @@ class Looks(Rooms):
         thing.unshown += noun.unshown
         thing.states += noun.states
 
-    def _mutual(self, link: Link) -> None:
+    def _mutual(self, link: Connector) -> None:
         """Read "facing each other", "side by side", "in a row": of one plural thing, or of two that were joined."""
         nodes = [n for n in reversed(self.frontier) if n.things]
         if not nodes:
@@ -61,7 +61,7 @@ class Looks(Rooms):
         """Read a size: of the thing just before or after it, or of the room."""
         size, before = measured.size, self._before()
         if (
-            isinstance(before, Link)
+            isinstance(before, Connector)
             and before.sort in ("mark", "fillers")
             and before.value in ("open", "comma")
             and self.at >= 3
@@ -80,7 +80,7 @@ class Looks(Rooms):
         if roomy and not self.draft.sizes:
             self.draft.sizes.append(size)
         elif (
-            isinstance(following, Link)
+            isinstance(following, Connector)
             and following.sort == "prepositions"
             and following.value in ("from", "far", "away")
         ):

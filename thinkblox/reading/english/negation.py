@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Link, Noun
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.positions import Positions
 
@@ -10,7 +10,7 @@ from thinkblox.reading.english.positions import Positions
 class Negation(Positions):
     """Reads negations."""
 
-    def _negation(self, link: Link) -> None:
+    def _negation(self, link: Connector) -> None:
         match link.value:
             case "not":
                 self._not(link)
@@ -23,7 +23,7 @@ class Negation(Positions):
             case "gone":
                 self._gone()
 
-    def _not(self, link: Link) -> None:
+    def _not(self, link: Connector) -> None:
         noun = self.peek()
         before = self._before()
         if link.text.lower() == "no" and isinstance(before, Noun) and (noun is None or self._is_link(noun, "mark")):
@@ -59,7 +59,7 @@ class Negation(Positions):
             return
         if self._is_link(after, "prepositions", "except"):
             self.draft.empty = True
-        elif isinstance(after, Link) and self._is_link(after, "prepositions", "on"):
+        elif isinstance(after, Connector) and self._is_link(after, "prepositions", "on"):
             noun = self._next_noun(1)
             if noun is not None and noun.kind == "place" and "wall" in noun.value:
                 self.draft.excluded.update(grammar().lists["on_walls"])

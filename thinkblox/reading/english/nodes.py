@@ -7,7 +7,7 @@ from thinkblox.reading.english.chunks import Noun
 
 
 @dataclass(eq=False)
-class Frame:
+class Listed:
     """An open list: of what `head` has, or, without a head, of what the clause names.
 
     Attributes:
@@ -43,7 +43,7 @@ class Node:
     """
 
     things: list[Mention] = field(default_factory=list)
-    frame: Frame | None = None
+    frame: Listed | None = None
     known: bool = False
     told: bool = False
     each: bool = False
@@ -96,7 +96,7 @@ class Meaning:
 
 
 @dataclass(eq=False)
-class Front:
+class Awaited:
     """A relation whose subject comes later: "on the desk stands a lamp"; `used` once that came."""
 
     where: Where

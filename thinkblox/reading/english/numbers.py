@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Noun
-from thinkblox.reading.english.nodes import Frame, Node
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.verbs import Verbs
 
 
@@ -125,7 +125,7 @@ class Numbers(Verbs):
         if noun is not None:
             self._look(part, noun)
         self.counted.add(part)
-        frame = Frame(None, "list")
+        frame = Listed(None, "list")
         self.frontier = [Node([part], frame, known=True)]
         frame.members.append(part)
         self.clause = frame

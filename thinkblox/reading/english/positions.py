@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Link, Noun
-from thinkblox.reading.english.nodes import Frame, Front, Meaning, Node, Where
+from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.english.subjects import Subjects
@@ -19,12 +19,12 @@ _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposit
 class Positions(Subjects):
     """Reads where things are."""
 
-    def _read_where(self, link: Link) -> Where:
+    def _read_where(self, link: Connector) -> Where:
         """The preposition with what it is to; goes past it."""
         index = self._skip_fillers(self.at)
         chunk = self.chunks[index] if index < len(self.chunks) else None
         where = Where(link.value, None, negated=self.negating, start=link.start, text=link.text)
-        which = isinstance(chunk, Link) and chunk.value == "which" and chunk.text.lower() in ("which", "whom")
+        which = isinstance(chunk, Connector) and chunk.value == "which" and chunk.text.lower() in ("which", "whom")
         if which and self._is_link(chunk, "joins"):
             self.at = index + 1
             return self._which(where)
@@ -52,7 +52,7 @@ class Positions(Subjects):
 
     def _stand(self, word: str) -> None:
         """Read what follows as what the subject stands to as `word` says."""
-        self._where(self._read_where(Link("prepositions", word, self.at, self.at)))
+        self._where(self._read_where(Connector("prepositions", word, self.at, self.at)))
 
     def _hang_from(self) -> None:
         """Read "hanging from the beam": where it hangs from a thing, it is next to it."""
@@ -68,7 +68,7 @@ class Positions(Subjects):
         if named:
             self.referents.topics.append(named[0].things[-1])
             self.outer = named[0]
-            self.frontier, self.clause, self.subject, self.predicate = [], Frame(), None, False
+            self.frontier, self.clause, self.subject, self.predicate = [], Listed(), None, False
             self.front, self.separator = [], ""
         where.noun = Noun("pronoun", "it", self.at, self.at, "which")
         return where
@@ -139,7 +139,7 @@ class Positions(Subjects):
         noun = where.noun
         if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
             self.frontier, self.subject, self.predicate = [], None, False
-            self.clause = Frame(None, "list", times=self.draft.people, each=True)
+            self.clause = Listed(None, "list", times=self.draft.people, each=True)
             self.separator = ""
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
@@ -210,11 +210,11 @@ class Positions(Subjects):
             small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
             self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
-            self.front = [*self.front[-_FRONTS:], Front(where, meaning)]
+            self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
         else:
             self._lose_where(where)
         self.frontier = []
-        self.clause = Frame(times=self.clause.times)
+        self.clause = Listed(times=self.clause.times)
         self.subject = None
         self.separator = ""
         self.pending = None
@@ -226,7 +226,7 @@ class Positions(Subjects):
             chunk = self.peek(ahead)
             if isinstance(chunk, Noun):
                 return chunk.value if chunk.kind == "thing" else ""
-            if not isinstance(chunk, Link) or chunk.sort not in ("verbs", "fillers", "mark"):
+            if not isinstance(chunk, Connector) or chunk.sort not in ("verbs", "fillers", "mark"):
                 return ""
         return ""
 

@@ -1,6 +1,6 @@
 """Prepositions that say something else than where: "of", "for", "as", "without"."""
 
-from thinkblox.reading.english.chunks import Link
+from thinkblox.reading.english.chunks import Connector
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
@@ -10,7 +10,7 @@ from thinkblox.reading.english.referents import is_small, last_word
 class Prepositions(Negation):
     """Reads prepositions."""
 
-    def _preposition(self, link: Link) -> None:
+    def _preposition(self, link: Connector) -> None:
         match link.value:
             case "with":
                 self._open("with")
@@ -67,7 +67,7 @@ class Prepositions(Negation):
         self._go_past(noun)
         head.text = f"{head.text} of {noun.text}"
 
-    def _for(self, link: Link) -> None:
+    def _for(self, link: Connector) -> None:
         noun = self._next_noun()
         if noun is None:
             return

@@ -3,14 +3,14 @@
 from dataclasses import replace
 
 from thinkblox.reading.draft import Gap
-from thinkblox.reading.english.chunks import Adjective, Link, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.lists import Lists
-from thinkblox.reading.english.nodes import Front, Meaning, Where
+from thinkblox.reading.english.lists import Memberships
+from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.sizes import Size
 
 
-class Rooms(Lists):
+class Rooms(Memberships):
     """Reads what is said of the room."""
 
     def _room(self, noun: Noun) -> None:
@@ -76,7 +76,7 @@ class Rooms(Lists):
 
     def _colon_ahead(self) -> bool:
         """Whether a colon ends what was begun, before any other mark."""
-        marks = (c for c in self.chunks[self.at :] if isinstance(c, Link) and c.sort == "mark")
+        marks = (c for c in self.chunks[self.at :] if isinstance(c, Connector) and c.sort == "mark")
         first = next(marks, None)
         return first is not None and first.value == "colon"
 
@@ -102,16 +102,16 @@ class Rooms(Lists):
             self.frontier = []
         elif not self.separator:
             self.frontier = []
-            wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Link)
+            wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Connector)
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
-                self.front = [Front(Where("on", noun), Meaning("on", (name,)))]
+                self.front = [Awaited(Where("on", noun), Meaning("on", (name,)))]
 
-    def _verb_ahead(self) -> Link | None:
+    def _verb_ahead(self) -> Connector | None:
         """The verb that a place before it is the subject of: "the wall behind it bears six posters"."""
         for chunk in self.chunks[self.at : self.at + 4]:
-            if isinstance(chunk, Link) and chunk.sort == "verbs":
+            if isinstance(chunk, Connector) and chunk.sort == "verbs":
                 return chunk
-            if isinstance(chunk, Link) and chunk.sort == "mark":
+            if isinstance(chunk, Connector) and chunk.sort == "mark":
                 return None
         return None
 

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Gap, Mention
 from thinkblox.reading.english.account import Account
-from thinkblox.reading.english.chunks import Adjective, Chunk, Link, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.meaning import Meanings, Namer
-from thinkblox.reading.english.nodes import Frame, Front, Node, Where
+from thinkblox.reading.english.nodes import Awaited, Listed, Node, Where
 from thinkblox.reading.english.referents import Referents
 from thinkblox.reading.tokens import Token
 
@@ -61,14 +61,14 @@ class State(Namer):
         self.fresh: set[Mention] = set()
         self.said = ""
         self.verb = ""
-        self.bracket: tuple[list[Node], Frame, Node | None, bool] | None = None
+        self.bracket: tuple[list[Node], Listed, Node | None, bool] | None = None
         self.ordinals: dict[Mention, dict[int, Mention]] = {}
         self.sides: dict[Mention, str] = {}
         self.counted: set[Mention] = set()
         self.summed: Mention | None = None
         self.each_of = 0
-        self.front: list[Front] = []
-        self.held: list[Front] = []
+        self.front: list[Awaited] = []
+        self.held: list[Awaited] = []
         self._begin()
 
     def _begin(self) -> None:
@@ -78,10 +78,10 @@ class State(Namer):
                 self._lose_where(front.where)
         self.frontier: list[Node] = []
         self.front = []
-        self.clause = Frame()
+        self.clause = Listed()
         self.subject: Node | None = None
         self.relative: Node | None = None
-        self.pending: Frame | None = None
+        self.pending: Listed | None = None
         self.separator = ""
         self.predicate = False
         self.negating = False
@@ -118,12 +118,12 @@ class State(Namer):
         return chunk if isinstance(chunk, Noun) else None
 
     def _is_filler(self, chunk: Chunk) -> bool:
-        if isinstance(chunk, Link):
+        if isinstance(chunk, Connector):
             return chunk.sort == "fillers"
         return isinstance(chunk, Adjective) and not chunk.attributes
 
     def _is_link(self, chunk: Chunk | None, sort: str, *values: str) -> bool:
-        return isinstance(chunk, Link) and chunk.sort == sort and (not values or chunk.value in values)
+        return isinstance(chunk, Connector) and chunk.sort == sort and (not values or chunk.value in values)
 
     def _skip_fillers(self, index: int) -> int:
         """The first index from `index` on that is no filler."""

@@ -3,7 +3,7 @@
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.having import Having
-from thinkblox.reading.english.nodes import Frame, Node, Where
+from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.referents import is_small
 
 _BONDS = 20
@@ -46,7 +46,7 @@ class Subjects(Having):
             return head
         return self._joined(inner, where)
 
-    def _is_of_head(self, inner: Node, frame: Frame, head: Node, where: Where) -> bool:
+    def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
@@ -64,7 +64,7 @@ class Subjects(Having):
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         return bool(lying) and (within or self._behind_its_carrier(head, where))
 
-    def _is_place_of_head(self, thing: Mention, frame: Frame, where: Where, noun: Noun) -> bool:
+    def _is_place_of_head(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether a place is where the owner stands: "a desk with a chair by the window"."""
         if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
             return False

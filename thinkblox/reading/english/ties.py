@@ -1,9 +1,9 @@
 """Which list a thing belongs to, and how its members stand to the head."""
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Link, Noun
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.nodes import Frame
+from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.relating import Relating
 
@@ -14,7 +14,7 @@ _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
 class Ties(Relating):
     """Tells what continues a list."""
 
-    def _frame_for(self, thing: Mention, noun: Noun) -> Frame:
+    def _frame_for(self, thing: Mention, noun: Noun) -> Listed:
         """The list that a thing after a comma or "and" goes on with: the innermost that it belongs to."""
         nodes = [node for node in reversed(self.frontier) if node.frame is not None]
         for node in nodes:
@@ -28,7 +28,7 @@ class Ties(Relating):
             self.clause.closing = True
         return self.clause
 
-    def _goes_on(self, frame: Frame, thing: Mention, noun: Noun) -> bool:
+    def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         head = frame.head.thing if frame.head is not None else None
         told = self._told_of(frame)
         if told is not None:
@@ -48,12 +48,12 @@ class Ties(Relating):
             return False
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
 
-    def _told_of(self, frame: Frame) -> bool | None:
+    def _told_of(self, frame: Listed) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
         link = self.peek(index)
         noun = self._next_noun(index + 1)
-        if not isinstance(link, Link) or link.sort != "prepositions":
+        if not isinstance(link, Connector) or link.sort != "prepositions":
             return None
         if noun is None and link.value in ("above", "under", "behind", "opposite") and self.separator == "and":
             return True
@@ -74,14 +74,14 @@ class Ties(Relating):
                 return None if frame.each and noun.value.split()[0] == "wall" else False
         return None
 
-    def _is_part_of(self, frame: Frame, index: int) -> bool | None:
+    def _is_part_of(self, frame: Listed, index: int) -> bool | None:
         """Whether "on the side" is of the head: always, unless it goes on with "of the bed"."""
         if not self._is_link(self.peek(index + 2), "prepositions", "of"):
             return True
         whole = self._next_noun(index + 3)
         return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
 
-    def _is_of(self, frame: Frame, noun: Noun) -> bool | None:
+    def _is_of(self, frame: Listed, noun: Noun) -> bool | None:
         if frame.head is not None and self.referents.named(noun) in frame.head.things:
             return True
         return None if frame.each else False
@@ -91,7 +91,7 @@ class Ties(Relating):
         link = self.peek()
         return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", "with", "of", "for")
 
-    def _shares(self, thing: Mention, head: Mention, tie: str, frame: Frame) -> bool:
+    def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
         if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
             return False
@@ -102,7 +102,7 @@ class Ties(Relating):
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
 
-    def _tie(self, thing: Mention, frame: Frame, *, first: bool = False) -> str | None:
+    def _tie(self, thing: Mention, frame: Listed, *, first: bool = False) -> str | None:
         """How a listed thing belongs to the head; None when it does not, which ends the list."""
         head = frame.head.thing if frame.head is not None else None
         if head is None:
@@ -130,7 +130,7 @@ class Ties(Relating):
         return frame.kind
 
     def _tie_with(
-        self, thing: Mention, head: Mention, usual: str | None, frame: Frame, *, lies: bool, first: bool
+        self, thing: Mention, head: Mention, usual: str | None, frame: Listed, *, lies: bool, first: bool
     ) -> str | None:
         """How a thing belongs to another "with" it."""
         if usual == "on" and lies and self._has_shelves(head):

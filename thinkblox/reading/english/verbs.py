@@ -1,7 +1,7 @@
 """What verbs and participles say of their subjects."""
 
-from thinkblox.reading.english.chunks import Link, Noun
-from thinkblox.reading.english.nodes import Frame
+from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.prepositions import Prepositions
 
 _STANDS = {"face": "facing", "surround": "around", "flank": "next_to", "line": "along"}
@@ -11,7 +11,7 @@ _STANDS = {"face": "facing", "surround": "around", "flank": "next_to", "line": "
 class Verbs(Prepositions):
     """Reads verbs."""
 
-    def _verb(self, link: Link) -> None:
+    def _verb(self, link: Connector) -> None:
         match link.value:
             case "put":
                 self._put()
@@ -28,7 +28,7 @@ class Verbs(Prepositions):
                 if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
                     self._predicate(link)
 
-    def _do_something(self, link: Link) -> None:
+    def _do_something(self, link: Connector) -> None:
         """Go past a verb that says nothing about a room, unless it ties a thing to another that was named."""
         noun = self.peek()
         named = isinstance(noun, Noun) and noun.kind == "thing" and noun.definite
@@ -54,7 +54,7 @@ class Verbs(Prepositions):
         elif self.subject is None or (self.clause.members and not self.predicate):
             self.subject = self._whole_subject()
 
-    def _predicate(self, link: Link) -> None:
+    def _predicate(self, link: Connector) -> None:
         self.predicate = True
         self.verb = link.value
         if self.subject is not None:
@@ -86,7 +86,7 @@ class Verbs(Prepositions):
 
     def _have(self, kind: str) -> None:
         if self.subject is None and self.crowd:
-            self.pending = self.clause = Frame(None, "list", times=self.crowd, each=True)
+            self.pending = self.clause = Listed(None, "list", times=self.crowd, each=True)
             self.crowd = 0
             return
         if self.subject is None:
@@ -105,7 +105,7 @@ class Verbs(Prepositions):
         if self.subject is None or self.subject.thing is None:
             return
         every = self.each_of
-        frame = Frame(self.subject, "next_to")
+        frame = Listed(self.subject, "next_to")
         if every:
             frame.times = max(1, (self.subject.thing.count or every) // every)
             self.each_of = 0

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from thinkblox.assets.names import ThingName
 from thinkblox.knowledge.vocabulary import thing_called
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.grammar import Function, grammar
@@ -48,6 +49,7 @@ class Words:
         self.tokens = list(tokens)
         self.group = False
         self._seen: dict[tuple[int, tuple[str, ...]], Known | None] = {}
+        self._names: dict[str, ThingName | None] = {}
         self._sizes: dict[int, tuple[Size, int] | None] = {}
 
     def size_at(self, at: int) -> tuple[Size, int] | None:
@@ -89,6 +91,11 @@ class Words:
             found = self._plain(at, found)
         return found
 
+    def _named(self, phrase: str, length: int) -> ThingName | None:
+        if phrase not in self._names:
+            self._names[phrase] = thing_called(phrase, length)
+        return self._names[phrase]
+
     def _plain(self, at: int, found: Known | None) -> Known | None:
         """The name of a thing that the catalogue only has a stand-in for, where it is longer than what was found."""
         words: list[str] = []
@@ -98,7 +105,7 @@ class Words:
             words.append(token.text)
         least = found.length if found is not None else 0
         for length in range(len(words), least, -1):
-            named = thing_called(" ".join(words[:length]), length)
+            named = self._named(" ".join(words[:length]), length)
             if named is not None and not self._is_described(words[:length]):
                 others = self.lexicon.phrases.get(tuple(words[:length]), ())
                 entry = Entry("object", named.name or named.category, named.plural, named.attribute)
