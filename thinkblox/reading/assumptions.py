@@ -10,7 +10,7 @@ from thinkblox.reading.draft import Bond, Draft, Mention
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _FURNISH = "furnished"
 _SKETCHED = 5
-"""A prompt with so many kinds of things says what it wants; with fewer, the essentials of its room are taken for granted."""
+"""A prompt with so many kinds of things says what it wants; with fewer, the essentials of its room are assumed."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
