@@ -29,6 +29,8 @@ _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagona
 _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
 """Groups of things on which others lie, and not in them."""
 _PLACES: tuple[Place, ...] = get_args(Place)
+_SHAPES = ("L-shaped", "rectangular", "empty", "filled", "standing", "shared", "single", "double", "corner", "open")
+"""What is said of a room that is made, or asks for nothing."""
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
@@ -129,6 +131,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
     others = [a for a in draft.room_attributes if a in _OTHER_SHAPES]
     sizes = [a for a in draft.room_attributes if a in _ROOM_SIZES]
+    looks = [a for a in draft.room_attributes if a not in (*others, *sizes, *_SHAPES)]
     return Brief(
         prompt=prompt,
         language=code,
@@ -143,7 +146,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
         missing=tuple(dict.fromkeys(draft.missing)),
-        unknown=tuple(dict.fromkeys([*(f"{shape} room" for shape in others), *draft.unknown])),
+        unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *looks)), *draft.unknown])),
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
         free=tuple(place for place in _PLACES if place in draft.free),

@@ -100,7 +100,7 @@ class Clauses(Pronouns):
         if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
             return
         if self._is_mood(noun):
-            self.draft.style.append(noun.text.lower())
+            (self.draft.style if not noun.named else self.draft.unknown).append(noun.text.lower())
             return
         word = noun.text.rpartition(" ")[2].lower()
         if noun.definite and word in grammar().lists["parts"] and self._is_link(self.peek(), "prepositions", "of"):

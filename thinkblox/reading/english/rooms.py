@@ -91,6 +91,10 @@ class Rooms(Memberships):
             self._free(noun.value)
             return
         name = noun.value.split()[0]
+        looks = [*noun.attributes, *noun.unshown]
+        if name in ("floor", "wall", "ceiling") and not noun.definite and looks:
+            self.draft.unknown.append(noun.text.lower())
+            return
         if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
             self.draft.openings.append(Gap(name, 0))
         elif name in ("window", "door") and not noun.definite:
