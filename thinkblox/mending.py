@@ -299,8 +299,10 @@ class _Mending:
             return True
         if placement.position == old.position and not before.valid:
             return True
+        if old.support != "floor" or old.position[2] <= ON_FLOOR or placement.support not in self.start:
+            return False
         touched = {c.other for c in before.collisions} | {s.by for s in before.supports}
-        return old.support == "floor" and old.position[2] > ON_FLOOR and placement.support in touched
+        return placement.support in touched or _is_on(self.start, old, self.start[placement.support])
 
     def _take_back_what_broke(self) -> None:
         """Undo the last moves while something fails that was valid at the start."""
