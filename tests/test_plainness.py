@@ -32,7 +32,11 @@ def placed(*names: str) -> Scene:
 
 def test_each_kind_is_named_once_with_what_it_is_like() -> None:
     found = plain_things(placed("crock pot", "bed", "crock pot", "dental throne", "quern"))
-    assert [str(thing) for thing in found] == ["crock pot (size of: slow cooker)", "dental throne (size of: throne)", "quern (size not known)"]
+    assert [str(thing) for thing in found] == [
+        "crock pot (size of: slow cooker)",
+        "dental throne (size of: throne)",
+        "quern (size not known)",
+    ]
     assert found[0].ids == ("crock_pot_1", "crock_pot_3")
     assert [thing.how for thing in found] == ["table", "head", "plain"]
 
@@ -49,6 +53,8 @@ def test_a_guess_by_spelling_says_how_sure_it_is() -> None:
 def test_the_report_and_the_terminal_say_so() -> None:
     room = generate_room("A kitchen with a stove and a crock pot on the stove.", seed=0)
     assert [thing.name for thing in room.report.stand_ins] == ["crock pot"]
-    assert "as plain stand-ins: crock pot (size of: slow cooker)" in printing.summary(room.report, placed=2).splitlines()
+    assert (
+        "as plain stand-ins: crock pot (size of: slow cooker)" in printing.summary(room.report, placed=2).splitlines()
+    )
     assert from_json(to_json(room.report), Report).stand_ins == room.report.stand_ins
     assert room.scene.asset_of(room.scene["crock_pot_1"]).category == "crock_pot"
