@@ -75,7 +75,6 @@ def test_what_is_dropped_is_said(prompt: str, lost: str) -> None:
         "A bedroom for a programmer who never tidies up, with a bed and a desk.",
         "An instagram ready kitchen, so two stools in all, smells like apple pie.",
         "A living room with ample seating, providing a cozy touch: a sofa and two armchairs.",
-        "1950s barber shop, checkerboard floor, chrome and red leather",
     ],
 )
 def test_words_that_ask_for_nothing_are_no_loss(prompt: str) -> None:

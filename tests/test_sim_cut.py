@@ -131,6 +131,14 @@ def test_the_way_round_is_that_of_the_whole_floor(case: tuple[Scene, Placement, 
     assert set(before.cut_off(placement, solid_of(kind))) == lost
 
 
+def test_what_floats_above_a_candidate_falls_on_it() -> None:
+    placed = scene(ROOM, (put(CRATE, 1.0, 1.0, 0.4), CRATE))
+    ball = put(BALL, 1.0, 1.0, id="new_1")
+    cut, whole = World(placed).check([ball], BALL)[0], whole_room(placed).check([ball], BALL)[0]
+    assert "pushes" in whole.reasons
+    assert agree(cut, whole)
+
+
 def test_candidates_do_not_depend_on_each_other() -> None:
     case = step(12, 5)
     together = World(case.scene).check(case.candidates, case.asset)

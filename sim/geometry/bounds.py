@@ -90,6 +90,21 @@ class Neighbours:
                 ahead += more
         return frozenset(found)
 
+    def falling_on(self, boxes: Boxes, margin: float) -> frozenset[str]:
+        """Free objects over these boxes that nothing within `margin` [m] carries: they fall on what is put below."""
+        column, found = boxes.whole(), frozenset[str]()
+        column = Boxes(column.low, np.array([[*column.high[0, :2], np.inf]]))
+        for number in np.flatnonzero(column.meets(self._around, margin)[0]).tolist():
+            id = self._placements[number].id
+            if id not in found and self._floats(number, margin):
+                group = self.hanging_together((id,), margin)
+                if all(self._floats(self._number[other], margin) for other in group):
+                    found |= group
+        return found
+
+    def _floats(self, number: int, margin: float) -> bool:
+        return self._solids[number].asset.free and bool(self._around.low[number, 2] > margin)
+
     def _boxes_of(self, number: int) -> Boxes:
         if number not in self._boxes:
             self._boxes[number] = piece_boxes(self._solids[number], self._placements[number])

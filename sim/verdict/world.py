@@ -300,7 +300,8 @@ class World:
 
     def _within(self, boxes: Boxes, cut: Cut) -> frozenset[str]:
         """The objects that a cut holds."""
-        return self._neighbours.hanging_together(self._neighbours.meetings(boxes, cut.reach), cut.gap)
+        near = self._neighbours.meetings(boxes, cut.reach).keys() | self._neighbours.falling_on(boxes, cut.gap)
+        return self._neighbours.hanging_together(near, cut.gap)
 
     def _stage(self, asset: Asset, there: frozenset[str], awake: bool) -> Stage:
         key = (asset, there, awake)
