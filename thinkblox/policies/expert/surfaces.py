@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea
@@ -26,6 +27,8 @@ OFF = 30.0
 """Cost of reaching over the edge of a round surface."""
 ALIKE = 0.01
 """Lengths that differ by less are the same [m]."""
+EYE_LEVEL = 1.5
+"""What is on something stands on its very top rather than on a shelf, if that is no higher [m]."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -33,6 +36,10 @@ HEADROOM = 0.02
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Places on each surface of the anchor, or inside it, that is large and high enough."""
     surfaces = tuple(s for s in situation.scene.asset_of(anchor).surfaces if _serves(s, tie))
+    low_tops = tuple(s for s in surfaces if s.headroom is None and s.position[2] <= EYE_LEVEL)
+    shelves = facts_of(anchor.category).is_in("shelves")
+    if tie.kind == "on" and not shelves and _room_for_all(low_tops, situation.size, tie):
+        surfaces = low_tops
     shares = SHRINK[:1] if any(situation.target.size) else SHRINK
     for step, share in enumerate(shares):
         size = _scaled(situation.size, share)
