@@ -15,7 +15,7 @@ from thinkblox.assets.palette import (
     STEEL,
     YELLOW_PLASTIC,
 )
-from thinkblox.assets.part import Build, Finish, Part
+from thinkblox.assets.part import Build, Finish, Part, turned
 from thinkblox.assets.shapes import (
     around,
     box,
@@ -29,6 +29,7 @@ from thinkblox.assets.shapes import (
     top_surface,
 )
 from thinkblox.assets.spec import Spec
+from thinkblox.value import Vec3
 
 
 def treadmill(spec: Spec) -> Build:
@@ -112,8 +113,28 @@ def dumbbells(spec: Spec) -> Build:
 
 def bicycle(spec: Spec) -> Build:
     """Return a bicycle on its stand, riding to +x."""
-    x, y, z = spec.size
-    r, paint, parts = min(0.34, 0.33 * z), spec.main(Finish(spec.style.accent.colour, "metal")), []
+    hub, reach = -spec.size[0] / 2 + _wheel_radius(spec.size), (-0.2, 0.2)
+    stand = [rod(IRON, (hub + 0.1, 0, 0.3), (hub + 0.1, y, 0.012), 0.012, sides=8) for y in reach]
+    return Build(body=_bicycle(spec, spec.size) + stand)
+
+
+def wall_bicycle(spec: Spec) -> Build:
+    """Return a bicycle hung flat on a wall by its top tube, riding to +y."""
+    across, length, height = spec.size
+    body = [turned(part, 2, 90.0, (0.0, 0.0, 0.0)) for part in _bicycle(spec, (length, across, height))]
+    hooks = [box(IRON, (-across / 2, 0.03), around(y, 0.03), around(0.76 * height, 0.03)) for y in (0.0, 0.14 * length)]
+    return Build(body=body + hooks)
+
+
+def _wheel_radius(size: Vec3) -> float:
+    return min(0.34, 0.33 * size[2])
+
+
+def _bicycle(spec: Spec, size: Vec3) -> list[Part]:
+    """A bicycle of a size, without a stand, riding to +x."""
+    x, y, z = size
+    r, paint = _wheel_radius(size), spec.main(Finish(spec.style.accent.colour, "metal"))
+    parts: list[Part] = []
     hubs = (-x / 2 + r, x / 2 - r)
     for hub in hubs:
         parts += _wheel(hub, r)
@@ -134,10 +155,9 @@ def bicycle(spec: Spec) -> Build:
         sphere(CHROME, (0.21 * x, 0, z - 0.02), 0.02),
         rod(CHROME, crank, (crank[0] + 0.12, 0.08, 0.2), 0.01, sides=6),
         rod(CHROME, crank, (crank[0] - 0.12, -0.08, 0.36), 0.01, sides=6),
-        *(rod(IRON, (hubs[0] + 0.1, 0, 0.3), (hubs[0] + 0.1, s * 0.2, 0.012), 0.012, sides=8) for s in (-1, 1)),
         box(YELLOW_PLASTIC, around(0.3 * x, 0.04), around(0, 0.05), (0.74 * z, 0.79 * z)),
     ]
-    return Build(body=parts)
+    return parts
 
 
 def _wheel(hub: float, r: float) -> list[Part]:

@@ -174,3 +174,10 @@ def test_a_piano_is_played_from_its_front() -> None:
     keys = [shape for shape in shapes_of(make_asset("piano", seed=0)) if min(shape.colour) > 0.8]
     assert keys
     assert all(shape.position[0] > 0.0 for shape in keys)
+
+
+@pytest.mark.parametrize("name", ["wall_bicycle", "wall_guitar", "wall_surfboard"])
+def test_what_hangs_on_a_wall_lies_flat_against_it(name: str) -> None:
+    asset = make_asset(name, seed=0)
+    assert asset.mount == "wall"
+    assert asset.size[0] < 0.6 * min(asset.size[1:])
