@@ -285,18 +285,7 @@ def piano(spec: Spec) -> Build:
 def guitar(spec: Spec) -> Build:
     """Return a guitar leaning in a stand."""
     x, y, z = spec.size
-    top, dark = spec.main(Finish((0.76, 0.50, 0.26), "wood")), WALNUT
-    upright: list[Part] = []
-    for at, wide, tall in ((0.30, 1.0, 0.36), (0.50, 0.74, 0.28)):
-        outline = [(a, b + at * z) for a, b in oval(wide * y, tall * z, sides=24)]
-        upright.append(prism(top, outline, (-0.05, 0.05), axis=0, smooth=True))
-    upright += [
-        box(dark, (0.045, 0.062), around(0, 0.055), (0.42 * z, 0.88 * z)),
-        box(dark, (0.04, 0.06), around(0, 0.08), (0.88 * z, z)),
-        cylinder(EBONY, (0.05, 0.0512), around(0, 0.1), around(0.47 * z, 0.1), axis=0, collide=False),
-        box(EBONY, (0.05, 0.06), around(0, 0.16), around(0.27 * z, 0.025)),
-    ]
-    lean = [turned(p, 1, -9.0, (0.0, 0.0, 0.1 * z)) for p in upright]
+    lean = [turned(p, 1, -9.0, (0.0, 0.0, 0.1 * z)) for p in _guitar(spec)]
     stand = [
         rod(IRON, (-x / 2 + 0.012, s * 0.32 * y, 0.012), (x / 2 - 0.02, s * 0.32 * y, 0.012), 0.012) for s in (-1, 1)
     ]
@@ -306,6 +295,31 @@ def guitar(spec: Spec) -> Build:
         *(box(IRON, around(0.02, 0.02), around(s * 0.32 * y, 0.02), (0.012, 0.1 * z)) for s in (-1, 1)),
     ]
     return Build(body=lean + stand)
+
+
+def wall_guitar(spec: Spec) -> Build:
+    """Return a guitar hung by its head from a hook on the wall."""
+    z = spec.size[2]
+    hook = box(IRON, (-0.08, 0.05), around(0, 0.04), around(0.86 * z, 0.02))
+    plate = box(WALNUT, (-0.1, -0.08), around(0, 0.09), around(0.86 * z, 0.12))
+    return Build(body=[*_guitar(spec), hook, plate])
+
+
+def _guitar(spec: Spec) -> list[Part]:
+    """A guitar standing upright, its strings to +x."""
+    _, y, z = spec.size
+    top, dark = spec.main(Finish((0.76, 0.50, 0.26), "wood")), WALNUT
+    parts: list[Part] = []
+    for at, wide, tall in ((0.30, 1.0, 0.36), (0.50, 0.74, 0.28)):
+        outline = [(a, b + at * z) for a, b in oval(wide * y, tall * z, sides=24)]
+        parts.append(prism(top, outline, (-0.05, 0.05), axis=0, smooth=True))
+    parts += [
+        box(dark, (0.045, 0.062), around(0, 0.055), (0.42 * z, 0.88 * z)),
+        box(dark, (0.04, 0.06), around(0, 0.08), (0.88 * z, z)),
+        cylinder(EBONY, (0.05, 0.0512), around(0, 0.1), around(0.47 * z, 0.1), axis=0, collide=False),
+        box(EBONY, (0.05, 0.06), around(0, 0.16), around(0.27 * z, 0.025)),
+    ]
+    return parts
 
 
 def drum_kit(spec: Spec) -> Build:

@@ -9,12 +9,10 @@ WALL_MOUNTED, HANGING = "wall-mounted", "hanging"
 _CAN_HANG = frozenset(
     {
         "bedside_cabinet",
-        "bicycle",
         "bookcase",
         "cabinet",
         "credenza",
         "dresser",
-        "guitar",
         "monitor",
         "nightstand",
         "shelving_unit",

@@ -15,7 +15,7 @@ from thinkblox.assets.palette import (
     STEEL,
     YELLOW_PLASTIC,
 )
-from thinkblox.assets.part import Build, Finish, Part
+from thinkblox.assets.part import Build, Finish, Part, turned
 from thinkblox.assets.shapes import (
     around,
     box,
@@ -29,30 +29,31 @@ from thinkblox.assets.shapes import (
     top_surface,
 )
 from thinkblox.assets.spec import Spec
+from thinkblox.value import Vec3
 
 
 def treadmill(spec: Spec) -> Build:
-    """Return a treadmill; its console is at -x, the runner steps on from +x."""
+    """Return a treadmill; its console is at +x, where the runner looks, who steps on from -x."""
     x, y, z = spec.size
     body = [
-        box(DARK_PLASTIC, (-x / 2 + 0.2, x / 2), around(0, 0.62 * y), (0.1, 0.17)),
-        box(BLACK_PLASTIC, (-x / 2 + 0.25, x / 2 - 0.02), around(0, 0.56 * y), (0.17, 0.174)),
-        *(box(GREY_METAL, (-x / 2 + 0.1, x / 2), (s * 0.31 * y, s * 0.44 * y), (0.06, 0.19)) for s in (-1, 1)),
-        cushion(DARK_PLASTIC, (-x / 2, -x / 2 + 0.34), around(0, 0.9 * y), (0.03, 0.28), radius=0.05),
+        box(DARK_PLASTIC, (-x / 2, x / 2 - 0.2), around(0, 0.62 * y), (0.1, 0.17)),
+        box(BLACK_PLASTIC, (-x / 2 + 0.02, x / 2 - 0.25), around(0, 0.56 * y), (0.17, 0.174)),
+        *(box(GREY_METAL, (-x / 2, x / 2 - 0.1), (s * 0.31 * y, s * 0.44 * y), (0.06, 0.19)) for s in (-1, 1)),
+        cushion(DARK_PLASTIC, (x / 2 - 0.34, x / 2), around(0, 0.9 * y), (0.03, 0.28), radius=0.05),
         *(
             box(BLACK_PLASTIC, around(a, 0.1), around(s * 0.375 * y, 0.08), (0, 0.06))
-            for a in (-x / 2 + 0.3, x / 2 - 0.1)
+            for a in (x / 2 - 0.3, 0.1 - x / 2)
             for s in (-1, 1)
         ),
         *(
-            leg(GREY_METAL, (-x / 2 + 0.2, s * 0.42 * y), (-x / 2 + 0.1, s * 0.42 * y), (0.2, z - 0.16), 0.07, 0.05)
+            leg(GREY_METAL, (x / 2 - 0.2, s * 0.42 * y), (x / 2 - 0.1, s * 0.42 * y), (0.2, z - 0.16), 0.07, 0.05)
             for s in (-1, 1)
         ),
-        cushion(DARK_PLASTIC, (-x / 2 + 0.04, -x / 2 + 0.16), around(0, y), (z - 0.3, z), radius=0.03),
-        box(SCREEN, (-x / 2 + 0.16, -x / 2 + 0.162), around(0, 0.5 * y), (z - 0.24, z - 0.06), collide=False),
+        cushion(DARK_PLASTIC, (x / 2 - 0.16, x / 2 - 0.04), around(0, y), (z - 0.3, z), radius=0.03),
+        box(SCREEN, (x / 2 - 0.162, x / 2 - 0.16), around(0, 0.5 * y), (z - 0.24, z - 0.06), collide=False),
         *(
             cylinder(
-                BLACK_PLASTIC, (-x / 2 + 0.1, -x / 2 + 0.6), around(s * 0.45 * y, 0.04), around(z - 0.28, 0.04), axis=0
+                BLACK_PLASTIC, (x / 2 - 0.6, x / 2 - 0.1), around(s * 0.45 * y, 0.04), around(z - 0.28, 0.04), axis=0
             )
             for s in (-1, 1)
         ),
@@ -61,29 +62,29 @@ def treadmill(spec: Spec) -> Build:
 
 
 def exercise_bike(spec: Spec) -> Build:
-    """Return an exercise bike, ridden towards -x."""
+    """Return an exercise bike, ridden towards +x."""
     x, y, z = spec.size
-    front = -x / 2
+    front = x / 2
     body = [
-        *(box(GREY_METAL, around(a, 0.06), (-y / 2, y / 2), (0, 0.06)) for a in (front + 0.08, x / 2 - 0.08)),
-        box(GREY_METAL, (front + 0.08, x / 2 - 0.08), around(0, 0.06), (0.06, 0.12)),
-        cylinder(DARK_PLASTIC, around(front + 0.3, 0.46), around(0, 0.1), (0.1, 0.56), axis=1),
-        cylinder(STEEL, around(front + 0.3, 0.3), around(0, 0.11), (0.18, 0.48), axis=1),
-        rod(DARK_PLASTIC, (front + 0.36, 0, 0.4), (front + 0.22, 0, z - 0.1), 0.035),
-        rod(DARK_PLASTIC, (x / 2 - 0.36, 0, 0.1), (x / 2 - 0.22, 0, 0.72 * z), 0.035),
-        cushion(CHARCOAL_WOOL, (x / 2 - 0.38, x / 2 - 0.1), around(0, 0.24), (0.72 * z, 0.78 * z), radius=0.03),
-        cylinder(BLACK_PLASTIC, around(front + 0.2, 0.035), around(0, 0.9 * y), around(z - 0.12, 0.035), axis=1),
-        box(BLACK_GLASS, (front + 0.18, front + 0.21), around(0, 0.22), (z - 0.12, z)),
+        *(box(GREY_METAL, around(a, 0.06), (-y / 2, y / 2), (0, 0.06)) for a in (front - 0.08, 0.08 - x / 2)),
+        box(GREY_METAL, (0.08 - x / 2, front - 0.08), around(0, 0.06), (0.06, 0.12)),
+        cylinder(DARK_PLASTIC, around(front - 0.3, 0.46), around(0, 0.1), (0.1, 0.56), axis=1),
+        cylinder(STEEL, around(front - 0.3, 0.3), around(0, 0.11), (0.18, 0.48), axis=1),
+        rod(DARK_PLASTIC, (front - 0.36, 0, 0.4), (front - 0.22, 0, z - 0.1), 0.035),
+        rod(DARK_PLASTIC, (0.36 - x / 2, 0, 0.1), (0.22 - x / 2, 0, 0.72 * z), 0.035),
+        cushion(CHARCOAL_WOOL, (0.1 - x / 2, 0.38 - x / 2), around(0, 0.24), (0.72 * z, 0.78 * z), radius=0.03),
+        cylinder(BLACK_PLASTIC, around(front - 0.2, 0.035), around(0, 0.9 * y), around(z - 0.12, 0.035), axis=1),
+        box(BLACK_GLASS, (front - 0.21, front - 0.18), around(0, 0.22), (z - 0.12, z)),
         *(
-            rod(DARK_PLASTIC, (front + 0.2, s * 0.4 * y, z - 0.12), (front + 0.4, s * 0.4 * y, z - 0.06), 0.017)
+            rod(DARK_PLASTIC, (front - 0.2, s * 0.4 * y, z - 0.12), (front - 0.4, s * 0.4 * y, z - 0.06), 0.017)
             for s in (-1, 1)
         ),
         *(
-            box(BLACK_PLASTIC, around(-0.02 + s * 0.14, 0.1), (s * 0.08, s * 0.2), around(0.3 + s * 0.08, 0.025))
+            box(BLACK_PLASTIC, around(0.02 - s * 0.14, 0.1), (s * 0.08, s * 0.2), around(0.3 + s * 0.08, 0.025))
             for s in (-1, 1)
         ),
-        rod(GREY_METAL, (-0.16, 0, 0.22), (0.12, 0, 0.38), 0.018),
-        box(DARK_PLASTIC, (front + 0.3, x / 2 - 0.3), around(0, 0.07), (0.22, 0.36)),
+        rod(GREY_METAL, (0.16, 0, 0.22), (-0.12, 0, 0.38), 0.018),
+        box(DARK_PLASTIC, (0.3 - x / 2, front - 0.3), around(0, 0.07), (0.22, 0.36)),
     ]
     return Build(body=body)
 
@@ -112,8 +113,28 @@ def dumbbells(spec: Spec) -> Build:
 
 def bicycle(spec: Spec) -> Build:
     """Return a bicycle on its stand, riding to +x."""
-    x, y, z = spec.size
-    r, paint, parts = min(0.34, 0.33 * z), spec.main(Finish(spec.style.accent.colour, "metal")), []
+    hub, reach = -spec.size[0] / 2 + _wheel_radius(spec.size), (-0.2, 0.2)
+    stand = [rod(IRON, (hub + 0.1, 0, 0.3), (hub + 0.1, y, 0.012), 0.012, sides=8) for y in reach]
+    return Build(body=_bicycle(spec, spec.size) + stand)
+
+
+def wall_bicycle(spec: Spec) -> Build:
+    """Return a bicycle hung flat on a wall by its top tube, riding to +y."""
+    across, length, height = spec.size
+    body = [turned(part, 2, 90.0, (0.0, 0.0, 0.0)) for part in _bicycle(spec, (length, across, height))]
+    hooks = [box(IRON, (-across / 2, 0.03), around(y, 0.03), around(0.76 * height, 0.03)) for y in (0.0, 0.14 * length)]
+    return Build(body=body + hooks)
+
+
+def _wheel_radius(size: Vec3) -> float:
+    return min(0.34, 0.33 * size[2])
+
+
+def _bicycle(spec: Spec, size: Vec3) -> list[Part]:
+    """A bicycle of a size, without a stand, riding to +x."""
+    x, y, z = size
+    r, paint = _wheel_radius(size), spec.main(Finish(spec.style.accent.colour, "metal"))
+    parts: list[Part] = []
     hubs = (-x / 2 + r, x / 2 - r)
     for hub in hubs:
         parts += _wheel(hub, r)
@@ -134,10 +155,9 @@ def bicycle(spec: Spec) -> Build:
         sphere(CHROME, (0.21 * x, 0, z - 0.02), 0.02),
         rod(CHROME, crank, (crank[0] + 0.12, 0.08, 0.2), 0.01, sides=6),
         rod(CHROME, crank, (crank[0] - 0.12, -0.08, 0.36), 0.01, sides=6),
-        *(rod(IRON, (hubs[0] + 0.1, 0, 0.3), (hubs[0] + 0.1, s * 0.2, 0.012), 0.012, sides=8) for s in (-1, 1)),
         box(YELLOW_PLASTIC, around(0.3 * x, 0.04), around(0, 0.05), (0.74 * z, 0.79 * z)),
     ]
-    return Build(body=parts)
+    return parts
 
 
 def _wheel(hub: float, r: float) -> list[Part]:

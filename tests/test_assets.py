@@ -160,3 +160,24 @@ def test_errors_say_what_to_do() -> None:
         make_asset("bed", seed=0, size=(2.0, 9.0, 1.0))
     with pytest.raises(InputError, match="negative"):
         make_asset("bed", seed=-1)
+
+
+@pytest.mark.parametrize("name", ["treadmill", "exercise_bike", "rowing_machine"])
+def test_who_trains_looks_over_the_front(name: str) -> None:
+    """The console or the highest part of it is before the middle."""
+    asset = make_asset(name, seed=0)
+    highest = max(shapes_of(asset), key=lambda shape: extent(shape)[1][2])
+    assert highest.position[0] > 0.15 * asset.size[0]
+
+
+def test_a_piano_is_played_from_its_front() -> None:
+    keys = [shape for shape in shapes_of(make_asset("piano", seed=0)) if min(shape.colour) > 0.8]
+    assert keys
+    assert all(shape.position[0] > 0.0 for shape in keys)
+
+
+@pytest.mark.parametrize("name", ["wall_bicycle", "wall_guitar", "wall_surfboard"])
+def test_what_hangs_on_a_wall_lies_flat_against_it(name: str) -> None:
+    asset = make_asset(name, seed=0)
+    assert asset.mount == "wall"
+    assert asset.size[0] < 0.6 * min(asset.size[1:])

@@ -189,6 +189,14 @@ OWN = {
         "1 bed, 1 nightstand, 1 table_lamp, 1 wardrobe",
         "nightstand left_of bed, table_lamp on nightstand, wardrobe right_of bed",
     ),
+    "A lamp on the floor, a bicycle hanging on the wall and a guitar on the wall.": (
+        "1 floor_lamp, 1 wall_bicycle, 1 wall_guitar",
+        "floor_lamp on floor, wall_bicycle on wall, wall_guitar on wall",
+    ),
+    "A bicycle against the wall.": (
+        "1 bicycle",
+        "bicycle against_wall wall",
+    ),
     "A sofa with a side table on each side and a lamp on each side table.": (
         "1 sofa, 2 side_table, 2 table_lamp",
         "side_table left_of sofa, side_table right_of sofa, table_lamp on side_table",

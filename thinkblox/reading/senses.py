@@ -24,8 +24,8 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     facts = {
         "attr": {*thing.attributes, *(["hanging"] if hung else [])},
         "room": {room},
-        "rel": {_relation(b) for b in bonds if b.subject is thing},
-        "to": {a.noun for b in bonds if b.subject is thing for a in b.anchors if isinstance(a, Mention)},
+        "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
+        "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
         "has": company,
     }
@@ -35,12 +35,12 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     return thing.noun
 
 
-def _relation(bond: Bond) -> str:
-    """The relation by which a sense is known; what hangs on a wall is against it."""
+def _relations(bond: Bond) -> tuple[str, ...]:
+    """The relations by which a sense is known; what hangs on a wall is against it too."""
     on_wall = (
         bond.kind == "on" and bond.anchors and isinstance(bond.anchors[0], str) and bond.anchors[0].endswith("wall")
     )
-    return "against_wall" if on_wall else str(bond.kind)
+    return ("on_wall", "against_wall") if on_wall else (str(bond.kind),)
 
 
 def _holds(condition: str, facts: dict[str, set[str]], thing: Mention) -> bool:
