@@ -94,3 +94,39 @@ def test_english_is_known_by_its_words_and_polish_is_not() -> None:
     assert read_brief("haunted victorian parlour, halloween party tonight").language == "en"
     with pytest.raises(InputError, match="hardly a word"):
         read_brief("W pokoju stoi duże łóżko, szafa i biurko z lampą przy oknie.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "unread", "things"),
+    [
+        (
+            "A room with a bed, a dresser taller than the wardrobe.",
+            "taller than the wardrobe",
+            "bed dresser wardrobe",
+        ),
+        ("A room with a sofa and a desk twice as long as the sofa.", "twice as long as the sofa", "sofa desk"),
+        ("A room with a sofa and a cat sleeping on the sofa.", "a cat sleeping on the sofa", "sofa"),
+        ("A room with a sofa. My cat sleeps on the sofa.", "My cat sleeps on the sofa", "sofa"),
+        ("A room with a sofa and the toilet lid up.", "lid up", "sofa toilet"),
+        ("A room with a desk, drawer open.", "drawer open", "desk"),
+        ("A room with walls painted dark blue and a sofa.", "walls painted dark blue", "sofa"),
+        ("A room with a sofa. Budget is 2000 euros.", "2000 euros", "sofa"),
+        ("A room with a tv 1.5 m above the floor.", "1.5 m above the floor", "tv"),
+    ],
+)
+def test_what_no_room_shows_is_said_and_never_becomes_a_thing(prompt: str, unread: str, things: str) -> None:
+    brief = read_brief(prompt)
+    assert unread in brief.unknown
+    assert {r.category for r in brief.requests if r.asked} == set(things.split())
+    assert all(r.size == (None, None, None) for r in brief.requests)
+
+
+@pytest.mark.parametrize("prompt", ["A room with a cat bed and a dog bowl.", "A room with a sofa, rather than a bed."])
+def test_things_named_after_an_animal_stay_things(prompt: str) -> None:
+    assert not read_brief(prompt).unknown
+
+
+@pytest.mark.parametrize("prompt", ["!!! ... ??? ,,,", "12 3 4.5 7 100"])
+def test_a_prompt_without_words_is_told_that_it_has_none(prompt: str) -> None:
+    with pytest.raises(InputError, match="no words"):
+        read_brief(prompt)
