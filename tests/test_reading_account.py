@@ -130,3 +130,14 @@ def test_things_named_after_an_animal_stay_things(prompt: str) -> None:
 def test_a_prompt_without_words_is_told_that_it_has_none(prompt: str) -> None:
     with pytest.raises(InputError, match="no words"):
         read_brief(prompt)
+
+
+def test_words_with_a_slip_are_read_as_the_word_that_was_meant_and_said() -> None:
+    brief = read_brief("Pls make me a bedrom with a wardrob and a lamp next too the bed thx!!")
+    assert brief.room_type == "bedroom"
+    assert {r.category for r in brief.requests if r.asked} >= {"wardrobe", "bed"}
+    assert brief.unknown == ("bedrom (read as bedroom)", "wardrob (read as wardrobe)")
+
+
+def test_some_is_a_plain_determiner() -> None:
+    assert read_brief("A study with some paintings and a desk.").unknown == ()
