@@ -110,6 +110,9 @@ def test_english_is_known_by_its_words_and_polish_is_not() -> None:
         ("A room with a sofa and the toilet lid up.", "lid up", "sofa toilet"),
         ("A room with a desk, drawer open.", "drawer open", "desk"),
         ("A room with walls painted dark blue and a sofa.", "walls painted dark blue", "sofa"),
+        ("A room with a sofa. The walls are blue.", "walls are blue", "sofa"),
+        ("A room with a sofa and a dog asleep on a rug.", "a dog asleep on", "sofa rug"),
+        ("A room with a man sitting on a sofa.", "a man", "sofa"),
         ("A room with a sofa. Budget is 2000 euros.", "2000 euros", "sofa"),
         ("A room with a tv 1.5 m above the floor.", "1.5 m above the floor", "tv"),
     ],
@@ -141,3 +144,10 @@ def test_words_with_a_slip_are_read_as_the_word_that_was_meant_and_said() -> Non
 
 def test_some_is_a_plain_determiner() -> None:
     assert read_brief("A study with some paintings and a desk.").unknown == ()
+
+
+@pytest.mark.parametrize("first", ["A bedroom with one door", "A bedroom with a bed"])
+def test_the_wall_of_the_door_may_be_said_in_a_sentence_of_its_own(first: str) -> None:
+    brief = read_brief(f"{first}. The door is on the north wall.")
+    assert [(gap.kind, gap.wall, gap.count) for gap in brief.openings] == [("door", "north_wall", 1)]
+    assert brief.unknown == ()

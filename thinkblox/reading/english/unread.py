@@ -5,6 +5,8 @@ They are cut out as a whole, so that no word of them becomes a thing or a size, 
 
 from collections.abc import Sequence
 
+from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.repaint import MATERIALS
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
 
@@ -12,8 +14,9 @@ _LONGEST = 10
 """Most tokens of a stretch."""
 _NO_COMPARATIVES = ("rather", "other", "fewer", "either", "higher", "whether", "larger number")
 """Words on "er" before "than" that the grammar has, or that compare nothing."""
+_SHADES = ("dark", "light", "pale", "bright", "deep", "all", "painted", "made")
 _UNPAINTED = ("in", "with", "on")
-_OWNED = ("for", "of", "by", "from", "like", "with")
+_OWNED = ("for", "of", "by", "from", "like")
 """Words before an animal that is not itself to be in the room: "a picture of a dog"."""
 
 
@@ -79,10 +82,15 @@ def _state(words: list[str]) -> int:
 
 
 def _painted(words: list[str]) -> int:
-    """Read "walls painted dark blue"."""
-    fits = len(words) > 2 and words[0] in ("wall", "walls", "ceiling", "ceilings", "floor", "floors", "floorboards")
-    painted = fits and words[1] in ("painted", "papered", "wallpapered", "tiled", "panelled", "paneled", "carpeted")
-    return 2 if painted and words[2] not in _UNPAINTED else 0
+    """Read "walls painted dark blue", "the walls are blue"."""
+    if not words or words[0] not in ("wall", "walls", "ceiling", "ceilings", "floor", "floors", "floorboards"):
+        return 0
+    at = 2 if words[1:2] in (["is"], ["are"]) else 1
+    painted = words[at : at + 1] and words[at] in ("painted", "papered", "wallpapered", "tiled", "panelled", "carpeted")
+    if painted:
+        return at + 1 if at + 1 < len(words) and words[at + 1] not in _UNPAINTED else 0
+    shade = words[at + 1 : at + 2] if words[at : at + 1] and words[at] in _SHADES else words[at : at + 1]
+    return at + 1 if at == 2 and shade and (shade[0] in COLOURS or shade[0] in MATERIALS) else 0
 
 
 def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
@@ -96,8 +104,8 @@ def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
         return start + 1
     if after >= len(tokens) or tokens[after].kind == "mark" or grammar().at(tokens, after, "joins"):
         return start + 1
-    doing = grammar().at(tokens, after, "verbs", "participles", "prepositions") or words[start + 1].endswith("ing")
-    return _to_end(tokens, at, start + 1) if doing else 0
+    doing = grammar().at(tokens, after, "verbs", "participles", "prepositions", "states")
+    return _to_end(tokens, at, start + 1) if doing or tokens[after].text.endswith("ing") else 0
 
 
 def _ends(words: list[str], at: int) -> bool:
@@ -106,10 +114,10 @@ def _ends(words: list[str], at: int) -> bool:
 
 
 def _to_end(tokens: Sequence[Token], at: int, length: int) -> int:
-    """The length up to the next mark, "and" or "with"."""
+    """The length up to the next mark, "and" or "with", or to a thing that is new."""
     end = at + length
     while end < min(len(tokens), at + _LONGEST) and tokens[end].kind != "mark":
-        if grammar().at(tokens, end, "joins") or tokens[end].text == "with":
+        if grammar().at(tokens, end, "joins") or tokens[end].text in ("with", "a", "an"):
             break
         end += 1
     return end - at
