@@ -93,3 +93,60 @@ def test_english_is_known_by_its_words_and_polish_is_not() -> None:
     assert read_brief("haunted victorian parlour, halloween party tonight").language == "en"
     with pytest.raises(InputError, match="hardly a word"):
         read_brief("W pokoju stoi duże łóżko, szafa i biurko z lampą przy oknie.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "unread", "things"),
+    [
+        (
+            "A room with a bed, a dresser taller than the wardrobe.",
+            "taller than the wardrobe",
+            "bed dresser wardrobe",
+        ),
+        ("A room with a sofa and a desk twice as long as the sofa.", "twice as long as the sofa", "sofa desk"),
+        ("A room with a sofa and a cat sleeping on the sofa.", "a cat sleeping on the sofa", "sofa"),
+        ("A room with a sofa. My cat sleeps on the sofa.", "My cat sleeps on the sofa", "sofa"),
+        ("A room with a sofa and the toilet lid up.", "lid up", "sofa toilet"),
+        ("A room with a desk, drawer open.", "drawer open", "desk"),
+        ("A room with walls painted dark blue and a sofa.", "walls painted dark blue", "sofa"),
+        ("A room with a sofa. The walls are blue.", "walls are blue", "sofa"),
+        ("A room with a sofa and a dog asleep on a rug.", "a dog asleep on", "sofa rug"),
+        ("A room with a man sitting on a sofa.", "a man", "sofa"),
+        ("A room with a sofa. Budget is 2000 euros.", "2000 euros", "sofa"),
+        ("A room with a tv 1.5 m above the floor.", "1.5 m above the floor", "tv"),
+    ],
+)
+def test_what_no_room_shows_is_said_and_never_becomes_a_thing(prompt: str, unread: str, things: str) -> None:
+    brief = read_brief(prompt)
+    assert unread in brief.unknown
+    assert {r.category for r in brief.requests if r.asked} == set(things.split())
+    assert all(r.size == (None, None, None) for r in brief.requests)
+
+
+@pytest.mark.parametrize("prompt", ["A room with a cat bed and a dog bowl.", "A room with a sofa, rather than a bed."])
+def test_things_named_after_an_animal_stay_things(prompt: str) -> None:
+    assert not read_brief(prompt).unknown
+
+
+@pytest.mark.parametrize("prompt", ["!!! ... ??? ,,,", "12 3 4.5 7 100"])
+def test_a_prompt_without_words_is_told_that_it_has_none(prompt: str) -> None:
+    with pytest.raises(InputError, match="no words"):
+        read_brief(prompt)
+
+
+def test_words_with_a_slip_are_read_as_the_word_that_was_meant_and_said() -> None:
+    brief = read_brief("Pls make me a bedrom with a wardrob and a lamp next too the bed thx!!")
+    assert brief.room_type == "bedroom"
+    assert {r.category for r in brief.requests if r.asked} >= {"wardrobe", "bed"}
+    assert brief.unknown == ("bedrom (read as bedroom)", "wardrob (read as wardrobe)")
+
+
+def test_some_is_a_plain_determiner() -> None:
+    assert read_brief("A study with some paintings and a desk.").unknown == ()
+
+
+@pytest.mark.parametrize("first", ["A bedroom with one door", "A bedroom with a bed"])
+def test_the_wall_of_the_door_may_be_said_in_a_sentence_of_its_own(first: str) -> None:
+    brief = read_brief(f"{first}. The door is on the north wall.")
+    assert [(gap.kind, gap.wall, gap.count) for gap in brief.openings] == [("door", "north_wall", 1)]
+    assert brief.unknown == ()

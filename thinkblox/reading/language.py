@@ -16,6 +16,8 @@ _SAMPLE = 2_000
 def lexicon_of(prompt: str) -> Lexicon:
     """The lexicon of the prompt's language; raises InputError when hardly a word is known in any."""
     sample = prompt[:_SAMPLE]
+    if not any(character.isalpha() for character in prompt):
+        raise InputError("the prompt has no words; say in words what the room is and what is in it")
     best, found = 0.0, load(ENGLISH)
     for code in LANGUAGES:
         lexicon = load(code)

@@ -7,6 +7,7 @@ from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
 from thinkblox.reading.english.familiar import known_share
+from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -22,7 +23,11 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
     tokens = _spelt_out(lexicon.tokens(text))
-    return Clauses(tokens, cut(lexicon, tokens)).read()
+    meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
+    tokens = [replace(token, text=word or token.text) for token, word in zip(tokens, meant, strict=True)]
+    draft = Clauses(tokens, cut(lexicon, tokens)).read()
+    draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
+    return draft
 
 
 def _spelt_out(tokens: list[Token]) -> list[Token]:

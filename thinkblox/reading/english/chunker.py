@@ -6,6 +6,7 @@ from functools import cached_property
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
+from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -68,6 +69,9 @@ class Cutter:
         token = self.tokens[self.at]
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
+        if (unread := unread_at(self.tokens, self.at)) and not self._is_said_of_it():
+            text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
+            return Stray(self.at, self.at + unread, text)
         if self._is_decade():
             return Connector("fillers", "words", self.at, self.at + 2, token.shown)
         if token.kind == "mark":
@@ -89,6 +93,11 @@ class Cutter:
             if found is not None:
                 return Measured(found[0], self.at, found[1])
         return self._words()
+
+    def _is_said_of_it(self) -> bool:
+        """Whether what comes is to be left as it is: "leave the door open"."""
+        last = self.made[-1] if self.made else None
+        return isinstance(last, Connector) and last.value == "leave"
 
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""

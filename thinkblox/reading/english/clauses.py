@@ -43,7 +43,10 @@ class Clauses(Pronouns):
         if len(stray.text) == 1 or grammar().knows(stray.text.lower().replace("'", ""), "determiners", "pronouns"):
             self.account.mark(stray.start, stray.end, "filler")
         else:
+            following = self.peek()
             self._lose(stray.start, stray.end)
+            if isinstance(following, Noun) and self.account.text(stray.start, stray.end).endswith((" than", " as")):
+                self.draft.unknown[-1] = self.account.text(stray.start, following.end)
 
     def _link(self, link: Connector) -> None:
         match link.sort:

@@ -5,6 +5,7 @@ from thinkblox.assets.repaint import MATERIALS
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.heads import Heads
+from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
 _NAMES = 5
@@ -77,12 +78,16 @@ class PhraseReader(Heads):
     def _units(self, noun: Noun, at: int, units: Units) -> int:
         if noun.ordinal and grammar().at(self.tokens, at, "verbs", "participles") is not None:
             return at
-        while at < len(self.tokens) and self.tokens[at].kind != "mark":
+        while at < len(self.tokens) and self.tokens[at].kind != "mark" and not self._is_unread(at):
             length = self._unit(noun, at, units)
             if not length:
                 break
             at += length
         return at
+
+    def _is_unread(self, at: int) -> bool:
+        """Whether words begin that nothing is made of; an animal after other words names a thing: "a porcelain dog"."""
+        return bool(unread_at(self.tokens, at)) and self.tokens[at].text not in grammar().lists["animals"]
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""

@@ -73,6 +73,8 @@ class Quantities(Words):
         if self.size_at(at) is not None:
             return 0
         number = self._number(at + skip)
+        if number is None and self.tokens[at].text == "some" and skip == 1 and self._starts_noun(at + 1):
+            return 1
         if number is None:
             return 0 if quantifier else self._vague(noun, at)
         value, length = number

@@ -81,6 +81,10 @@ class Rooms(Memberships):
         return first is not None and first.value == "colon"
 
     def _people(self, noun: Noun) -> None:
+        counted = noun.det == "a" or noun.count is not None
+        if counted and self._is_link(self.peek(), "participles", "stand"):
+            self._lose(noun.start, noun.end)
+            return
         if noun.count and not self.draft.things and not noun.each:
             self.draft.people = noun.count
         if noun.count and not self.frontier and not self.clause.members:
@@ -97,6 +101,12 @@ class Rooms(Memberships):
             return
         if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
             self.draft.openings.append(Gap(name, 0))
+        elif name in ("window", "door") and noun.definite and self._stands_on_wall():
+            self.at += 1
+            same = [gap for gap in self.draft.openings if gap.kind == name and gap.count]
+            self.opening = same[-1] if same else Gap(name, noun.count or (2 if noun.plural else 1))
+            self.draft.openings += [] if same else [self.opening]
+            self.frontier = []
         elif name in ("window", "door") and not noun.definite:
             self.opening = Gap(name, noun.count or (2 if noun.plural else 1))
             self.draft.openings.append(self.opening)
@@ -109,6 +119,12 @@ class Rooms(Memberships):
             wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Connector)
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
                 self.front = [Awaited(Where("on", noun), Meaning("on", (name,)))]
+
+    def _stands_on_wall(self) -> bool:
+        """Whether what comes says which wall an opening is in: "the door is on the north wall"."""
+        wall = self._next_noun(2)
+        said = self._is_link(self.peek(), "verbs", "be") and self._is_link(self.peek(1), "prepositions", "on", "in")
+        return said and wall is not None and wall.kind == "place" and wall.value.endswith("_wall")
 
     def _verb_ahead(self) -> Connector | None:
         """The verb that a place before it is the subject of: "the wall behind it bears six posters"."""

@@ -1,0 +1,123 @@
+"""Stretches of words that ask for what no room shows: comparisons, money, animals, states of parts, painted walls.
+
+They are cut out as a whole, so that no word of them becomes a thing or a size, and are said not to be understood.
+"""
+
+from collections.abc import Sequence
+
+from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.repaint import MATERIALS
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.tokens import Token
+
+_LONGEST = 10
+"""Most tokens of a stretch."""
+_NO_COMPARATIVES = ("rather", "other", "fewer", "either", "higher", "whether", "larger number")
+"""Words on "er" before "than" that the grammar has, or that compare nothing."""
+_SHADES = ("dark", "light", "pale", "bright", "deep", "all", "painted", "made")
+_UNPAINTED = ("in", "with", "on")
+_OWNED = ("for", "of", "by", "from", "like")
+"""Words before an animal that is not itself to be in the room: "a picture of a dog"."""
+
+
+def unread_at(tokens: Sequence[Token], at: int) -> int:
+    """How many tokens a stretch that begins at `at` has; 0 where none does."""
+    words = [token.text for token in tokens[at : at + _LONGEST]]
+    for reader in (_comparison, _money, _height, _state, _painted):
+        if length := reader(words):
+            return _to_end(tokens, at, length) if reader is _painted else length
+    before = tokens[at - 1].text if at else ""
+    return _animal(tokens, at, words) if before not in _OWNED else 0
+
+
+def _is_in(word: str, name: str) -> bool:
+    return word in grammar().lists[name]
+
+
+def _comparison(words: list[str]) -> int:
+    """Read "taller than", "twice as long as", "more comfortable than", "the same height as"."""
+    if len(words) > 1 and words[1] == "than" and words[0].endswith("er") and words[0] not in _NO_COMPARATIVES:
+        return 2
+    if words[:1] in (["more"], ["less"]) and words[2:3] == ["than"] and words[1] != "or":
+        return 3
+    same = words[1:] if words[:1] == ["the"] else words
+    if same[:1] == ["same"] and same[2:3] == ["as"] and _is_in(same[1], "measures_of_things"):
+        return 3 + len(words) - len(same)
+    for start in range(3):
+        if words[start : start + 1] == ["as"] and words[start + 2 : start + 3] == ["as"]:
+            fits = all(_is_in(word, "times") or word.isdigit() for word in words[:start])
+            return start + 3 if fits and _is_in(words[start + 1], "comparable") else 0
+    return 0
+
+
+def _money(words: list[str]) -> int:
+    """Read "2000 euros", "€ 2000"."""
+    if len(words) > 1 and words[0] in ("€", "$", "£") and words[1][:1].isdigit():
+        return 2
+    if words[:1] and words[0][:1].isdigit():
+        for end in (1, 2):
+            if end < len(words) and (words[end] in ("€", "$", "£") or _is_in(words[end], "money")):
+                return end + 1
+    return 0
+
+
+def _height(words: list[str]) -> int:
+    """Read "1.5 m above the floor"."""
+    if not words or not words[0][:1].isdigit():
+        return 0
+    for at in (2, 3):
+        rest = words[at : at + 3]
+        if rest[:1] and rest[0] in ("above", "off", "from", "over", "below"):
+            ends = rest[1:] if rest[1:2] != ["the"] else rest[2:]
+            return at + len(rest) - len(ends) + 1 if ends[:1] and ends[0] in ("floor", "ground", "ceiling") else 0
+    return 0
+
+
+def _state(words: list[str]) -> int:
+    """Read "lid up", "drawer open"; "the tap running" is a tap."""
+    if words[:1] == ["running"]:
+        return 1 if _ends(words, 1) else 0
+    fits = len(words) > 1 and _is_in(words[0], "movable") and _is_in(words[1], "moved")
+    return 2 if fits and _ends(words, 2) else 0
+
+
+def _painted(words: list[str]) -> int:
+    """Read "walls painted dark blue", "the walls are blue"."""
+    if not words or words[0] not in ("wall", "walls", "ceiling", "ceilings", "floor", "floors", "floorboards"):
+        return 0
+    at = 2 if words[1:2] in (["is"], ["are"]) else 1
+    painted = words[at : at + 1] and words[at] in ("painted", "papered", "wallpapered", "tiled", "panelled", "carpeted")
+    if painted:
+        return at + 1 if at + 1 < len(words) and words[at + 1] not in _UNPAINTED else 0
+    shade = words[at + 1 : at + 2] if words[at : at + 1] and words[at] in _SHADES else words[at : at + 1]
+    return at + 1 if at == 2 and shade and (shade[0] in COLOURS or shade[0] in MATERIALS) else 0
+
+
+def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
+    """Read "a cat sleeping on the sofa", not "a cat bed"."""
+    first = grammar().at(tokens, at, "determiners", "count")
+    start = first.length if first is not None and first.value not in ("no", "none") else 0
+    if start >= len(words) or not _is_in(words[start], "animals") or tokens[at + start].owner:
+        return 0
+    after = at + start + 1
+    if after < len(tokens) and tokens[after].text == "with":
+        return start + 1
+    if after >= len(tokens) or tokens[after].kind == "mark" or grammar().at(tokens, after, "joins"):
+        return start + 1
+    doing = grammar().at(tokens, after, "verbs", "participles", "prepositions", "states")
+    return _to_end(tokens, at, start + 1) if doing or tokens[after].text.endswith("ing") else 0
+
+
+def _ends(words: list[str], at: int) -> bool:
+    """Whether a clause ends at `at`."""
+    return at >= len(words) or not words[at][:1].isalnum() or words[at] in ("and", "but", "or", "while", "plus")
+
+
+def _to_end(tokens: Sequence[Token], at: int, length: int) -> int:
+    """The length up to the next mark, "and" or "with", or to a thing that is new."""
+    end = at + length
+    while end < min(len(tokens), at + _LONGEST) and tokens[end].kind != "mark":
+        if grammar().at(tokens, end, "joins") or tokens[end].text in ("with", "a", "an"):
+            break
+        end += 1
+    return end - at
