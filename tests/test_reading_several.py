@@ -40,3 +40,95 @@ def test_a_denied_place_stays_denied_after_dont_put() -> None:
 
 def test_what_cannot_be_denied_is_not_understood() -> None:
     assert read_brief("Two desks, never in a row.").unknown == ("never in a row",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "ties"),
+    [
+        (
+            "An office for three people, each with a desk and a chair.",
+            {"desk": 3, "chair": 3},
+            {("at", "chair", ("desk",))},
+        ),
+        ("An office for three people. Everyone has a bin.", {"waste_bin": 3}, set()),
+        (
+            "A table with a chair on each side and a plate in front of each chair.",
+            {"dining_table": 1, "chair": 2, "plate": 2},
+            {("around", "chair", ("dining_table",)), ("on", "plate", ("dining_table",))},
+        ),
+        (
+            "A table with four chairs, a plate in front of every chair and a knife to the right of every plate.",
+            {"dining_table": 1, "chair": 4, "plate": 4, "knife": 4},
+            {("around", "chair", ("dining_table",)), ("right_of", "knife", ("plate",))},
+        ),
+        (
+            "A lamp on every nightstand, two nightstands, a bed, and nothing else.",
+            {"table_lamp": 2, "nightstand": 2, "bed": 1},
+            {("on", "table_lamp", ("nightstand",))},
+        ),
+        (
+            "Six desks facing the blackboard with a chair behind each desk.",
+            {"desk": 6, "blackboard": 1, "chair": 6},
+            {("facing", "desk", ("blackboard",)), ("behind", "chair", ("desk",))},
+        ),
+        (
+            "A rug, on which stands a table, on which stands a vase with tulips.",
+            {"rug": 1, "dining_table": 1, "vase": 1},
+            {("under", "rug", ("dining_table",)), ("on", "vase", ("dining_table",))},
+        ),
+        (
+            "Two candles on the table, a vase between the candles.",
+            {"candle": 2, "vase": 1},
+            {("on", "candle", ("dining_table",)), ("between", "vase", ("candle",))},
+        ),
+    ],
+)
+def test_each_is_each_of_what_was_named(
+    prompt: str, counts: dict[str, int], ties: set[tuple[str, str, tuple[str, ...]]]
+) -> None:
+    brief = read_brief(prompt)
+    assert counts.items() <= _counts(brief).items()
+    assert ties <= _ties(brief)
+    assert brief.unknown == ()
+
+
+def test_everyone_of_nobody_knows_how_many_is_not_understood() -> None:
+    assert read_brief("An office. Everyone has a bin.").unknown == ("Everyone",)
+
+
+def test_bounds_are_kept_by_the_whole_and_its_parts() -> None:
+    brief = read_brief("A greenhouse with between 3 and 5 plants, at least two of them big.")
+    asked = [r for r in brief.requests if r.asked]
+    assert sum(r.least or r.count for r in asked) == 3
+    assert [(r.attributes, r.least) for r in asked] == [(("large",), 2), ((), 1)]
+
+
+def test_no_more_than_one_is_no_exclusion() -> None:
+    brief = read_brief("A bedroom with no more than one lamp and fewer than three pillows.")
+    assert brief.excluded == ()
+    assert [(r.count, r.most) for r in brief.requests if r.asked] == [(1, 1), (2, 2)]
+
+
+def test_a_comparison_parts_nothing() -> None:
+    brief = read_brief(
+        "A sofa with three cushions: one yellow, two navy. Behind the sofa a console table half as long as the sofa."
+    )
+    assert _counts(brief) == {"sofa": 1, "pillow": 3, "console_table": 1}
+    assert brief.unknown == ("half as long as the sofa",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "lost"),
+    [
+        ("Either a sofa or a bed.", {"sofa": 1}, "or a bed"),
+        ("A bedroom with either a bed or a cot with two pillows, and a desk.", {"bed": 1, "desk": 1}, None),
+    ],
+)
+def test_of_two_to_choose_from_one_is_made(prompt: str, counts: dict[str, int], lost: str | None) -> None:
+    brief = read_brief(prompt)
+    assert _counts(brief) == counts
+    assert brief.unknown == (lost or "or a cot with two pillows",)
+
+
+def test_no_lamp_or_rug_excludes_both() -> None:
+    assert {"any_lamp", "rug"} <= set(read_brief("A bedroom with a bed, no lamp or rug.").excluded)
