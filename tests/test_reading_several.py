@@ -132,3 +132,19 @@ def test_of_two_to_choose_from_one_is_made(prompt: str, counts: dict[str, int], 
 
 def test_no_lamp_or_rug_excludes_both() -> None:
     assert {"any_lamp", "rug"} <= set(read_brief("A bedroom with a bed, no lamp or rug.").excluded)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A lamp on the desk or the nightstand.", "or the nightstand"),
+        ("Two beds, each not next to the other.", "next to the other"),
+    ],
+)
+def test_a_choice_of_places_and_a_denial_of_what_is_unknown_are_said(prompt: str, lost: str) -> None:
+    assert read_brief(prompt).unknown == (lost,)
+
+
+def test_a_bound_told_after_is_that_of_what_was_named() -> None:
+    chair = read_brief("A kitchen with chairs, at least four.").request("chair")
+    assert (chair.count, chair.least) == (4, 4)

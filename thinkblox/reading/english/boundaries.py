@@ -103,14 +103,19 @@ class Boundaries(State):
         before, noun = self._before(), self._next_noun()
         if self.excluding or self.negating or self.draft.empty or not isinstance(before, Noun) or before.det == "no":
             return False
-        return before.kind == "thing" and noun is not None and noun.kind == "thing" and not noun.definite
+        if before.kind != "thing" or noun is None or noun.kind != "thing":
+            return False
+        return not noun.definite or (before.definite and self.referents.named(noun) is None)
 
     def _lose_choice(self, link: Connector) -> None:
         """Keep the first of two to choose from; the other, with all that is said of it, is not understood."""
-        end = link.end
+        end, relative = link.end, False
         while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
-            if self._is_link(chunk, "joins", "and", "but", "stop"):
+            if self._is_link(chunk, "joins", "and", "but", "stop") or (
+                self._is_link(chunk, "verbs") and not relative and isinstance(self._before(0), Noun)
+            ):
                 break
+            relative |= self._is_link(chunk, "joins", "which")
             end = chunk.end
             self.at += 1
         self._lose(link.start, end)

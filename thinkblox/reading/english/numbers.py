@@ -38,7 +38,11 @@ class Numbers(Verbs):
         """Give "at least two and at most four stools" both bounds; a bound of nothing is not understood."""
         after = self._next_noun(1) if self._is_link(self.peek(), "joins", "and", "but") else None
         if after is None or after.kind != "thing" or (after.least is None and after.most is None):
-            self._lose(noun.start, noun.end)
+            thing = self.frontier[-1].thing if self.frontier and self.separator == "comma" else None
+            if thing is None or thing.count is not None or not noun.count:
+                self._lose(noun.start, noun.end)
+            else:
+                thing.count, thing.least, thing.most = noun.count, noun.least, noun.most
             return
         after.least = noun.least if after.least is None else after.least
         after.most = noun.most if after.most is None else after.most

@@ -105,7 +105,8 @@ class State(Namer):
     def _lose_where(self, where: Where) -> None:
         """Note a relation to a thing or place that could not be made out."""
         nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
-        if nouns and nouns[0].kind in ("thing", "part", "place", "number") and where.text:
+        kinds = ("thing", "part", "place", "number", *(("pronoun",) if where.negated else ()))
+        if nouns and nouns[0].kind in kinds and where.text:
             self._lose(where.start, nouns[-1].end)
 
     def peek(self, ahead: int = 0) -> Chunk | None:
