@@ -105,7 +105,8 @@ class Boundaries(State):
             return False
         if before.kind != "thing" or noun is None or noun.kind != "thing":
             return False
-        return not noun.definite or (before.definite and self.referents.named(noun) is None)
+        anchor = self._is_link(self._before(2), "prepositions")
+        return not noun.definite or (before.definite and (anchor or self.referents.named(noun) is None))
 
     def _lose_choice(self, link: Connector) -> None:
         """Keep the first of two to choose from; the other, with all that is said of it, is not understood."""
