@@ -1,7 +1,7 @@
 """Where clauses begin and end: marks, conjunctions, brackets."""
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import State
 
@@ -75,7 +75,12 @@ class Boundaries(State):
     def _join(self, link: Connector) -> None:
         match link.value:
             case "and" | "or":
-                keep = self.excluding and link.value == "or"
+                if link.value == "or" and self._is_choice():
+                    self._lose_choice(link)
+                    return
+                before = self._before()
+                barred = isinstance(before, Noun) and before.kind == "thing" and before.det == "no"
+                keep = (self.excluding or barred) and link.value == "or"
                 self._separate(link.value)
                 self.excluding = keep
             case "but":
@@ -92,6 +97,29 @@ class Boundaries(State):
                     self.relative = Node(anchors, None, known=True) if anchors else None
                     self.held, self.front = self.front, []
                 self.separator = ""
+
+    def _is_choice(self) -> bool:
+        """Whether "a sofa or a bed" asks for one of two: no list goes on, and nothing is denied."""
+        before, noun = self._before(), self._next_noun()
+        if self.excluding or self.negating or self.draft.empty or not isinstance(before, Noun) or before.det == "no":
+            return False
+        if before.kind != "thing" or noun is None or noun.kind != "thing":
+            return False
+        anchor = self._is_link(self._before(2), "prepositions")
+        return not noun.definite or (before.definite and (anchor or self.referents.named(noun) is None))
+
+    def _lose_choice(self, link: Connector) -> None:
+        """Keep the first of two to choose from; the other, with all that is said of it, is not understood."""
+        end, relative = link.end, False
+        while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
+            if self._is_link(chunk, "joins", "and", "but", "stop") or (
+                self._is_link(chunk, "verbs") and not relative and isinstance(self._before(0), Noun)
+            ):
+                break
+            relative |= self._is_link(chunk, "joins", "which")
+            end = chunk.end
+            self.at += 1
+        self._lose(link.start, end)
 
     def _separate(self, kind: str) -> None:
         self.negating = False

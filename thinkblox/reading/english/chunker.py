@@ -146,8 +146,15 @@ class Cutter:
         found = grammar().all_at(self.tokens, self.at, *_LINKS)
         if not found:
             return None
+        found = [function for function in found if not self._takes_bound(function)] or found
         longest = [function for function in found if function.length == found[0].length]
         return min(longest, key=lambda function: _LINKS.index(function.sort))
+
+    def _takes_bound(self, function: Function) -> bool:
+        """Whether "with no" is cut from "with no more than one lamp", which excludes nothing."""
+        end = self.at + function.length
+        bound = self._text_at(end) in ("more", "fewer", "less") and self._text_at(end + 1) == "than"
+        return bound and function.length > 1 and self._text_at(end - 1) in ("no", "not")
 
     def _is_noun(self, noun: Noun, link: Function) -> bool:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""

@@ -123,7 +123,9 @@ class Clauses(Pronouns):
         known = self._known(noun)
         if known:
             self._take_known(noun, known)
-            self.negating = noun.det == "none"
+            last = self._before()
+            put = isinstance(last, Connector) and last.sort == "negations" and last.text.lower().endswith(" put")
+            self.negating = noun.det == "none" or (self.negating and put)
             return
         thing = self._new(noun)
         self._take(thing, noun)

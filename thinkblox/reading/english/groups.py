@@ -45,7 +45,7 @@ class Groups(Descriptions):
                 self._lose(noun.start, noun.end)
 
     def _each(self, following: Chunk | None) -> None:
-        if self.crowd:
+        if self._is_each_person() or self.crowd:
             return
         if isinstance(following, Noun) and following.kind == "thing" and following.det == "a":
             group = next((t for t in self.groups.values() if t in self.draft.things), None)
@@ -73,6 +73,23 @@ class Groups(Descriptions):
         elif parts := self._all_parts():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.each = True
+
+    def _is_each_person(self) -> bool:
+        """Take "each" for each of the people named just now, or alone: "an office for three, each with a desk"."""
+        having = self._is_link(self.peek(), "prepositions", "with") or self._is_link(self.peek(), "verbs", "have")
+        said = self._before(2) if self._is_link(self._before(), "mark", "comma") else None
+        people = self.draft.people if not self.draft.things else 0
+        if isinstance(said, Noun) and said.kind == "people":
+            people = said.count or 0
+        if not having or not people:
+            return False
+        self.frontier, self.subject, self.separator = [], None, ""
+        self.crowd = 0
+        if self._is_link(self.peek(), "prepositions"):
+            self.clause = Listed(None, "list", times=people, each=True)
+        else:
+            self.crowd = people
+        return True
 
     def _all_parts(self) -> list[Mention]:
         """The parts of what was parted in this sentence."""

@@ -65,6 +65,7 @@ class Memberships(Ties):
             frame.members.append(thing)
         head = frame.head.thing if frame.head is not None else None
         if frame.head is None or head is None or thing is head:
+            self._seat_at_own(thing, frame)
             return
         thing.owner = thing.owner or head
         thing.host = head
@@ -77,6 +78,18 @@ class Memberships(Ties):
         if "shared" in thing.attributes and tie == "next_to" and head.many:
             tie = "between"
         self._tie_to(frame, frame.head, thing, tie)
+
+    def _seat_at_own(self, thing: Mention, frame: Listed) -> None:
+        """Put the chair of "three people, each with a desk and a chair" at the desk of the same person."""
+        if not frame.each or frame.times < 2 or not thing.count or thing.count % frame.times:
+            return
+        for other in frame.members:
+            tie = self.habits.tie(thing.noun, other.noun) if other is not thing else None
+            if tie in ("at", "around") and other.count == frame.times:
+                thing.count //= frame.times
+                thing.owner = other
+                bind(self.draft, Bond(relation_kind(tie), thing, (other,), each=True, implied=True))
+                return
 
     def _tie_to(self, frame: Listed, node: Node, thing: Mention, tie: str) -> None:
         """Bind a member to the head of its list."""

@@ -48,7 +48,9 @@ class Descriptions(Rooms):
         things = node.things if node is not None else list(self.clause.members)
         if self.predicate and self.subject is not None:
             things = self.subject.things
-        if kind in ("in_rows", "in_row"):
+        if self.negating:
+            self._not_mutual(link, things)
+        elif kind in ("in_rows", "in_row"):
             for thing in things[-1:]:
                 bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
         elif len(things) > 1:
@@ -56,6 +58,18 @@ class Descriptions(Rooms):
                 bind(self.draft, Bond(relation_kind(kind), other, (one,)))
         elif things and things[-1].many and kind != "around":
             bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
+
+    def _not_mutual(self, link: Connector, things: list[Mention]) -> None:
+        """Read "not facing each other"; what cannot be denied is not understood."""
+        self.negating = False
+        if link.value not in ("facing", "next_to") or not things or (len(things) < 2 and not things[-1].many):
+            before = self._before()
+            said_before = isinstance(before, Connector) and before.sort == "negations"
+            self._lose(before.start if before is not None and said_before else link.start, link.end)
+            return
+        pairs = pairwise(things) if len(things) > 1 else [(things[0], things[0])]
+        for one, other in pairs:
+            self.draft.bonds.append(Bond(relation_kind(link.value), other, (one,), negated=True))
 
     def _measured(self, measured: Measured) -> None:
         """Read a size: of the thing just before or after it, or of the room."""

@@ -19,10 +19,24 @@ class Naming(Several):
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
             found = self.some_of(noun, besides=[])
             return [found] if found is not None else []
+        if told := self._told_later(noun):
+            return told
         bare = not noun.det and noun.count is None and not noun.plural and noun.named
         if noun.definite or (bare and self._is_repeated(noun)):
             return self._definite(noun)
         return self._one_and_other(noun)
+
+    def _told_later(self, noun: Noun) -> list[Mention]:
+        """The nightstands of "a lamp on every nightstand, two nightstands": how many they are is told only now."""
+        if noun.count is None or noun.count < 2 or noun.attributes or noun.definite or noun.unshown or noun.owner:
+            return []
+        for thing in self.draft.things[-LOOKAHEAD:]:
+            named = self.named_by.get(thing)
+            if named is not None and named.each and thing.noun == noun.value and thing not in self.told_later:
+                self.told_later.add(thing)
+                thing.count, thing.least, thing.most, thing.plural = noun.count, noun.least, noun.most, True
+                return [thing]
+        return []
 
     def _all_named(self, noun: Noun) -> list[Mention]:
         """What "each chair", "both lamps", "all four chairs" are."""

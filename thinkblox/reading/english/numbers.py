@@ -20,6 +20,7 @@ class Numbers(Verbs):
         link = self.peek()
         bounded = noun.least is not None or noun.most is not None
         if bounded and not noun.of_known and not self._is_link(link, "prepositions"):
+            self._bound_next(noun)
             return
         each = self._next_noun(1) if self._is_link(link, "prepositions") else None
         if self.bracket is not None and each is not None and each.kind == "pronoun" and each.value == "each":
@@ -32,6 +33,20 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _bound_next(self, noun: Noun) -> None:
+        """Give "at least two and at most four stools" both bounds; a bound of nothing is not understood."""
+        after = self._next_noun(1) if self._is_link(self.peek(), "joins", "and", "but") else None
+        if after is None or after.kind != "thing" or (after.least is None and after.most is None):
+            thing = self.frontier[-1].thing if self.frontier and self.separator == "comma" else None
+            if thing is None or thing.count is not None or not noun.count:
+                self._lose(noun.start, noun.end)
+            else:
+                thing.count, thing.least, thing.most = noun.count, noun.least, noun.most
+            return
+        after.least = noun.least if after.least is None else after.least
+        after.most = noun.most if after.most is None else after.most
+        self.at += 1
 
     def _some(self, whole: Mention, noun: Noun) -> None:
         """Speak of so many, of the other, of the third of `whole`."""
@@ -124,6 +139,7 @@ class Numbers(Verbs):
     def _speak_of_part(self, part: Mention, noun: Noun | None) -> None:
         if noun is not None:
             self._look(part, noun)
+            part.least = part.least if noun.least is None else noun.least
         self.counted.add(part)
         frame = Listed(None, "list")
         self.frontier = [Node([part], frame, known=True)]

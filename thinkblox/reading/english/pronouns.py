@@ -36,6 +36,9 @@ class Pronouns(Numbers):
         if noun.value == "one" and (before := self._one_before()) is not None:
             self._take(self._copy_of(before), noun)
             return
+        if noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
+            self._lose_comparison(noun)
+            return
         whole = self._whole([])
         if whole is None:
             if noun.value != "half":
@@ -60,6 +63,16 @@ class Pronouns(Numbers):
                 self._part_of(whole, max(1, (whole.count or 2) // 2))
             case _:
                 self._part_of(whole, noun.count or 1)
+
+    def _lose_comparison(self, noun: Noun) -> None:
+        """Go past "half as long as the sofa": it parts nothing."""
+        end = noun.end
+        while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
+            self.at += 1
+            end = chunk.end
+            if isinstance(chunk, Noun):
+                break
+        self._lose(noun.start, end)
 
     def _one_before(self) -> Mention | None:
         """The single thing that "one" repeats: "one bin on its left and one on its right"."""

@@ -159,6 +159,8 @@ class Referents:
             per=[*whole.per],
         )
         whole.count -= count
+        whole.least = None if whole.least is None else max(whole.least - count, 0)
+        whole.most = None if whole.most is None else max(whole.most - count, 0)
         whole.plural = whole.count > 1
         self.draft.things.insert(self.draft.things.index(whole), part)
         self.draft.bonds += [replace(bond, subject=part) for bond in self.draft.bonds_of(whole)]

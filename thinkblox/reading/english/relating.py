@@ -41,7 +41,10 @@ class Relating(Naming):
             self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
             bind(self.draft, lying)
         if negated:
-            self.draft.bonds.append(bond)
+            supposed = [
+                b for b in self.draft.bonds_of(subject) if b.implied and b.kind == kind and b.anchors == anchors
+            ]
+            self.draft.bonds = [b for b in self.draft.bonds if b not in supposed] + [bond]
             return
         self._share(bond)
         bind(self.draft, bond)

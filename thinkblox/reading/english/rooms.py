@@ -87,7 +87,14 @@ class Rooms(Memberships):
             return
         if noun.count and not self.draft.things and not noun.each:
             self.draft.people = noun.count
-        if noun.count and not self.frontier and not self.clause.members:
+        everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
+        if everyone and self._is_link(self.peek(), "verbs", "have"):
+            seats = (t.seats for t in reversed(self.draft.things) if t.seats)
+            self._begin()
+            self.crowd = self.draft.people or next(seats, 0)
+            if not self.crowd:
+                self._lose(noun.start, noun.end)
+        elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
 
     def _place(self, noun: Noun) -> None:

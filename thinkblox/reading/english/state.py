@@ -31,6 +31,7 @@ class State(Namer):
         ordinals: which of a family is the first, the second, ...
         sides: which of two is the left one, which the right one.
         counted: things whose number was told as a part of several, and is not that of each side.
+        told_later: what "every" named first and whose number came after.
         summed: several without a number, whose parts are being counted.
         each_of: of how many "every two" were the last.
         frontier: what the next words can be about, the outermost first.
@@ -65,6 +66,7 @@ class State(Namer):
         self.ordinals: dict[Mention, dict[int, Mention]] = {}
         self.sides: dict[Mention, str] = {}
         self.counted: set[Mention] = set()
+        self.told_later: set[Mention] = set()
         self.summed: Mention | None = None
         self.each_of = 0
         self.front: list[Awaited] = []
@@ -103,7 +105,8 @@ class State(Namer):
     def _lose_where(self, where: Where) -> None:
         """Note a relation to a thing or place that could not be made out."""
         nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
-        if nouns and nouns[0].kind in ("thing", "part", "place", "number") and where.text:
+        kinds = ("thing", "part", "place", "number", *(("pronoun",) if where.negated else ()))
+        if nouns and nouns[0].kind in kinds and where.text:
             self._lose(where.start, nouns[-1].end)
 
     def peek(self, ahead: int = 0) -> Chunk | None:

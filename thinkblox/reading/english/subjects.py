@@ -54,7 +54,7 @@ class Subjects(Having):
             return True
         if not self._is_pronominal(where):
             return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
-                noun is not None and self._is_beside_head(thing, head, where, noun)
+                noun is not None and self._is_beside_head(thing, frame, head, where, noun)
             )
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
             return True
@@ -71,9 +71,15 @@ class Subjects(Having):
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
         return not on_surface and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
 
-    def _is_beside_head(self, thing: Mention, head: Node, where: Where, noun: Noun) -> bool:
+    def _is_listed(self, noun: Noun, frame: Listed) -> bool:
+        """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
+        return any(found in frame.members for found in self.referents.every(noun))
+
+    def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
         if where.word not in _BY_OWNER or noun.kind != "thing" or self._is_head(noun, head):
+            return False
+        if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
         return self.habits.is_in(thing.noun, "small", "seats", "lamps")
 
@@ -83,7 +89,7 @@ class Subjects(Having):
         return where.word in ("behind", "in_front_of", "opposite") and bool(before)
 
     def _is_head(self, noun: Noun, head: Node) -> bool:
-        found = self.referents.named(noun) if noun.definite else None
+        found = self.referents.named(noun) if noun.definite or noun.each else None
         return found in head.things
 
     def _is_pronominal(self, where: Where) -> bool:

@@ -114,6 +114,11 @@ class Verbs(Prepositions):
     def _participle(self, kind: str) -> None:
         match kind:
             case "hold" | "carry":
+                carrier = self.frontier[-1].thing if self.frontier else None
+                which = self._before(0)
+                said = which.text.lower() if isinstance(which, Connector) else ""
+                if said.startswith("on which") and carrier is not None and not self._belongs(carrier.noun, "small"):
+                    self.separator = ""
                 self._open(kind)
             case doing if doing in _STANDS:
                 self._stand(_STANDS[doing])

@@ -1,0 +1,150 @@
+"""Each, either, at least, not each other: how many are meant, and how they stand to one another."""
+
+import pytest
+
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+
+def _counts(brief: Brief) -> dict[str, int]:
+    counts: dict[str, int] = {}
+    for request in brief.requests:
+        if request.asked:
+            counts[request.category] = counts.get(request.category, 0) + request.count
+    return counts
+
+
+def _ties(brief: Brief) -> set[tuple[str, str, tuple[str, ...]]]:
+    return {(r.kind, r.subject, r.anchors) for r in brief.relations if r.asked and not r.negated}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two desks not facing each other.",
+        "Desks not facing each other, two of them.",
+        "Two desks. Don't put the desks facing each other.",
+    ],
+)
+def test_what_is_not_to_face_each_other_is_denied(prompt: str) -> None:
+    brief = read_brief(prompt)
+    assert [(r.kind, r.subject, r.anchors, r.negated) for r in brief.relations if r.asked] == [
+        ("facing", "desk", ("desk",), True)
+    ]
+
+
+def test_a_denied_place_stays_denied_after_dont_put() -> None:
+    brief = read_brief("A bedroom with a bed and a lamp. Don't put the lamp on the bed.")
+    assert [(r.kind, r.subject, r.negated) for r in brief.relations if r.asked] == [("on", "table_lamp", True)]
+
+
+def test_what_cannot_be_denied_is_not_understood() -> None:
+    assert read_brief("Two desks, never in a row.").unknown == ("never in a row",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "ties"),
+    [
+        (
+            "An office for three people, each with a desk and a chair.",
+            {"desk": 3, "chair": 3},
+            {("at", "chair", ("desk",))},
+        ),
+        ("An office for three people. Everyone has a bin.", {"waste_bin": 3}, set()),
+        (
+            "A table with a chair on each side and a plate in front of each chair.",
+            {"dining_table": 1, "chair": 2, "plate": 2},
+            {("around", "chair", ("dining_table",)), ("on", "plate", ("dining_table",))},
+        ),
+        (
+            "A table with four chairs, a plate in front of every chair and a knife to the right of every plate.",
+            {"dining_table": 1, "chair": 4, "plate": 4, "knife": 4},
+            {("around", "chair", ("dining_table",)), ("right_of", "knife", ("plate",))},
+        ),
+        (
+            "A lamp on every nightstand, two nightstands, a bed, and nothing else.",
+            {"table_lamp": 2, "nightstand": 2, "bed": 1},
+            {("on", "table_lamp", ("nightstand",))},
+        ),
+        (
+            "Six desks facing the blackboard with a chair behind each desk.",
+            {"desk": 6, "blackboard": 1, "chair": 6},
+            {("facing", "desk", ("blackboard",)), ("behind", "chair", ("desk",))},
+        ),
+        (
+            "A rug, on which stands a table, on which stands a vase with tulips.",
+            {"rug": 1, "dining_table": 1, "vase": 1},
+            {("under", "rug", ("dining_table",)), ("on", "vase", ("dining_table",))},
+        ),
+        (
+            "Two candles on the table, a vase between the candles.",
+            {"candle": 2, "vase": 1},
+            {("on", "candle", ("dining_table",)), ("between", "vase", ("candle",))},
+        ),
+    ],
+)
+def test_each_is_each_of_what_was_named(
+    prompt: str, counts: dict[str, int], ties: set[tuple[str, str, tuple[str, ...]]]
+) -> None:
+    brief = read_brief(prompt)
+    assert counts.items() <= _counts(brief).items()
+    assert ties <= _ties(brief)
+    assert brief.unknown == ()
+
+
+def test_everyone_of_nobody_knows_how_many_is_not_understood() -> None:
+    assert read_brief("An office. Everyone has a bin.").unknown == ("Everyone",)
+
+
+def test_bounds_are_kept_by_the_whole_and_its_parts() -> None:
+    brief = read_brief("A greenhouse with between 3 and 5 plants, at least two of them big.")
+    asked = [r for r in brief.requests if r.asked]
+    assert sum(r.least or r.count for r in asked) == 3
+    assert [(r.attributes, r.least) for r in asked] == [(("large",), 2), ((), 1)]
+
+
+def test_no_more_than_one_is_no_exclusion() -> None:
+    brief = read_brief("A bedroom with no more than one lamp and fewer than three pillows.")
+    assert brief.excluded == ()
+    assert [(r.count, r.most) for r in brief.requests if r.asked] == [(1, 1), (2, 2)]
+
+
+def test_a_comparison_parts_nothing() -> None:
+    brief = read_brief(
+        "A sofa with three cushions: one yellow, two navy. Behind the sofa a console table half as long as the sofa."
+    )
+    assert _counts(brief) == {"sofa": 1, "pillow": 3, "console_table": 1}
+    assert brief.unknown == ("half as long as the sofa",)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "lost"),
+    [
+        ("Either a sofa or a bed.", {"sofa": 1}, "or a bed"),
+        ("A bedroom with either a bed or a cot with two pillows, and a desk.", {"bed": 1, "desk": 1}, None),
+    ],
+)
+def test_of_two_to_choose_from_one_is_made(prompt: str, counts: dict[str, int], lost: str | None) -> None:
+    brief = read_brief(prompt)
+    assert _counts(brief) == counts
+    assert brief.unknown == (lost or "or a cot with two pillows",)
+
+
+def test_no_lamp_or_rug_excludes_both() -> None:
+    assert {"any_lamp", "rug"} <= set(read_brief("A bedroom with a bed, no lamp or rug.").excluded)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A lamp on the desk or the nightstand.", "or the nightstand"),
+        ("Two beds, each not next to the other.", "next to the other"),
+    ],
+)
+def test_a_choice_of_places_and_a_denial_of_what_is_unknown_are_said(prompt: str, lost: str) -> None:
+    assert read_brief(prompt).unknown == (lost,)
+
+
+def test_a_bound_told_after_is_that_of_what_was_named() -> None:
+    chair = read_brief("A kitchen with chairs, at least four.").request("chair")
+    assert (chair.count, chair.least) == (4, 4)
