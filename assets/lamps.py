@@ -59,14 +59,15 @@ def desk_lamp(spec: Spec) -> Build:
     x, y, z = spec.size
     finish = spec.main(spec.choice((spec.style.metal, IRON)))
     foot = min(0.5 * y, 0.35 * x)
-    at, elbow, head = -0.16 * x, (-x / 2 + 0.014, 0.0, 0.55 * z), (x / 2 - 0.05, 0.0, z - 0.03)
+    radius = min(0.05, 0.28 * y)  # a wider shade would tip a small lamp over
+    at, elbow, head = -0.16 * x, (-x / 2 + 0.014, 0.0, 0.55 * z), (x / 2 - radius, 0.0, z - 0.03)
     body = [
         disc(finish, (at, 0), foot, (0, 0.03)),
         rod(finish, (at, 0, 0.03), elbow, 0.008),
         sphere(finish, elbow, 0.014),
         rod(finish, elbow, head, 0.008),
-        frustum(finish, (head[0], 0), (z - 0.085, z), min(0.05, 0.5 * y), 0.02),
-        disc(GLOW, (head[0], 0), 0.04, (z - 0.09, z - 0.085)),
+        frustum(finish, (head[0], 0), (z - 0.085, z), radius, 0.4 * radius),
+        disc(GLOW, (head[0], 0), 0.8 * radius, (z - 0.09, z - 0.085)),
     ]
     return Build(body=body)
 
