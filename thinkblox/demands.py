@@ -8,7 +8,7 @@ from thinkblox.assets.states import shows_state
 from thinkblox.brief import Brief, Measures, Request
 from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Plan, Tie
-from thinkblox.planning import openings_there, wall_meant
+from thinkblox.planning import openings_wanted
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.free_parts import measure_free
 from thinkblox.scene.placement import Placement
@@ -52,14 +52,13 @@ def bounds_of(request: Request) -> tuple[int, int]:
     return least, request.most if request.most is not None else max(request.count, 10**6)
 
 
-def noun_of(request: Request) -> str:
-    """What is requested, as a noun."""
-    kind = CATALOGUE.get(request.category)
-    return kind.noun if kind else request.category.replace("_", " ")
+def _noun(category: str) -> str:
+    kind = CATALOGUE.get(category)
+    return kind.noun if kind else category.replace("_", " ")
 
 
 def _of_request(scene: Scene, request: Request, placed: Sequence[Placement]) -> Iterator[Demand]:
-    noun = noun_of(request)
+    noun = _noun(request.category)
     yield _count(request, noun, len(placed))
     if any(request.size):
         yield _size(request, noun, placed)
@@ -153,13 +152,7 @@ def _near(have: Sequence[float], wanted: Sequence[float]) -> bool:
 
 
 def _of_openings(room: Room, brief: Brief) -> Iterator[Demand]:
-    wanted: dict[tuple[str, str], int] = {}
-    for opening in brief.openings:
-        key = (opening.kind, wall_meant(opening.wall, room))
-        wanted[key] = wanted.get(key, 0) + opening.count
-    for (kind, wall), count in wanted.items():
-        have = openings_there(room, kind, wall)
-        where = f" in the {wall.replace('_', ' ')}" if wall else ""
+    for kind, where, count, have in openings_wanted(brief, room):
         yield Demand(
             kind="opening",
             subject=f"{kind}{where}",
@@ -171,10 +164,8 @@ def _of_openings(room: Room, brief: Brief) -> Iterator[Demand]:
 
 def _excluded(scene: Scene, category: str) -> Demand:
     there = [p.id for p in scene.placements if counts_as(p.category, category)]
-    noun = CATALOGUE[category].noun if category in CATALOGUE else category.replace("_", " ")
-    return Demand(
-        kind="excluded", subject=noun, wanted="none", holds=not there, measured=", ".join(there) or "none is there"
-    )
+    measured = ", ".join(there) or "none is there"
+    return Demand(kind="excluded", subject=_noun(category), wanted="none", holds=not there, measured=measured)
 
 
 def _free(scene: Scene, plan: Plan, place: str, part: str) -> Demand:

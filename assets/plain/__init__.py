@@ -43,7 +43,7 @@ def plain_categories(taken: Collection[str], names: Collection[str]) -> Iterator
     """
     gone, used = frozenset(taken), set(names)
     for where, columns in table_lines():
-        words = columns[0].replace("_", " ") + (f", {columns[_WORDS]}" if len(columns) > _WORDS else "")
+        words = ", ".join(words_of_line(columns))
         name = columns[0].partition("|")[0]
         if name in used or not gone.isdisjoint(words.replace("|", ", ").split(", ")):
             free = [word for word in words.split(", ") if gone.isdisjoint(forms_of(word))]

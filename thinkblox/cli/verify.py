@@ -16,7 +16,6 @@ STATUS = (
     "exit status: 0 everything passed; 1 measured, but not all passed, the output says what; 2 the input cannot be"
     " used; 70 a fault of ours; 130 stopped"
 )
-TIMED = "for a foreign file, not counting the start of its process, of some seconds (600)"
 
 
 def add_command(commands: "Commands") -> None:

@@ -4,10 +4,9 @@ import numpy as np
 
 from thinkblox.brief import Brief
 from thinkblox.plan import Plan
-from thinkblox.planning.openings import openings_there
+from thinkblox.planning.openings import openings_wanted
 from thinkblox.planning.order import plan_brief
 from thinkblox.planning.rooms import plan_room
-from thinkblox.planning.walls import wall_meant
 from thinkblox.scene.room import Room
 
 
@@ -23,4 +22,4 @@ class ExpertPlanner:
         return plan_brief(brief, room)
 
 
-__all__ = ["ExpertPlanner", "openings_there", "plan_brief", "plan_room", "wall_meant"]
+__all__ = ["ExpertPlanner", "openings_wanted", "plan_brief", "plan_room"]

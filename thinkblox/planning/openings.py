@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -48,18 +48,33 @@ def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
 
 def opening_notes(brief: Brief, room: Room) -> Iterator[str]:
     """A sentence for every kind of opening that the brief asks for and the room has too few of."""
+    for wanted in openings_wanted(brief, room):
+        if wanted.there < wanted.number:
+            plural = "s" * (wanted.number > 1)
+            yield f"{wanted.number - wanted.there} of {wanted.number} {wanted.kind}{plural}{wanted.where} did not fit"
+
+
+class OpeningCount(NamedTuple):
+    """How many doors or windows a brief asks for, and how many there are; `where` is " in the east wall", or empty."""
+
+    kind: str
+    where: str
+    number: int
+    there: int
+
+
+def openings_wanted(brief: Brief, room: Room) -> Iterator[OpeningCount]:
+    """Every kind of opening that the brief asks for in one wall, or in any, and what the room has of it."""
     wanted: dict[tuple[str, str], int] = {}
     for request in brief.openings:
         key = (request.kind, wall_meant(request.wall, room))
         wanted[key] = wanted.get(key, 0) + request.count
     for (kind, wall), count in wanted.items():
-        have = openings_there(room, kind, wall)
-        if have < count:
-            where = f" in the {wall.replace('_', ' ')}" if wall else ""
-            yield f"{count - have} of {count} {kind}{'s' * (count > 1)}{where} did not fit"
+        where = f" in the {wall.replace('_', ' ')}" if wall else ""
+        yield OpeningCount(kind, where, count, _openings_there(room, kind, wall))
 
 
-def openings_there(room: Room, kind: str, wall: str) -> int:
+def _openings_there(room: Room, kind: str, wall: str) -> int:
     """How many doors or windows a room has; with the name of a wall, in the walls that it can mean."""
     named = set(_walls_named(room, wall)) if wall else None
     return sum(o.kind == kind and (named is None or o.wall in named) for o in room.openings)

@@ -12,7 +12,7 @@ from thinkblox.reading.tokens import Token
 
 _LONGEST = 10
 """Most tokens of a stretch."""
-_NO_COMPARATIVES = ("rather", "other", "fewer", "either", "higher", "whether", "larger number")
+_NO_COMPARATIVES = ("rather", "other", "fewer", "either", "higher", "whether")
 """Words on "er" before "than" that the grammar has, or that compare nothing."""
 _SHADES = ("dark", "light", "pale", "bright", "deep", "all", "painted", "made")
 _UNPAINTED = ("in", "with", "on")
