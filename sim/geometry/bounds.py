@@ -113,12 +113,20 @@ class Neighbours:
 
 def _around(placements: Sequence[Placement], solids: Sequence[Solid]) -> Boxes:
     """A box round each object, from the turned box of its asset."""
-    low = np.array([solid.low for solid in solids]).reshape(-1, 3)
-    high = np.array([solid.high for solid in solids]).reshape(-1, 3)
+    own = np.array([(solid.low, solid.high) for solid in solids]).reshape(-1, 2, 3)
+    placed = placed_bounds(own, placements)
+    return Boxes(placed[:, 0], placed[:, 1])
+
+
+def placed_bounds(bounds: Array, placements: Sequence[Placement]) -> Array:
+    """Boxes along the room's axes round boxes (n, 2, 3) in the frames of placements (n); empty ones stay empty [m]."""
     position = np.array([placement.position for placement in placements]).reshape(-1, 3)
     turn = np.radians([placement.yaw for placement in placements])
     c, s, zero, one = np.cos(turn), np.sin(turn), np.zeros_like(turn), np.ones_like(turn)
     rotation = np.array([[c, -s, zero], [s, c, zero], [zero, zero, one]]).transpose(2, 0, 1)
+    some = np.asarray(np.isfinite(bounds).all(axis=(1, 2), keepdims=True))
+    low, high = np.where(some, bounds, 0.0).transpose(1, 0, 2)
     middle = position + np.einsum("nij,nj->ni", rotation, (low + high) / 2)
     half = np.einsum("nij,nj->ni", np.abs(rotation), (high - low) / 2)
-    return Boxes(middle - half, middle + half)
+    half = np.where(some[:, 0], half, -np.inf)
+    return np.stack([middle - half, middle + half], axis=1)

@@ -75,16 +75,20 @@ class Sweep:
 
 
 class Swept:
-    """All that an asset collides with and opens.
-
-    Attributes:
-        bounds: bounding box of its colliding shapes, shut, in its own frame, shape (2, 3) [m].
-    """
+    """All that an asset collides with and opens."""
 
     def __init__(self, asset: Asset) -> None:
         self._asset = asset
-        self.bodies = tuple(body_of(shape) for link in asset.links for shape in link.shapes if shape.collide)
-        self.bounds = _around([body.bounds for body in self.bodies])
+
+    @cached_property
+    def bodies(self) -> tuple[Piece, ...]:
+        """Its colliding shapes, shut."""
+        return tuple(body_of(shape) for link in self._asset.links for shape in link.shapes if shape.collide)
+
+    @cached_property
+    def bounds(self) -> Array:
+        """Bounding box of those in its own frame, shape (2, 3) [m]."""
+        return _around([body.bounds for body in self.bodies])
 
     @cached_property
     def sweeps(self) -> tuple[Sweep, ...]:

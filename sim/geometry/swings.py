@@ -14,6 +14,7 @@ from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.bounds import placed_bounds
 from thinkblox.sim.geometry.solid import Array, pose, solid_of
 from thinkblox.sim.geometry.sweep import FINEST, Piece, Sweep, Swept, body_of, moving_of, turned_bounds
 from thinkblox.sim.geometry.walls import Slab, wall_slabs
@@ -29,12 +30,7 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class _Object:
-    """Something that a door can meet: bodies in a frame, that frame in the room, whether it yields, and its weight.
-
-    Attributes:
-        weight: mass [kg].
-        grip: its coefficient of friction.
-    """
+    """Something that a door can meet: bodies in a frame, that frame in the room, and whether it yields."""
 
     id: str
     bodies: Sequence[Piece]
@@ -42,8 +38,6 @@ class _Object:
     shift: Array
     yields: bool
     moving: Swept | None = None
-    weight: float = 0.0
-    grip: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -61,21 +55,23 @@ class Surroundings:
     def __init__(self, room: Room, walking: Walking) -> None:
         self._walking = walking
         self._shell = _shell(room)
-        self._objects: tuple[_Object, ...] = ()
+        self._standing: tuple[tuple[Placement, Asset], ...] = ()
         self._rests_on: dict[str, str] = {}
         self._boxes, self._reaches = np.empty((0, 2, 3)), np.empty((0, 2, 3))
+        self._objects: dict[int, _Object] = {}
         self._free: dict[tuple[str, str], list[float]] = {}
 
     def with_objects(self, objects: Iterable[tuple[Placement, Asset]]) -> "Surroundings":
         """These surroundings with more objects in them."""
         more = Surroundings.__new__(Surroundings)
         more.__dict__.update(self.__dict__)
-        added = [(placement, self._object(placement, asset)) for placement, asset in objects]
-        more._rests_on = self._rests_on | {placement.id: placement.support for placement, _ in added}
-        more._objects = (*self._objects, *(one for _, one in added))
-        more._boxes = np.concatenate([self._boxes, *(_box(one)[None] for _, one in added)])
-        more._reaches = np.concatenate([self._reaches, *(_reach(one)[None] for _, one in added)])
-        more._free = {}
+        added = tuple(objects)
+        placements, assets = [placement for placement, _ in added], [asset for _, asset in added]
+        more._rests_on = self._rests_on | {placement.id: placement.support for placement in placements}
+        more._standing = (*self._standing, *added)
+        more._boxes = np.concatenate([self._boxes, placed_bounds(_bounds(assets), placements)])
+        more._reaches = np.concatenate([self._reaches, placed_bounds(_reaches(assets), placements)])
+        more._objects, more._free = dict(self._objects), {}
         return more
 
     def swings(self, placement: Placement, asset: Asset) -> tuple[Swing, ...]:
@@ -95,12 +91,16 @@ class Surroundings:
         own = self._own(one, placement) if one.moving and one.moving.sweeps else ()
         return (*own, *(() if one.yields else self._others(one, placement)))
 
+    def _number(self, number: int) -> _Object:
+        """One of those that stand there, made when it is first met."""
+        if number not in self._objects:
+            self._objects[number] = self._object(*self._standing[number])
+        return self._objects[number]
+
     def _object(self, placement: Placement, asset: Asset) -> _Object:
         moving, matrix = moving_of(solid_of(asset)), pose(placement)
         light = asset.free and asset.mass < self._walking.movable
-        return _Object(
-            placement.id, moving.bodies, matrix[:, :3], matrix[:, 3], light, moving, asset.mass, asset.friction
-        )
+        return _Object(placement.id, moving.bodies, matrix[:, :3], matrix[:, 3], light, moving)
 
     def _own(self, one: _Object, placement: Placement) -> Iterator[Swing]:
         near = self._near(one, {placement.id} | self._carried_by(placement.id))
@@ -110,7 +110,7 @@ class Surroundings:
 
     def _others(self, one: _Object, placement: Placement) -> Iterator[Swing]:
         below = self._chain(placement.support)
-        near = (self._objects[index] for index in _numbers(_meet(self._reaches, _box(one))))
+        near = (self._number(index) for index in _numbers(_meet(self._reaches, _box(one))))
         for other in (other for other in near if other.id != one.id and other.id not in below):
             for number, (sweep, opening) in enumerate(_openings(other, [one])):
                 share = sweep.share(opening.value)
@@ -129,8 +129,8 @@ class Surroundings:
     def _force(self, id: str) -> float:
         """What slides an object with all that it carries [N]; of those that are pushed aside."""
         carried = {id} | self._carried_by(id)
-        weights = [other.weight for other in self._objects if other.id in carried]
-        grip = next(other.grip for other in self._objects if other.id == id)
+        weights = [asset.mass for placement, asset in self._standing if placement.id in carried]
+        grip = next(asset.friction for placement, asset in self._standing if placement.id == id)
         return grip * sum(weights) * GRAVITY
 
     def _without(self, one: _Object, id: str) -> list[float]:
@@ -144,7 +144,7 @@ class Surroundings:
 
     def _near(self, one: _Object, but: set[str]) -> list[_Object]:
         """The objects that its doors and drawers may meet."""
-        near = (self._objects[index] for index in _numbers(_meet(self._boxes, _reach(one))))
+        near = (self._number(index) for index in _numbers(_meet(self._boxes, _reach(one))))
         return [other for other in near if other.id not in but]
 
     def _carried_by(self, id: str) -> set[str]:
@@ -248,6 +248,18 @@ def _reach(one: _Object) -> Array:
 
 
 _EMPTY = np.array([[math.inf] * 3, [-math.inf] * 3])
+
+
+def _bounds(assets: Sequence[Asset]) -> Array:
+    """Bounding box of each asset in its own frame, shape (n, 2, 3) [m]; of what does not collide an empty one."""
+    solids = [solid_of(asset) if asset.collides else None for asset in assets]
+    return np.array([_EMPTY if solid is None else (solid.low, solid.high) for solid in solids]).reshape(-1, 2, 3)
+
+
+def _reaches(assets: Sequence[Asset]) -> Array:
+    """Bounding box of what each asset's doors and drawers sweep in its own frame, shape (n, 2, 3) [m]."""
+    reaches = [moving_of(solid_of(asset)).reach if asset.made_of[2] else _EMPTY for asset in assets]
+    return np.array(reaches).reshape(-1, 2, 3)
 
 
 def _meet(boxes: Array, others: Array) -> Mask:

@@ -3,6 +3,7 @@
 import itertools
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 
 import shapely
 
@@ -22,6 +23,7 @@ class Slab(Value, kw_only=True, frozen=True):
     yaw: float
 
 
+@lru_cache(maxsize=64)
 def wall_slabs(room: Room, thickness: float) -> tuple[Slab, ...]:
     """Boxes just outside the floor polygon, `thickness` [m] or as thick as a narrow part of the floor plan leaves."""
     return tuple(slab for i, wall in enumerate(room.walls) for slab in _slabs(room, i, wall, thickness))

@@ -173,7 +173,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
     collides: bool = True
     opens: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def free(self) -> bool:
         """Whether it can move: it is not fixed to a wall or a ceiling, and is not a rug."""
         return self.mount in ("floor", "surface") and self.collides
@@ -226,12 +226,12 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
         if shapes > MAX_SHAPES:
             raise self.refused("links", f"have {shapes} shapes in all; at most {MAX_SHAPES} are read")
 
-    @property
+    @cached_property
     def collides(self) -> bool:
         """Whether any part of it can be touched; a rug cannot: it is walked on."""
         return any(shape.collide for link in self.links for shape in link.shapes)
 
-    @property
+    @cached_property
     def free(self) -> bool:
         """Whether it can move: it is not fixed to a wall or a ceiling, and is not a rug."""
         return self.mount in ("floor", "surface") and self.collides
