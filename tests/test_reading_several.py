@@ -148,3 +148,72 @@ def test_a_choice_of_places_and_a_denial_of_what_is_unknown_are_said(prompt: str
 def test_a_bound_told_after_is_that_of_what_was_named() -> None:
     chair = read_brief("A kitchen with chairs, at least four.").request("chair")
     assert (chair.count, chair.least) == (4, 4)
+
+
+def test_each_of_them_are_the_several_that_were_told_apart() -> None:
+    brief = read_brief(
+        "There are three desks. The first is near the window. The second carries a computer. A printer stands on the"
+        " third. Each of them has its own desk lamp."
+    )
+    assert _counts(brief)["desk_lamp"] == 3
+    assert ("on", "desk_lamp", ("desk", "desk-2", "desk-3")) in _ties(brief)
+
+
+@pytest.mark.parametrize(("said", "count"), [("a pair of scissors", 1), ("two pairs of headphones", 2)])
+def test_a_pair_of_what_comes_in_pairs_is_one(said: str, count: int) -> None:
+    assert set(_counts(read_brief(f"A desk with {said} on it.")).values()) == {1, count}
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Every chair has a dictionary on it apart from one.",
+        "Every chair but one has a dictionary on it.",
+        "All but one of the chairs have a dictionary on them.",
+    ],
+)
+def test_all_but_one_are_the_others(said: str) -> None:
+    brief = read_brief(f"Nine chairs. {said}")
+    assert _counts(brief) == {"chair": 9, "dictionary": 8}
+
+
+def test_each_goes_on_through_what_each_has() -> None:
+    brief = read_brief("Four lanes. Per lane: one sofa and one ball rack with six bowling balls in it.")
+    assert _counts(brief)["bowling_ball"] == 24
+
+
+def test_in_each_is_said_of_the_whole_list() -> None:
+    brief = read_brief("Five lockers along the walls, a jersey, a towel and a helmet in each.")
+    assert {_counts(brief)[key] for key in ("jersey", "towels", "helmet")} == {5}
+
+
+def test_from_left_to_right_says_the_order() -> None:
+    brief = read_brief("On a workbench stand, from left to right, a tin can, a glass bottle and a milk carton.")
+    assert {("right_of", "bottle", ("tin_can",)), ("right_of", "carton", ("bottle",))} <= _ties(brief)
+
+
+def test_people_have_things_and_are_none() -> None:
+    brief = read_brief("Three officials each have a folding table, with a ledger on it and a chair behind it.")
+    assert _counts(brief) == {"folding_table": 3, "ledger": 3, "chair": 3}
+    brief = read_brief("A desk. Two guests' chairs facing the desk. The host's own chair goes behind the desk.")
+    assert _counts(brief) == {"desk": 1, "chair": 3}
+
+
+def test_ones_are_of_what_was_denied_elsewhere() -> None:
+    brief = read_brief("Four desks. There are no plants on the desks; two tall ones stand near the window instead.")
+    assert _counts(brief)["plant"] == 2
+    assert ("near", "plant", ("window",)) in _ties(brief)
+
+
+def test_along_with_is_in_the_same_place() -> None:
+    brief = read_brief("A lamp stands on the desk together with a laptop and two books.")
+    assert {("on", "laptop", ("desk",)), ("on", "book", ("desk",))} <= _ties(brief)
+
+
+def test_verbs_that_no_list_has_stand_between_a_thing_and_its_place() -> None:
+    brief = read_brief("A kiln humming in the corner, two brooms and a mop leaning against the wall.")
+    assert {("in_corner", "kiln", ("corner",)), ("against_wall", "broom", ("wall",))} <= _ties(brief)
+
+
+def test_what_carries_a_thing_in_the_middle_stands_there() -> None:
+    assert ("in_centre", "pier", ("centre",)) in _ties(read_brief("In the middle a telescope sits on a concrete pier."))

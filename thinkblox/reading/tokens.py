@@ -58,6 +58,8 @@ def tokenise(text: str) -> list[Token]:
             tokens.append(Token("m2" if "m" in match[0].lower() else "ft2", match[0], "word", start=start))
         elif kind == "word":
             tokens += _words(match[0], start)
+        elif _is_genitive(text, start, tokens):
+            tokens[-1] = replace(tokens[-1], owner=True)
         elif match[0] not in _HYPHENS:
             tokens.append(Token(fold(match[0]), match[0], "mark", start=start))
         elif not _is_inner(text, start):
@@ -65,6 +67,14 @@ def tokenise(text: str) -> list[Token]:
         elif tokens and tokens[-1].start + len(tokens[-1].shown) == start:
             tokens[-1] = replace(tokens[-1], glued=True)
     return tokens
+
+
+def _is_genitive(text: str, index: int, tokens: list[Token]) -> bool:
+    """Whether an apostrophe after a plural says whose: "two guests' chairs"; one that ends a quotation does not."""
+    if text[index] not in "'’" or not tokens or tokens[-1].start + len(tokens[-1].shown) != index:
+        return False
+    quoted = any(token.kind == "mark" and token.text in ("'", "‘") for token in tokens)
+    return tokens[-1].text.endswith("s") and text[index + 1 : index + 2].isspace() and not quoted
 
 
 def _is_inner(text: str, index: int) -> bool:

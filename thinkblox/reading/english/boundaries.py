@@ -5,6 +5,9 @@ from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import State
 
+_TOGETHER = ("along with", "together with", "as well as", "accompanied by")
+"""Words that add to the subject of a clause what is where it is."""
+
 
 class Boundaries(State):
     """Ends clauses and parts the members of lists."""
@@ -49,6 +52,7 @@ class Boundaries(State):
         """End a clause; after a colon or dash, what follows may tell the parts of what came last."""
         things = self.clause.members
         front = self.front if kind == "colon" and not things else []
+        sequence = self.sequence if kind == "colon" and not things else ""
         self.front = [] if front else self.front
         last = self.frontier[-1].thing if self.frontier else None
         self.whole = last if kind in ("colon", "dash") and last is not None and last.many else None
@@ -64,7 +68,7 @@ class Boundaries(State):
         elif things and not self.excluding:
             self.referents.topics.append(things[0])
         self._begin()
-        self.front = front
+        self.front, self.sequence = front, sequence
         self.opening = None
 
     def _begin_again(self) -> None:
@@ -83,6 +87,10 @@ class Boundaries(State):
                 keep = (self.excluding or barred) and link.value == "or"
                 self._separate(link.value)
                 self.excluding = keep
+                if link.text.lower() in _TOGETHER and self.predicate:
+                    self.together = self.subject
+            case "but" if self._all_but():
+                pass
             case "but":
                 negated = self.negating
                 self._separate("comma")
@@ -97,6 +105,23 @@ class Boundaries(State):
                     self.relative = Node(anchors, None, known=True) if anchors else None
                     self.held, self.front = self.front, []
                 self.separator = ""
+
+    def _all_but(self) -> bool:
+        """Read "every chair but one": what follows is said of the others."""
+        said, noun = self._before(), self._next_noun()
+        thing = self.frontier[-1].thing if self.frontier else None
+        several = isinstance(said, Noun) and (said.det in ("each", "all") or said.value in ("each", "all"))
+        if not several or thing is None or noun is None or noun.of_known:
+            return False
+        if noun.kind != "number" and noun.value != "one":
+            return False
+        if not noun.count or (thing.count or 0) <= noun.count:
+            return False
+        self._go_past(noun)
+        self.referents.part(thing, noun.count)
+        self.referents.parted = None
+        self.frontier[-1].things = [thing]
+        return True
 
     def _is_choice(self) -> bool:
         """Whether "a sofa or a bed" asks for one of two: no list goes on, and nothing is denied."""

@@ -30,6 +30,7 @@ _MARKS = {
 }
 _QUOTES = ('"', "“", "”", "„", "«", "»")
 _LINKS = (
+    "sequences",
     "mutual",
     "negations",
     "inverses",
@@ -178,10 +179,13 @@ class Cutter:
         return False
 
     def _participle(self) -> Connector | None:
-        """Read a verb that no list has after "is": "are chilling in the fridge"."""
+        """Read a verb that no list has: "are chilling in the fridge", "a kiln humming in the corner"."""
         last = self.made[-1] if self.made else None
         token = self.tokens[self.at]
-        if not isinstance(last, Connector) or last.sort != "verbs" or last.value != "be":
+        doing = isinstance(last, Noun) and last.kind == "thing" and token.text.endswith("ing")
+        if doing and self._phrases.thing_at(self.at) is not None:
+            return None
+        if not doing and not (isinstance(last, Connector) and last.sort == "verbs" and last.value == "be"):
             return None
         if not token.text.endswith(("ing", "ed")) or grammar().at(self.tokens, self.at, *_LINKS, "states"):
             return None

@@ -56,6 +56,9 @@ class Clauses(Pronouns):
                 self._join(link)
             case "prepositions":
                 self._preposition(link)
+            case "sequences":
+                self.sequence = link.value
+                self.separator = ""
             case "inverses":
                 self._open(link.value)
             case "participles":
@@ -127,8 +130,10 @@ class Clauses(Pronouns):
             put = isinstance(last, Connector) and last.sort == "negations" and last.text.lower().endswith(" put")
             self.negating = noun.det == "none" or (self.negating and put)
             return
+        self.barred = None
         thing = self._new(noun)
         self._take(thing, noun)
+        self.negating |= noun.det == "none"
 
     def _is_mood(self, noun: Noun) -> bool:
         """Whether words that nobody knows only say how it is to feel: "nail salon, instagram ready"."""

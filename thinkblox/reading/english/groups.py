@@ -57,7 +57,8 @@ class Groups(Descriptions):
         if not nodes and not begins and self._all_parts():
             begins = False
         elif begins or not nodes:
-            found = [t for t in self.referents.several([], "each") if t.many]
+            found = list(self.referents.several([], "each"))
+            found = [t for t in found if t.many or len(found) > 1]
             if begins and found:
                 self.frontier = [Node(found, self.clause, known=True, each=True)]
                 self.clause.members += found

@@ -38,7 +38,9 @@ class Having(Groups):
         if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
             self._dissolve(thing)
             return
-        frame = Listed(head, kind, each=self.each or head.each or (head.frame is not None and head.frame.times > 1))
+        several = head.frame is not None and head.frame.times > 1
+        several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
+        frame = Listed(head, kind, each=self.each or head.each or several)
         self.each = False
         if head in self.frontier:
             del self.frontier[self.frontier.index(head) + 1 :]

@@ -108,7 +108,7 @@ class Heads(Modifiers):
             return True
         for key in (tuple(words), (words[-1],), (words[0],)):
             found = dict(grammar().phrases.get(key, ()))
-            if "people" in found and key != (words[0],):
+            if "people" in found and (key != (words[0],) or len(words) == 1):
                 noun.kind, noun.value = "people", "people"
                 return True
             if "abstract" in found:

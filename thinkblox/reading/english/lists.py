@@ -18,11 +18,22 @@ class Memberships(Ties):
         frame = pending
         if frame is None:
             frame = self._frame_for(thing, noun) if self.separator and self.frontier else self.clause
+        if self.together is not None and not self._is_told_next():
+            self._place_with(thing, self.together)
+        before = frame.members[-1:]
         self._member(thing, frame)
         self._push(Node([thing], frame, each=noun.each))
+        if self.sequence and before and before[0] is not thing:
+            bind(self.draft, Bond(relation_kind(self.sequence), thing, (before[0],)))
         if frame.head is None:
             self.subject, self.predicate = None, False
             self._apply_front([thing])
+
+    def _place_with(self, thing: Mention, subject: Node) -> None:
+        """Put a thing where the subject of the clause was just said to be."""
+        said = [b for one in subject.things for b in self.draft.bonds_of(one) if not b.implied and not b.negated]
+        for bond in said[-1:]:
+            bind(self.draft, Bond(bond.kind, thing, bond.anchors))
 
     def _take_known(self, noun: Noun, known: list[Mention]) -> None:
         """Speak again of things named before: as the subject, or as what a list names."""

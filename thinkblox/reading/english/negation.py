@@ -88,3 +88,4 @@ class Negation(Positions):
         self.draft.excluded.add(noun.value)
         self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None
+        self.barred = noun

@@ -17,6 +17,9 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
+        if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
+            self._instead(self.barred, noun)
+            return
         link = self.peek()
         bounded = noun.least is not None or noun.most is not None
         if bounded and not noun.of_known and not self._is_link(link, "prepositions"):
@@ -33,6 +36,13 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _instead(self, barred: Noun, noun: Noun) -> None:
+        """Read "There are no plants on the desks; two tall ones stand near the window"."""
+        self.barred = None
+        self.draft.excluded.discard(barred.value)
+        kind = replace(noun, kind="thing", value=barred.value, text=barred.word, named=barred.named)
+        self._take(self._new(kind), kind)
 
     def _bound_next(self, noun: Noun) -> None:
         """Give "at least two and at most four stools" both bounds; a bound of nothing is not understood."""
@@ -100,8 +110,20 @@ class Numbers(Verbs):
         if thing is not None:
             bind(self.draft, Bond("in_rows", thing, rows=max(noun.rows, 0)))
 
+    def _except(self, whole: Mention, count: int) -> None:
+        """Read "every chair has a dictionary on it apart from one": what was said of all is not said of these."""
+        part = self.referents.part(whole, count)
+        for bond in self.draft.bonds:
+            if part in bond.anchors and whole in bond.anchors:
+                bond.anchors = tuple(anchor for anchor in bond.anchors if anchor is not part)
+        self._speak_of_part(part, None)
+
     def _part_of(self, whole: Mention, count: int, noun: Noun | None = None) -> None:
         """Set so many of `whole` apart and speak of them."""
+        if self.excepting and (whole.count or 0) > count:
+            self.excepting = False
+            self._except(whole, count)
+            return
         times = self._times_next()
         if self._is_more(whole, noun):
             part = self._copy(whole, count * times)

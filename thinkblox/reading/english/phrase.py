@@ -211,8 +211,10 @@ class PhraseReader(Heads):
         counted = bool(noun.det) or noun.count is not None
         filler = grammar().at(self.tokens, at, "fillers")
         if filler is not None:
-            can = (counted or units.adjectives) and not units.nouns
+            can = ((counted or units.adjectives) and not units.nouns) or (bool(units.nouns) and units.nouns[-1].owner)
             self._idle(noun, at, at + filler.length)
+            if can and self.tokens[at].text == "own":
+                noun.det = "a"
             return filler.length if can and self._starts_noun(at + filler.length) else 0
         if (noun.det, self.tokens[at].text) == ("each", "half"):
             units.nouns.append(Unit("half"))

@@ -176,7 +176,7 @@ class Positions(Subjects):
     def _place_carrier(self, subjects: list[Mention], meaning: Meaning) -> None:
         """Read "In the middle a vase on a table": it is the table that stands in the middle."""
         carrier = meaning.anchors[0]
-        if not isinstance(carrier, Mention) or is_small(carrier):
+        if not isinstance(carrier, Mention) or (is_small(carrier) and carrier.noun in self.habits.known()):
             return
         for bond in self.draft.bonds:
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":

@@ -1,5 +1,7 @@
 """Prepositions that say something else than where: "of", "for", "as", "without"."""
 
+from dataclasses import replace
+
 from thinkblox.reading.english.chunks import Connector
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
@@ -11,34 +13,40 @@ class Prepositions(Negation):
     """Reads prepositions."""
 
     def _preposition(self, link: Connector) -> None:
+        if link.value == "among" and self._is_on_walls():
+            link = replace(link, value="on")
         match link.value:
             case "with":
                 self._open("with")
-                return
-            case "without":
+            case "without" | "instead":
                 self._exclude_next()
-                return
-            case "instead":
-                self._exclude_next()
-                return
             case "except":
-                self.excepting, self.negating, self.excluding = True, False, False
-                return
+                self._except_next()
             case "of":
                 self._of()
-                return
             case "for":
                 self._for(link)
-                return
             case "as":
                 self._as()
-                return
             case "among":
-                if (noun := self._next_noun()) is not None and noun.kind in ("room", "abstract", "place"):
-                    self._go_past(noun)
-                return
-        self._began = self.at - 1
-        self._where(self._read_where(link))
+                self._among()
+            case _:
+                self._began = self.at - 1
+                self._where(self._read_where(link))
+
+    def _except_next(self) -> None:
+        if not self._all_but():
+            self.excepting, self.negating, self.excluding = True, False, False
+
+    def _among(self) -> None:
+        """Go past "throughout the room"."""
+        if (noun := self._next_noun()) is not None and noun.kind in ("room", "abstract", "place"):
+            self._go_past(noun)
+
+    def _is_on_walls(self) -> bool:
+        """Whether "all over the walls" says where things hang."""
+        noun = self._next_noun()
+        return noun is not None and noun.kind == "place" and "wall" in noun.value
 
     def _of(self) -> None:
         """Read "shelves of bottles", "a vase of tulips", "the drawers of the cabinet"."""

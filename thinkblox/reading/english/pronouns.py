@@ -23,6 +23,8 @@ class Pronouns(Numbers):
                 self._resume(list(self.referents.several([], "")), noun)
                 if noun.text.lower().startswith("both") and self.frontier:
                     self.frontier[0].each = self.each = True
+            case "all" if (rest := self._rest_of_named()) is not None:
+                self._resume([rest], noun)
             case "all":
                 things = [t for t in self.clause.members if t in self.draft.things]
                 if things:
@@ -30,6 +32,19 @@ class Pronouns(Numbers):
                     self.separator = ""
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
+
+    def _rest_of_named(self) -> Mention | None:
+        """What "all but one of the chairs" are; goes past it."""
+        barred = self._next_noun(1) if self._is_link(self.peek(), "joins", "but") else None
+        whole = self.referents.named(barred) if barred is not None and barred.kind == "thing" else None
+        if barred is None or whole is None or not barred.of_known or not barred.count:
+            return None
+        if (whole.count or 0) <= barred.count:
+            return None
+        self._go_past(barred)
+        self.referents.part(whole, barred.count)
+        self.referents.parted = None
+        return whole
 
     def _one_of_several(self, noun: Noun) -> None:
         """Read "one", "another", "the other", "half", "none" of what was named."""

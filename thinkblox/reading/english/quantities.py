@@ -78,6 +78,7 @@ class Quantities(Words):
         if number is None:
             return 0 if quantifier else self._vague(noun, at)
         value, length = number
+        value //= self._halved(at + skip, length)
         prepositional = self.tokens[at].text in ("around", "about", "over", "under", "up") and value < 2
         if quantifier and (prepositional or self.size_at(at + skip) is not None):
             return 0
@@ -87,6 +88,13 @@ class Quantities(Words):
         self._bound(noun, quantifier.value if quantifier else "", value)
         length += self._range(noun, at + skip + length)
         return skip + length + self._times(at + skip + length)
+
+    def _halved(self, at: int, length: int) -> int:
+        """2 for "a pair of scissors", which is one thing; else 1."""
+        if not self.tokens[at + length - 2].text.startswith("pair"):
+            return 1
+        words = {token.text for token in self.tokens[at + length : at + length + 4]}
+        return 2 if words & grammar().lists["pairs"] else 1
 
     def _is_word_of_compound(self, at: int, length: int) -> bool:
         """Whether a number belongs to an adjective: "two-burner stove", "ten-year-old"."""

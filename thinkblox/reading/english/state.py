@@ -44,6 +44,9 @@ class State(Namer):
         negating, excluding, excepting, leaving, existential: "not", "without", "except", "leave", "there is" hold.
         each: what comes is said of each.
         per_group, crowd: so many of what comes, for so many groups, or people.
+        together: with what that was said to be somewhere what comes is ("along with three candles").
+        barred: what was said not to be there last.
+        sequence: on which side each of the things that come is of the one before ("from left to right").
     """
 
     def __init__(self, tokens: Sequence[Token], chunks: Sequence[Chunk]) -> None:
@@ -71,6 +74,7 @@ class State(Namer):
         self.each_of = 0
         self.front: list[Awaited] = []
         self.held: list[Awaited] = []
+        self.barred: Noun | None = None
         self._begin()
 
     def _begin(self) -> None:
@@ -96,6 +100,8 @@ class State(Namer):
         self.outer: Node | None = None
         self.crowd = 0
         self.held = []
+        self.sequence = ""
+        self.together: Node | None = None
 
     def _lose(self, start: int, end: int) -> None:
         """Note words that name or change a thing and that nothing is made of."""

@@ -1,7 +1,7 @@
 """Whom a relation is about, and what a pronoun then means."""
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.referents import is_small
@@ -140,15 +140,21 @@ class Subjects(Having):
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
+        each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
+        shared = self._is_leaning() or each
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         free: list[Mention] = []
         for member in reversed(frame.members):
-            if (member in taken and member is not thing) or (
-                member is not thing and not self._belongs(member.noun, group)
-            ):
+            alike = shared or self._belongs(member.noun, group)
+            if member is not thing and (member in taken or not alike):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _is_leaning(self) -> bool:
+        """Whether they lean where they are: "two brooms and a mop leaning against the wall"."""
+        said = self.chunks[self._began - 1] if self._began else None
+        return isinstance(said, Connector) and said.text.lower() in ("leaning", "leaned", "propped", "propped up")
 
     def _likely(self, node: Node) -> list[Mention]:
         """What a pronoun means first: the head of the list, then what the clause is about."""
