@@ -10,7 +10,9 @@ from thinkblox.scene.asset import Surface
 def bed(spec: Spec) -> Build:
     """Return a bed with a wooden or upholstered head; two pillows when 1.2 m or wider."""
     x, y, z = spec.size
-    soft = spec.has("upholstered") or (spec.rng.random() < 0.4 and not spec.has("wooden"))
+    posts = spec.has("four-poster", "canopy")
+    z = min(z, 0.95) if posts else z
+    soft = not posts and (spec.has("upholstered") or (spec.rng.random() < 0.4 and not spec.has("wooden")))
     top = min(0.56, 0.62 * z)
     build = Build()
     if soft:
@@ -22,9 +24,24 @@ def bed(spec: Spec) -> Build:
         build.body += _rails(spec, top - 0.2)
     feet = [(sx, sy * (y / 2 - 0.06)) for sx in (-x / 2 + 0.05, x / 2 - 0.06) for sy in (-1, 1)]
     build.body += [leg(spec.style.wood, at, at, (0, 0.24 if not soft else 0.1), 0.03, 0.05) for at in feet]
+    if posts:
+        build.body += _posts(spec)
     margin = 0.1 if soft else 0.045
     bedding(build, spec, (-x / 2 + margin, x / 2 - 0.02), (-y / 2 + 0.02, y / 2 - 0.02), (top - 0.2, top))
     return build
+
+
+def _posts(spec: Spec) -> list[Part]:
+    """Four posts with rails between their heads."""
+    x, y, z = spec.size
+    post = 0.06
+    ends = [(sx * (x - post) / 2, sy * (y - post) / 2) for sx in (-1, 1) for sy in (-1, 1)]
+    rails = (z - post, z)
+    return [
+        *(box(spec.wood, around(px, post), around(py, post), (0, z - post)) for px, py in ends),
+        *(box(spec.wood, (-x / 2, x / 2), around(s * (y - post) / 2, post), rails) for s in (-1, 1)),
+        *(box(spec.wood, around(s * (x - post) / 2, post), (post - y / 2, y / 2 - post), rails) for s in (-1, 1)),
+    ]
 
 
 def _rails(spec: Spec, top: float) -> list[Part]:

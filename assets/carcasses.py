@@ -9,6 +9,7 @@ from msgspec import structs
 from thinkblox.assets.palette import GLASS, IRON, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range
 from thinkblox.assets.shapes import around, box, leg, panel, top_surface
+from thinkblox.assets.sizing import counted
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Joint, Surface
 
@@ -64,6 +65,7 @@ def cabinet(
     It stands on a recessed `plinth` or on feet `legs` high [m]; a `worktop` is thicker and stands over the front.
     """
     x, y, z = spec.size
+    bays = _as_asked(spec, bays)
     finish = finish or spec.paint
     top_z = z - (0.034 if worktop else 0.0)
     edge = x / 2 - (0.004 if worktop else 0.0)
@@ -80,6 +82,20 @@ def cabinet(
     )
     build.surfaces.sort(key=lambda surface: surface.within)
     return build
+
+
+def _as_asked(spec: Spec, bays: Sequence[Sequence[Cell]]) -> Sequence[Sequence[Cell]]:
+    """The bays with as many drawers and doors as the words ask for, where they do."""
+    drawers, doors = counted(spec.words, "drawer"), counted(spec.words, "door")
+    if not (drawers or doors):
+        return bays
+    column = [Cell("drawer")] * drawers
+    if doors:
+        return [*([column] if drawers else []), *([[Cell("door", 1.0, 1)]] * doors)]
+    if all(cell.kind == "drawer" for bay in bays for cell in bay) or len(bays) == 1:
+        halves = len(bays) == 2 and drawers % 2 == 0
+        return [[Cell("drawer")] * (drawers // 2)] * 2 if halves else [column]
+    return [column, *([[Cell("open" if bay[0].kind == "open" else "door", 1.0, 1)] for bay in bays[1:]])]
 
 
 def _closed(bays: Sequence[Sequence[Cell]]) -> bool:

@@ -17,7 +17,7 @@ from thinkblox.assets.finish import fitted, links_of
 from thinkblox.assets.masses import mass_of
 from thinkblox.assets.mounting import mount_of
 from thinkblox.assets.palette import style_of
-from thinkblox.assets.repaint import repainted
+from thinkblox.assets.repaint import of_kind, repainted
 from thinkblox.assets.sizing import checked_size, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.stand_ins import kind_of
@@ -88,7 +88,8 @@ def category_of(name: str) -> Category:
 @lru_cache(maxsize=512)
 def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, revision: int) -> Asset:
     category = kind_of(name)
-    words = frozenset(w.lower().replace("_", "-") for w in attributes)
+    said = [w.lower().replace("_", "-") for w in attributes]
+    words = frozenset([*said, *(general for word in said for general in of_kind(word))])
     rng = np.random.default_rng([seed, zlib.crc32(name.encode())])
     drawn = size_for(category, words, rng)
     size = size or drawn

@@ -127,6 +127,10 @@ COLOURS: dict[str, Vec3] = {
 }
 MAHOGANY = Finish((0.38, 0.19, 0.14), "wood")
 EBONY = Finish((0.14, 0.11, 0.10), "wood")
+CEDAR = Finish((0.62, 0.40, 0.28), "wood")
+CHERRY = Finish((0.55, 0.30, 0.20), "wood")
+BAMBOO = Finish((0.84, 0.72, 0.50), "wood")
+BIRCH = Finish((0.88, 0.79, 0.64), "wood")
 WOODS = {
     "oak": OAK,
     "walnut": WALNUT,
@@ -136,7 +140,26 @@ WOODS = {
     "pine": PINE,
     "mahogany": MAHOGANY,
     "ebony": EBONY,
+    "cedar": CEDAR,
+    "cherry": CHERRY,
+    "bamboo": BAMBOO,
+    "birch": BIRCH,
     "wooden": OAK,
+}
+METALS = {
+    "steel": STEEL,
+    "chrome": CHROME,
+    "brass": BRASS,
+    "copper": Finish((0.72, 0.45, 0.32), "metal"),
+    "bronze": Finish((0.48, 0.36, 0.22), "metal"),
+    "iron": IRON,
+}
+STONES = {
+    "marble": MARBLE,
+    "granite": Finish((0.42, 0.41, 0.41), "stone"),
+    "slate": SLATE,
+    "concrete": CONCRETE,
+    "terrazzo": Finish((0.86, 0.82, 0.77), "stone"),
 }
 
 

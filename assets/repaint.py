@@ -10,10 +10,12 @@ from thinkblox.assets.palette import (
     COLOURS,
     LINEN,
     MARBLE,
+    METALS,
     OAK,
     PALE_GLASS,
     PAPER,
     STEEL,
+    STONES,
     WHITE_PLASTIC,
     WICKER,
     WOODS,
@@ -34,7 +36,6 @@ MATERIALS: dict[str, frozenset[Material]] = {
     "fabric": frozenset({"fabric"}),
     "upholstered": frozenset({"fabric", "leather"}),
     "stone": frozenset({"stone"}),
-    "marble": frozenset({"stone"}),
     "plastic": frozenset({"plastic"}),
     "ceramic": frozenset({"ceramic"}),
     "paper": frozenset({"paper"}),
@@ -47,15 +48,25 @@ _FINISHES: dict[str, Finish] = {
     "leather": Finish((0.48, 0.29, 0.18), "leather"),
     "fabric": LINEN,
     "stone": MARBLE,
-    "marble": MARBLE,
     "plastic": WHITE_PLASTIC,
     "ceramic": CLAY,
     "paper": PAPER,
     "wicker": WICKER,
     **WOODS,
+    **METALS,
+    **STONES,
 }
+LOOKS = frozenset({*COLOURS, *MATERIALS, *_FINISHES})
+"""Words that say of which colour or material a thing is."""
+_FRAME = 0.12
+"""Least share of the visible faces that a frame has; less are handles and hinges."""
 _KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
 """What gives light, shows a picture or grows keeps its look."""
+
+
+def of_kind(word: str) -> tuple[str, ...]:
+    """The general word for a kind of metal or stone, which is what generators heed: "metal" for "brass"."""
+    return ("metal",) if word in METALS else ("stone",) if word in STONES else ()
 
 
 def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
@@ -64,12 +75,35 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
     named = sorted(set(words))
     for word in named:
         finish = _FINISHES.get(word)
-        if finish is not None and not shows_finish(found, word):
+        if finish is None:
+            continue
+        if word in WOODS and not any(_FINISHES[other].material == "metal" for other in named if other in _FINISHES):
+            found = _framed(found, finish)
+        if word in METALS:
+            found = _turned(found, "metal", finish)
+        if not shows_finish(found, word):
             found = _dressed(found, finish.colour, finish.material)
     for word in named:
         if word in COLOURS and not shows_colour(found, COLOURS[word]):
             found = _dressed(found, COLOURS[word], None)
     return found
+
+
+def _framed(links: Sequence[Link], wood: Finish) -> tuple[Link, ...]:
+    """The links with legs and frames of wood, where they are of metal: a wooden stool has no legs of chrome."""
+    metal = share(links, lambda shape: shape.material == "metal")
+    return _turned(links, "metal", wood) if metal >= _FRAME else tuple(links)
+
+
+def _turned(links: Sequence[Link], material: Material, finish: Finish) -> tuple[Link, ...]:
+    """The links with all shapes of one material in another finish."""
+
+    def turned(shape: Shape) -> Shape:
+        if shape.material != material:
+            return shape
+        return structs.replace(shape, colour=finish.colour, material=finish.material)
+
+    return tuple(structs.replace(link, shapes=tuple(map(turned, link.shapes))) for link in links)
 
 
 def shows_colour(links: Iterable[Link], colour: Vec3) -> bool:
@@ -78,11 +112,17 @@ def shows_colour(links: Iterable[Link], colour: Vec3) -> bool:
 
 
 def shows_finish(links: Iterable[Link], word: str) -> bool:
-    """Whether enough of what is seen is of the material that a word means; a kind of wood is told by its colour."""
+    """Whether enough of what is seen is of the material that a word means; its kind is told by its colour."""
     made = list(links)
     if word in MATERIALS:
         return share(made, lambda shape: shape.material in MATERIALS[word]) >= SHARE
-    return shows_colour(made, _FINISHES[word].colour)
+    finish = _FINISHES[word]
+    if word in WOODS or word == "wicker":
+        return shows_colour(made, finish.colour)
+    near = share(
+        made, lambda shape: shape.material == finish.material and dist(shape.colour, finish.colour) <= SAME_COLOUR
+    )
+    return near >= SHARE
 
 
 def share(links: Iterable[Link], shows: Callable[[Shape], bool]) -> float:

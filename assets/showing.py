@@ -8,14 +8,16 @@ from shapely import MultiPoint
 
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
-from thinkblox.assets.palette import COLOURS, WICKER, WOODS
+from thinkblox.assets.palette import COLOURS, METALS, STONES, WICKER, WOODS
 from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
-from thinkblox.assets.sizing import people
+from thinkblox.assets.sizing import COUNTED_PARTS, counted, people
 from thinkblox.assets.stand_ins import facts_of
 from thinkblox.assets.states import shows_state
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3
 
+KINDS = {**WOODS, **METALS, **STONES}
+"""Kinds of woods, metals and stones."""
 _PLACE, _KNEES = 0.5, 0.65
 """Width that one person takes at a table or on a bench, and how much of a long side the knees at the ends take [m]."""
 _ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
@@ -31,9 +33,12 @@ def realised(asset: Asset, attribute: str) -> bool:
     rule = _RULES.get(word)
     if wanted := people((word,)):
         return _seats(asset) >= wanted
+    for part, kind in zip(COUNTED_PARTS, ("slide", "hinge"), strict=True):
+        if wanted := counted((word,), part):
+            return sum(link.joint is not None and link.joint.kind == kind for link in asset.links) == wanted
     if word in COLOURS:
         return shows_colour(asset.links, COLOURS[word])
-    if word in MATERIALS or word in WOODS:
+    if word in MATERIALS or word in KINDS:
         return shows_finish(asset.links, word)
     if rule is not None:
         return rule(asset)

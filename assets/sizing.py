@@ -11,12 +11,12 @@ from thinkblox.value import Vec3
 
 _NUMBERS = {w: n for n, w in enumerate("one two three four five six seven eight nine ten eleven twelve".split(), 1)}
 _SCALES: dict[str, Vec3] = {
-    "small": (0.82, 0.76, 0.88),
-    "little": (0.82, 0.76, 0.88),
-    "tiny": (0.7, 0.65, 0.75),
-    "large": (1.16, 1.28, 1.12),
-    "big": (1.16, 1.28, 1.12),
-    "huge": (1.25, 1.45, 1.2),
+    "small": (0.75, 0.72, 0.88),
+    "little": (0.75, 0.72, 0.88),
+    "tiny": (0.6, 0.55, 0.75),
+    "large": (1.25, 1.42, 1.15),
+    "big": (1.25, 1.42, 1.15),
+    "huge": (1.4, 1.65, 1.25),
     "long": (1.0, 1.4, 1.0),
     "wide": (1.0, 1.25, 1.0),
     "short": (1.0, 0.8, 1.0),
@@ -26,9 +26,20 @@ _SCALES: dict[str, Vec3] = {
     "low": (1.0, 1.0, 0.65),
     "tall": (1.0, 1.0, 1.25),
     "high": (1.0, 1.0, 1.25),
+    "four-poster": (1.0, 1.0, 2.2),
+    "canopy": (1.0, 1.0, 2.2),
     "child": (0.72, 0.72, 0.72),
     "children": (0.72, 0.72, 0.72),
 }
+
+
+COUNTED_PARTS = ("drawer", "door")
+"""Parts of which a cabinet is made with as many as are asked for: "3-drawers"."""
+
+
+def counted(words: Collection[str], part: str) -> int:
+    """How many drawers or doors the words ask for ("3-drawers"), 0 if they do not."""
+    return next((int(word.partition("-")[0]) for word in sorted(words) if re.fullmatch(rf"[1-9]\d?-{part}s", word)), 0)
 
 
 def people(words: Collection[str]) -> int:

@@ -9,11 +9,14 @@ from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range, moved
 from thinkblox.assets.shapes import around, box, cylinder, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
+from thinkblox.assets.tables import is_round, side_table
 from thinkblox.scene.asset import Joint
 
 
 def nightstand(spec: Spec) -> Build:
-    """Return a bedside cabinet: a drawer above an open shelf, on legs."""
+    """Return a bedside cabinet: a drawer above an open shelf, on legs; a small table when round."""
+    if is_round(spec):
+        return side_table(spec)
     finish = spec.wood if spec.rng.random() < 0.7 else spec.paint
     return cabinet(spec, [[Cell("open", 1.3), Cell("drawer")]], legs=0.14, finish=finish)
 

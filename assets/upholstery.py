@@ -160,7 +160,8 @@ def floor_cushion(spec: Spec) -> Build:
     cover = spec.main(spec.choice((spec.style.accent, spec.style.fabric)))
     shape = [cushion(cover, (-x / 2, x / 2), (-y / 2, y / 2), (0, z), radius=0.45 * z)]
     if spec.has("round", "circular"):
-        shape = [prism(cover, oval(x, y), (0.2 * z, 0.8 * z)), pad(cover, around(0, x), around(0, y), (0, z), edge=0.2)]
+        rims = ((1.0, 0.25, 0.75), (0.96, 0.1, 0.9), (0.88, 0.0, 1.0))
+        shape = [prism(cover, oval(share * x, share * y), (low * z, high * z)) for share, low, high in rims]
     return Build(body=shape, surfaces=[top_surface("top", around(0, 0.6 * x), around(0, 0.6 * y), z)])
 
 

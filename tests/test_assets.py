@@ -8,7 +8,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from thinkblox.assets import CATALOGUE, Category, fit_asset, make_asset
+from thinkblox.assets.repaint import share
+from thinkblox.assets.showing import realised
 from thinkblox.errors import InputError
+from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.value import Vec3, from_json, to_json
 
@@ -181,3 +184,37 @@ def test_what_hangs_on_a_wall_lies_flat_against_it(name: str) -> None:
     asset = make_asset(name, seed=0)
     assert asset.mount == "wall"
     assert asset.size[0] < 0.6 * min(asset.size[1:])
+
+
+@pytest.mark.parametrize(
+    ("category", "words"),
+    [
+        ("floor_lamp", ("brass",)),
+        ("locker", ("steel",)),
+        ("chest", ("cedar",)),
+        ("side_table", ("terrazzo",)),
+        ("bed", ("queen", "four-poster")),
+        ("nightstand", ("round",)),
+        ("dresser", ("6-drawers",)),
+        ("base_cabinet", ("3-drawers",)),
+        ("cabinet", ("3-drawers", "2-doors")),
+        ("wardrobe", ("3-doors",)),
+        ("floor_cushion", ("round",)),
+        ("monitor", ("ultrawide",)),
+    ],
+)
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_what_is_said_of_a_thing_is_seen_on_it(category: str, words: tuple[str, ...], seed: int) -> None:
+    asset = make_asset(category, seed=seed, attributes=words)
+    assert [realised(asset, word) for word in words] == [True] * len(words)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_wooden_stool_has_no_legs_of_metal(seed: int) -> None:
+    asset = make_asset("bar_stool", seed=seed, attributes=("wooden",))
+    assert share(asset.links, lambda shape: shape.material == "metal") < 0.12
+
+
+def test_a_mini_fridge_is_small() -> None:
+    fridge = next(r for r in read_brief("A bedroom with a mini fridge.").requests if r.asked)
+    assert make_asset(fridge.category, seed=1, attributes=fridge.attributes).size[2] < 0.7

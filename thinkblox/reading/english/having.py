@@ -1,5 +1,7 @@
 """Opens lists of what things have: "with", "surrounded by", "holds"."""
 
+from thinkblox.assets.sizing import COUNTED_PARTS
+from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.groups import Groups
@@ -20,8 +22,7 @@ class Having(Groups):
         if noun is not None and self._is_feature(noun) and kind == "with":
             node = next((n for n in reversed(self.frontier) if n.things), None)
             if node is not None:
-                node.things[-1].unshown.append(f"with {noun.text}")
-                self._go_past(noun)
+                self._features(node.things[-1], noun)
                 return
         head = self._head_for(noun, kind)
         if head is None:
@@ -59,6 +60,24 @@ class Having(Groups):
     def _is_feature(self, noun: Noun) -> bool:
         """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
         return noun.word in grammar().lists["features"] and not self.each
+
+    def _features(self, thing: Mention, noun: Noun) -> None:
+        """Take "two doors and three drawers" for parts of a thing."""
+        while True:
+            self._feature(thing, noun)
+            self._go_past(noun)
+            more = self._next_noun(1) if self._is_link(self.peek(), "joins", "and") else None
+            if more is None or not self._is_feature(more) or (more.count is None and not more.plural):
+                return
+            noun = more
+
+    def _feature(self, thing: Mention, noun: Noun) -> None:
+        """Note a part that a thing is to have: drawers and doors can be made in any number."""
+        plain = not (noun.attributes or noun.unshown or noun.size)
+        if noun.count and noun.word in COUNTED_PARTS and plain:
+            thing.attributes.append(f"{noun.count}-{noun.word}s")
+        else:
+            thing.unshown.append(f"with {noun.text}")
 
     def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
         nodes = [node for node in reversed(self.frontier) if node.things]

@@ -1,5 +1,7 @@
 """Adjectives, and words that hyphens join."""
 
+from thinkblox.assets.plurals import singular
+from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.brief import Fate
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -94,7 +96,7 @@ class Modifiers(Quantities):
         if state is not None and state.length > end - at:
             return 0
         name = "-".join(token.shown for token in self.tokens[at : end + 1]).lower()
-        if self._seats(noun, at, end):
+        if self._seats(noun, at, end) or self._counts_parts(noun, at, end):
             return end + 1 - at
         if last is not None and last.entry.sort == "attribute":
             noun.attributes.append(last.entry.value)
@@ -111,6 +113,14 @@ class Modifiers(Quantities):
         else:
             units.nouns.append(Unit(name))
         return end + 1 - at
+
+    def _counts_parts(self, noun: Noun, at: int, end: int) -> bool:
+        """Read "three-drawer", "two-door"."""
+        number, word = self._number(at), singular(self.tokens[end].text)
+        if number is None or word not in COUNTED_PARTS or not self._starts_noun(end + 1):
+            return False
+        noun.attributes.append(f"{number[0]}-{word}s")
+        return True
 
     def _seats(self, noun: Noun, at: int, end: int) -> bool:
         number = self._number(at)

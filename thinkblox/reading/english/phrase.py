@@ -1,7 +1,6 @@
 """Noun phrases with any noun: determiner, quantity, modifiers, head."""
 
-from thinkblox.assets.palette import COLOURS
-from thinkblox.assets.repaint import MATERIALS
+from thinkblox.assets.repaint import LOOKS
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.heads import Heads
@@ -134,7 +133,7 @@ class PhraseReader(Heads):
         said = self._known(at, "attribute")
         if said is None or said.length != length or not self._starts_noun(at + length):
             return False
-        return said.entry.value in COLOURS or said.entry.value in MATERIALS
+        return said.entry.value in LOOKS
 
     def _covers(self, at: int, length: int) -> bool:
         """Whether a phrase covers all that hyphens join at `at`."""

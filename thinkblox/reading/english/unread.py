@@ -5,8 +5,7 @@ They are cut out as a whole, so that no word of them becomes a thing or a size, 
 
 from collections.abc import Sequence
 
-from thinkblox.assets.palette import COLOURS
-from thinkblox.assets.repaint import MATERIALS
+from thinkblox.assets.repaint import LOOKS
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
 
@@ -90,7 +89,7 @@ def _painted(words: list[str]) -> int:
     if painted:
         return at + 1 if at + 1 < len(words) and words[at + 1] not in _UNPAINTED else 0
     shade = words[at + 1 : at + 2] if words[at : at + 1] and words[at] in _SHADES else words[at : at + 1]
-    return at + 1 if at == 2 and shade and (shade[0] in COLOURS or shade[0] in MATERIALS) else 0
+    return at + 1 if at == 2 and shade and shade[0] in LOOKS else 0
 
 
 def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
