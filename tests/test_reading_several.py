@@ -217,3 +217,53 @@ def test_verbs_that_no_list_has_stand_between_a_thing_and_its_place() -> None:
 
 def test_what_carries_a_thing_in_the_middle_stands_there() -> None:
     assert ("in_centre", "pier", ("centre",)) in _ties(read_brief("In the middle a telescope sits on a concrete pier."))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wanted"),
+    [
+        ("Eight bookcases against the walls, each holding six books.", {"bookcase": 8, "book": 48}),
+        ("A table with four chairs. In front of every chair there are a cup and a glass on the table.", {"glass": 4}),
+        ("A round table with six chairs around it; at every place a plate and a glass.", {"plate": 6, "glass": 6}),
+        ("A conveyor with four small boxes and a large one on it.", {"box": 5}),
+        ("Along each of the long walls runs a bench with five potted plants on it.", {"bench": 2, "potted_plant": 10}),
+        ("Four tables with three chairs apiece.", {"chair": 12}),
+        ("Three shelves: the first holds two jars, the second 8 boxes, the third is empty.", {"shelving_unit": 3}),
+        ("Four repair stands, all but one of them holding a bicycle.", {"repair_stand": 4, "bicycle": 3}),
+        ("A cabinet with two doors and three drawers.", {"cabinet": 1}),
+        ("Three rolls of fabric.", {"roll_of_fabric": 3}),
+    ],
+)
+def test_how_many_there_are(prompt: str, wanted: dict[str, int]) -> None:
+    assert wanted.items() <= _counts(read_brief(prompt)).items()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "wanted"),
+    [
+        (
+            "A harp and a piano. The former is in a corner. A stool stands in front of the latter.",
+            ("in_front_of", "stool", ("piano",)),
+        ),
+        (
+            "A stool before a backdrop. Two plants, one to the left of the stool, the other to the right.",
+            ("right_of", "plant-2", ("stool",)),
+        ),
+        ("The sofa: against the wall. A lamp.", ("against_wall", "sofa", ("wall",))),
+        ("Radio studio. Centre: round table. A sofa.", ("in_centre", "dining_table", ("centre",))),
+        ("A clock ticks on the sideboard.", ("on", "clock", ("sideboard",))),
+        ("Put a cupboard under the television and five books inside that.", ("inside", "book", ("cabinet",))),
+        (
+            "On the desk are a telephone, a bell and a jar; behind it, a swivel chair.",
+            ("behind", "office_chair", ("desk",)),
+        ),
+        ("Posters all over the walls and a rug.", ("on", "poster", ("wall",))),
+    ],
+)
+def test_what_stands_where(prompt: str, wanted: tuple[str, str, tuple[str, ...]]) -> None:
+    assert wanted in _ties(read_brief(prompt))
+
+
+def test_what_used_to_be_there_is_not() -> None:
+    brief = read_brief("Where the pool table used to be there's an armchair now. We have no use for a blackboard.")
+    assert _counts(brief) == {"armchair": 1}

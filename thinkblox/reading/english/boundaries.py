@@ -14,6 +14,8 @@ class Boundaries(State):
 
     def _mark(self, link: Connector) -> None:
         match link.value:
+            case "colon" if self._is_told_after():
+                self.separator = ""
             case "stop" | "semicolon" | "colon" | "dash":
                 self._end(link.value)
             case "open":
@@ -25,6 +27,19 @@ class Boundaries(State):
                 self._release()
             case "comma" | "close" | "and":
                 self._separate("and" if link.value == "and" else "comma")
+
+    def _is_told_after(self) -> bool:
+        """Whether a colon only parts a thing from where it is: "The lathe: under the window."."""
+        thing = self.frontier[-1].thing if len(self.frontier) == 1 else None
+        following = self._next_noun(1)
+        alone = thing is not None and self.clause.members == [thing] and not self.predicate and not thing.many
+        told = self._is_link(self.peek(), "prepositions") and following is not None
+        return alone and told and following.kind in ("place", "thing", "pronoun") and self._ends_after(following)
+
+    def _ends_after(self, noun: Noun) -> bool:
+        """Whether a mark follows a noun that comes."""
+        at = self.chunks.index(noun, self.at)
+        return at + 1 >= len(self.chunks) or self._is_link(self.chunks[at + 1], "mark")
 
     def _release(self) -> None:
         """Go on after a clause about what was named in front: "over the hearth, which is ..., hangs a head"."""
@@ -86,7 +101,7 @@ class Boundaries(State):
                 barred = isinstance(before, Noun) and before.kind == "thing" and before.det == "no"
                 keep = (self.excluding or barred) and link.value == "or"
                 self._separate(link.value)
-                self.excluding = keep
+                self.excluding |= keep
                 if link.text.lower() in _TOGETHER and self.predicate:
                     self.together = self.subject
             case "but" if self._all_but():
@@ -111,7 +126,7 @@ class Boundaries(State):
         said, noun = self._before(), self._next_noun()
         thing = self.frontier[-1].thing if self.frontier else None
         several = isinstance(said, Noun) and (said.det in ("each", "all") or said.value in ("each", "all"))
-        if not several or thing is None or noun is None or noun.of_known:
+        if not several or thing is None or noun is None:
             return False
         if noun.kind != "number" and noun.value != "one":
             return False
@@ -121,6 +136,7 @@ class Boundaries(State):
         self.referents.part(thing, noun.count)
         self.referents.parted = None
         self.frontier[-1].things = [thing]
+        self.each = True
         return True
 
     def _is_choice(self) -> bool:

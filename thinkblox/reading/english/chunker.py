@@ -182,16 +182,20 @@ class Cutter:
         """Read a verb that no list has: "are chilling in the fridge", "a kiln humming in the corner"."""
         last = self.made[-1] if self.made else None
         token = self.tokens[self.at]
-        doing = isinstance(last, Noun) and last.kind == "thing" and token.text.endswith("ing")
+        doing = isinstance(last, Noun) and last.kind == "thing" and self._may_be_verb(last, token.text)
         if doing and self._phrases.thing_at(self.at) is not None:
             return None
         if not doing and not (isinstance(last, Connector) and last.sort == "verbs" and last.value == "be"):
             return None
-        if not token.text.endswith(("ing", "ed")) or grammar().at(self.tokens, self.at, *_LINKS, "states"):
+        if not (doing or token.text.endswith(("ing", "ed"))) or grammar().at(self.tokens, self.at, *_LINKS, "states"):
             return None
         if grammar().at(self.tokens, self.at + 1, "prepositions") is None:
             return None
         return Connector("participles", "stand", self.at, self.at + 1, token.shown)
+
+    def _may_be_verb(self, subject: Noun, word: str) -> bool:
+        """Whether a word that is no noun may say what a thing does: "humming", "a clock ticks"."""
+        return word.endswith("ing") or (word.endswith("s") and not word.endswith("ss") and not subject.many)
 
     def _number_follows(self, link: Function) -> bool:
         return grammar().at(self.tokens, self.at + link.length, "count") is not None or (

@@ -72,6 +72,7 @@ class Clauses(Pronouns):
                 self.predicate |= link.text.lower().startswith(("face ", "are ", "stand "))
 
     def _noun(self, noun: Noun) -> None:
+        self._as_seat(noun)
         self.draft.style += noun.styles if not self.excluding else []
         if noun.kind == "thing" and self._is_label(noun):
             return

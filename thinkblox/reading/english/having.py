@@ -40,6 +40,7 @@ class Having(Groups):
             self._dissolve(thing)
             return
         several = head.frame is not None and head.frame.times > 1
+        several |= thing in self.multiplied
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
         frame = Listed(head, kind, each=self.each or head.each or several)
         self.each = False

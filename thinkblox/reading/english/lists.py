@@ -125,7 +125,7 @@ class Memberships(Ties):
             if listed and (off and not wall) and not self.clause.closing:
                 self.front.remove(front)
                 continue
-            if listed and self._is_told_next():
+            if listed and self._is_told_next() and not front.meaning.each:
                 continue
             if listed and front.kind not in (
                 "on",

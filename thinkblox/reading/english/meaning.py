@@ -35,6 +35,7 @@ class Meanings:
         self.name = name
         self.place: Meaning | None = None
         self.anchor: tuple[str, Mention] | None = None
+        self.sided: tuple[str, Mention] | None = None
 
     def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
         """The relation that `where` gives to `subjects`; None when it says nothing about them.
@@ -159,6 +160,8 @@ class Meanings:
         whole = meaning.anchors[0]
         if isinstance(whole, str):
             return meaning
+        if said.value in ("left", "right"):
+            self.sided = (said.value, whole)
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
@@ -176,6 +179,8 @@ class Meanings:
         plural = self.referents.several(subjects, "on") if said.det == "my" and "their" in said.text.lower() else ()
         if plural:
             return Meaning("on", plural[:1], each=plural[0].many, told=True)
+        if (other := self._other_side(said, subjects)) is not None:
+            return Meaning("on", (other,), told=True)
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
         carried = said.value in _CARRYING
@@ -184,6 +189,12 @@ class Meanings:
         if found is None:
             return self._of_room(said, subjects)
         return Meaning("on", (found,), each=found.many and carried and found in likely, told=True)
+
+    def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
+        """Read "one to the left of the stool, the other to the right": of what the other side was told."""
+        if said.det == "my" or self.sided is None or {self.sided[0], said.value} != {"left", "right"}:
+            return None
+        return self.sided[1] if self.sided[1] not in subjects else None
 
     def _told_whole(
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -266,6 +277,8 @@ class Meanings:
             second, _ = self.name.anchors(where.second, subjects)
             anchors = (*anchors, *second)
         each = said.each or where.word == "per"
+        if kind in ("left_of", "right_of"):
+            self.sided = (kind.removesuffix("_of"), anchors[0])
         self.anchor, self.place = (kind, anchors[0]), None
         meaning = Meaning(kind, anchors, each=each, told=told)
         return self._fitting(meaning, subjects, word=where.word)

@@ -14,6 +14,8 @@ class Naming(Several):
         """The things that a noun phrase points back to."""
         if noun.det == "each" and noun.every:
             return self._every(noun)
+        if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
+            return list(seats)
         if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
             return self._all_named(noun)
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
@@ -25,6 +27,11 @@ class Naming(Several):
         if noun.definite or (bare and self._is_repeated(noun)):
             return self._definite(noun)
         return self._one_and_other(noun)
+
+    def _as_seat(self, noun: Noun) -> None:
+        """Read "every place", "each setting" as the seats that were named."""
+        if noun.kind in ("abstract", "room") and noun.each and noun.word in grammar().lists["seats"] and self._seats():
+            noun.kind, noun.value, noun.named = "thing", "seat", False
 
     def _told_later(self, noun: Noun) -> list[Mention]:
         """The nightstands of "a lamp on every nightstand, two nightstands": how many they are is told only now."""

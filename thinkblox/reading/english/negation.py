@@ -45,6 +45,8 @@ class Negation(Positions):
     def _gone(self) -> None:
         """Read "The popcorn machine is gone": it must not be there."""
         things = self.subject.things if self.subject is not None and self.predicate else []
+        if not things and self.clause.members:
+            things = self.clause.members[-1:]
         for thing in things:
             self.draft.drop(thing)
             self.draft.excluded.add(thing.noun)
@@ -73,6 +75,10 @@ class Negation(Positions):
 
     def _only(self) -> None:
         noun = self._next_noun()
+        named = self._next_noun(2) if self._is_link(self.peek(1), "verbs", "be") else None
+        if noun is not None and noun.kind == "thing" and named is not None and named.det == "a":
+            self.at += 2
+            return
         if noun is not None and noun.kind == "thing" and not self.clause.members and self.pending is None:
             self.draft.empty = True
 

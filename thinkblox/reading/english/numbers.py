@@ -17,6 +17,9 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
+        if self._is_one_more(noun):
+            self._add_one(noun)
+            return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
             return
@@ -36,6 +39,22 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _is_one_more(self, noun: Noun) -> bool:
+        """Whether "four small parcels and a large one" lists one more of the same kind."""
+        looks = noun.attributes or noun.unshown
+        last = self.frontier[-1].thing if self.frontier else None
+        ends = noun.det == "a" and noun.text.lower().endswith(" one")
+        return bool(ends and looks and self.separator == "and" and last is not None and last.many)
+
+    def _add_one(self, noun: Noun) -> None:
+        last, frame = self.frontier[-1].things[-1], self.frontier[-1].frame
+        more = self._copy_of(last)
+        more.attributes, more.unshown, more.plural = [*noun.attributes], [*noun.unshown], False
+        if frame is not None:
+            self._member(more, frame)
+            self._push(Node([last, more], frame))
+        self._apply_front([more])
 
     def _instead(self, barred: Noun, noun: Noun) -> None:
         """Read "There are no plants on the desks; two tall ones stand near the window"."""

@@ -1,5 +1,6 @@
 """Noun phrases with any noun: determiner, quantity, modifiers, head."""
 
+from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
@@ -59,6 +60,7 @@ class PhraseReader(Heads):
         if part.value == "in_shelf" and part.length < 2:
             return False
         noun.kind, noun.value, noun.end = "part", part.value, after
+        noun.det = "my" if self.tokens[after - 1].text == "it" else noun.det
         noun.plural = self.tokens[after - 1].text.endswith("s")
         return noun.det != "no"
 
@@ -108,7 +110,7 @@ class PhraseReader(Heads):
         if known is not None and self._is_better(known, stop, units):
             return self._take(noun, at, units, known)
         if not units.nouns and (length := self._adjective(noun, at)):
-            if stop is None or length > stop.length or self._continues(noun, at + length):
+            if stop is None or length > stop.length or self._continues(noun, at + length) or self._is_shape(at):
                 units.adjectives += 1
                 return length
             self._forget(noun)
@@ -127,6 +129,11 @@ class PhraseReader(Heads):
         owner = self.tokens[at + known.length - 1].owner
         units.nouns.append(Unit(self._text(at, at + known.length), known, owner))
         return known.length
+
+    def _is_shape(self, at: int) -> bool:
+        """Whether "round" is an adjective: "Centre: round table", not "round the table"."""
+        bare = grammar().at(self.tokens, at + 1, "determiners") is None
+        return self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
 
     def _is_shade(self, at: int, length: int) -> bool:
         """Whether a word for a thing is the colour or material of what follows: "orange cushions", "a glass table"."""
@@ -162,6 +169,9 @@ class PhraseReader(Heads):
 
     def _despite(self, noun: Noun, at: int, stop: Function, units: Units) -> int:
         """Take a verb for a noun or adjective where a noun has to come: "the stand", "a hanging lamp"."""
+        if self._is_plural_head(noun, at, stop, units):
+            units.nouns.append(Unit(self.tokens[at].shown))
+            return 1
         if stop.sort not in ("verbs", "participles") or units.nouns or not (noun.det or noun.count is not None):
             return 0
         if noun.det in ("other", "both", "all", "half", "none"):
@@ -181,6 +191,14 @@ class PhraseReader(Heads):
             return 0
         units.nouns.append(Unit(self.tokens[at].shown))
         return 1
+
+    def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
+        """Whether several of a singular noun have to be of the next: "four repair stands"."""
+        several = noun.count is not None and noun.count > 1 and bool(units.nouns)
+        if not several or stop.sort != "verbs" or stop.length > 1 or not self.tokens[at].text.endswith("s"):
+            return False
+        last = units.nouns[-1]
+        return self.tokens[at].text not in ("is", "was", "has") and not last.owner and singular(last.text) == last.text
 
     def _open(self, noun: Noun, at: int, units: Units) -> int:
         """Take a word that no list has."""
@@ -218,8 +236,11 @@ class PhraseReader(Heads):
         if (noun.det, self.tokens[at].text) == ("each", "half"):
             units.nouns.append(Unit("half"))
             return 1
-        if grammar().at(self.tokens, at, "participles", "pronouns") is None:
+        doing = grammar().at(self.tokens, at, "participles", "pronouns")
+        if doing is None:
             return None
+        if noun.det == "each" and doing.value in ("hold", "carry", "surround", "flank", "line"):
+            return 0
         return 1 if counted and not units.nouns and self._starts_noun(at + 1) else 0
 
     def _ends_before(self, at: int, units: Units) -> bool:

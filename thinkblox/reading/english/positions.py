@@ -30,6 +30,7 @@ class Positions(Subjects):
             return self._which(where)
         if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
             return where
+        self._as_seat(chunk)
         where.noun = chunk
         self.at = index + 1
         if chunk.kind in ("part", "place", "abstract") and self._is_link(self.peek(), "prepositions", "of"):

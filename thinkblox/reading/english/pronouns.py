@@ -25,11 +25,13 @@ class Pronouns(Numbers):
                     self.frontier[0].each = self.each = True
             case "all" if (rest := self._rest_of_named()) is not None:
                 self._resume([rest], noun)
+                self.each = True
             case "all":
                 things = [t for t in self.clause.members if t in self.draft.things]
                 if things:
                     self.frontier = [Node(things, self.clause, known=True)]
                     self.separator = ""
+                    self.each |= any(thing.many for thing in things)
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
 

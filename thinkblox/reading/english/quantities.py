@@ -5,6 +5,9 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
 
+_WHOLES = ("roll", "string", "bundle", "piece")
+"""Measures of which one is one thing: "a roll of paper"."""
+
 
 class Quantities(Words):
     """Reads determiners and quantities."""
@@ -174,6 +177,8 @@ class Quantities(Words):
             case _ if word.startswith("pair"):
                 words = [token.text for token in self.tokens[at + found.length : at + found.length + 4]]
                 noun.count = (1 if set(words) & grammar().lists["pairs"] else 2) * (outer or 1)
+            case _ if word.rstrip("s") in _WHOLES:
+                noun.count = outer or (None if several else 1)
             case _:
                 noun.count, noun.vague = (outer or 1) * 3, True
                 noun.least = 1

@@ -13,6 +13,8 @@ _REACH = 200
 """How many things back "the desk" can reach."""
 _MEMORY = 40
 """How many things back a pronoun can reach."""
+_STANDING = ("behind", "in_front_of", "left_of", "right_of", "next_to", "opposite", "facing")
+"""Relations of furniture that are to furniture rather than to what lies on it."""
 _BY_HABIT = ("on", "above", "under", "at", "around", "opposite")
 """Relations of which one can tell what has them to what."""
 
@@ -24,6 +26,7 @@ class Referents:
         spoken: everything that was spoken of, the latest last.
         topics: what clauses were about, the latest last.
         pairs: things that were just related or joined.
+        two: the former and the latter, once they were spoken of as that.
         parted: what is left of several of which some were set apart.
         parts: what was set apart from each.
     """
@@ -34,6 +37,7 @@ class Referents:
         self.topics: list[Mention] = []
         self.pairs: list[tuple[Mention, Mention]] = []
         self.parted: Mention | None = None
+        self.two: list[Mention] = []
         self.parts: dict[Mention, list[Mention]] = {}
         self._whole_of: dict[Mention, Mention] = {}
 
@@ -85,7 +89,9 @@ class Referents:
         owner = subject.owner if subject is not None else None
         if owner is not None and owner in likely and owner in sound and kind in ("on", "inside"):
             return owner
-        said = [t for t in usual if t in likely] or [t for t in candidates[: len(likely)] if _may_be(t, likely, sound)]
+        said = [t for t in usual if t in likely] or [
+            t for t in candidates[: len(likely)] if _may_be(t, likely, sound, kind, noun)
+        ]
         if found := said or usual:
             return found[0]
         if kind in ("in_front_of", "behind", "facing") and habits.is_in(noun, "seats"):
@@ -120,10 +126,13 @@ class Referents:
 
     def of_two(self, which: str) -> Mention | None:
         """The former or the latter of the two things that were spoken of last."""
+        if set(self.two) <= set(self.draft.things) and self.two:
+            return self.two[0] if which == "former" else self.two[1]
         recent = list(dict.fromkeys(reversed(self.spoken[-_MEMORY:])))[:2]
         if len(recent) < 2:
             return None
         order = sorted(recent, key=self.draft.things.index) if set(recent) <= set(self.draft.things) else recent[::-1]
+        self.two = order
         return order[0] if which == "former" else order[1]
 
     def family(self, thing: Mention) -> list[Mention]:
@@ -152,6 +161,7 @@ class Referents:
             count=count,
             least=None,
             most=None,
+            general=False,
             plural=count > 1,
             attributes=[*whole.attributes],
             unshown=[*whole.unshown],
@@ -159,6 +169,7 @@ class Referents:
             per=[*whole.per],
         )
         whole.count -= count
+        whole.general = False
         whole.least = None if whole.least is None else max(whole.least - count, 0)
         whole.most = None if whole.most is None else max(whole.most - count, 0)
         whole.plural = whole.count > 1
@@ -201,9 +212,15 @@ class Referents:
         return (t for t in self._recent() if t.many)
 
 
-def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention]) -> bool:
-    """Whether a likely thing is meant: the likeliest, unless it is a lamp, or one that can be the anchor."""
-    return (thing in likely[:1] and not load_habits().is_in(thing.noun, "lamps")) or thing in sound
+def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention], kind: str, noun: str) -> bool:
+    """Whether a likely thing is meant: the likeliest, unless it is plain that it cannot be, or one that can be it."""
+    habits = load_habits()
+    if kind in ("on", "inside") and habits.is_in(thing.noun, *_HANGING) and noun:
+        return False
+    furniture = noun != "" and habits.is_in(noun, "seats", "tables", "desks", "storage", "shelves", "beds", "lounges")
+    if furniture and kind in _STANDING and is_small(thing) and thing.noun in habits.known():
+        return False
+    return (thing in likely[:1] and not habits.is_in(thing.noun, "lamps")) or thing in sound
 
 
 def is_small(thing: Mention) -> bool:
@@ -229,6 +246,7 @@ def fits(thing: Mention, kind: str, noun: str = "") -> bool:
     return True
 
 
+_HANGING = ("lamps", "ceiling", "screens")
 _BARE = ("lamps", "wallpieces", "ceiling", "plants", "small", "screens")
 
 

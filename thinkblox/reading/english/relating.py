@@ -114,6 +114,7 @@ class Relating(Naming):
             subject.count = 2
         if subject.count and meaning.times > 1 and subject not in self.counted:
             subject.count *= meaning.times
+            self.multiplied.add(subject)
             if subject.least:
                 subject.least *= meaning.times
         elif meaning.spread > 1 and subject.count == 1:

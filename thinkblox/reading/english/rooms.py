@@ -102,6 +102,9 @@ class Rooms(Memberships):
             self._free(noun.value)
             return
         name = noun.value.split()[0]
+        if name in ("centre", "corner") and not self.separator and self._is_link(self.peek(), "mark", "colon"):
+            self._label_place(noun)
+            return
         looks = [*noun.attributes, *noun.unshown]
         if name in ("floor", "wall", "ceiling") and not noun.definite and looks:
             self.draft.unknown.append(noun.text.lower())
@@ -115,17 +118,27 @@ class Rooms(Memberships):
             self.draft.openings += [] if same else [self.opening]
             self.frontier = []
         elif name in ("window", "door") and not noun.definite:
-            self.opening = Gap(name, noun.count or (2 if noun.plural else 1))
-            self.draft.openings.append(self.opening)
-            for front in self.front:
-                if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
-                    self.opening.wall = front.anchors[0]
-            self.frontier = []
+            self._open_gap(name, noun)
         elif not self.separator:
             self.frontier = []
             wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Connector)
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
                 self.front = [Awaited(Where("on", noun), Meaning("on", (name,)))]
+
+    def _label_place(self, noun: Noun) -> None:
+        """Read "Centre: round table"."""
+        where = Where("in", noun)
+        meaning = self.meanings.of(where, [], [])
+        self.frontier, self.front = [], [Awaited(where, meaning)] if meaning is not None else []
+
+    def _open_gap(self, name: str, noun: Noun) -> None:
+        """Ask for a door or window."""
+        self.opening = Gap(name, noun.count or (2 if noun.plural else 1))
+        self.draft.openings.append(self.opening)
+        for front in self.front:
+            if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
+                self.opening.wall = front.anchors[0]
+        self.frontier = []
 
     def _stands_on_wall(self) -> bool:
         """Whether what comes says which wall an opening is in: "the door is on the north wall"."""

@@ -31,6 +31,7 @@ class State(Namer):
         ordinals: which of a family is the first, the second, ...
         sides: which of two is the left one, which the right one.
         counted: things whose number was told as a part of several, and is not that of each side.
+        multiplied: things of which so many were asked for at each of several places.
         told_later: what "every" named first and whose number came after.
         summed: several without a number, whose parts are being counted.
         each_of: of how many "every two" were the last.
@@ -69,6 +70,7 @@ class State(Namer):
         self.ordinals: dict[Mention, dict[int, Mention]] = {}
         self.sides: dict[Mention, str] = {}
         self.counted: set[Mention] = set()
+        self.multiplied: set[Mention] = set()
         self.told_later: set[Mention] = set()
         self.summed: Mention | None = None
         self.each_of = 0
