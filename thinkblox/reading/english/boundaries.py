@@ -33,8 +33,9 @@ class Boundaries(State):
         thing = self.frontier[-1].thing if len(self.frontier) == 1 else None
         following = self._next_noun(1)
         alone = thing is not None and self.clause.members == [thing] and not self.predicate and not thing.many
-        told = self._is_link(self.peek(), "prepositions") and following is not None
-        return alone and told and following.kind in ("place", "thing", "pronoun") and self._ends_after(following)
+        if not alone or following is None or not self._is_link(self.peek(), "prepositions"):
+            return False
+        return following.kind in ("place", "thing", "pronoun") and self._ends_after(following)
 
     def _ends_after(self, noun: Noun) -> bool:
         """Whether a mark follows a noun that comes."""
