@@ -267,3 +267,20 @@ def test_what_stands_where(prompt: str, wanted: tuple[str, str, tuple[str, ...]]
 def test_what_used_to_be_there_is_not() -> None:
     brief = read_brief("Where the pool table used to be there's an armchair now. We have no use for a blackboard.")
     assert _counts(brief) == {"armchair": 1}
+
+
+def test_what_is_said_of_each_round_one_is_not_said_of_the_square_ones() -> None:
+    brief = read_brief(
+        "Six tables: four round ones with three chairs apiece and two square ones with four. On each round table there"
+        " is a cake stand, on each square one a teapot and four cups."
+    )
+    assert _counts(brief) == {"dining_table": 6, "chair": 20, "cake_stand": 4, "teapot": 2, "cup": 8}
+
+
+def test_the_desk_of_the_teacher_is_another_one() -> None:
+    brief = read_brief("A classroom with eight desks. The teacher's desk is in front of the whiteboard on the wall.")
+    assert _counts(brief) == {"school_desk": 8, "desk": 1, "whiteboard": 1}
+
+
+def test_a_fan_on_the_ceiling_is_a_ceiling_fan() -> None:
+    assert _counts(read_brief("A table and a fan hanging from the ceiling.")) == {"dining_table": 1, "ceiling_fan": 1}

@@ -3,7 +3,7 @@
 import math
 from typing import Literal, get_args
 
-from thinkblox.assets import kind_of
+from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.assets.mounting import HANGING, WALL_MOUNTED, mount_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
@@ -92,6 +92,9 @@ def _hang(bond: Bond, place: str) -> None:
     word = HANGING if place == "ceiling" else WALL_MOUNTED if place.endswith("wall") else ""
     mount = "ceiling" if place == "ceiling" else "wall"
     if not word or kind.mount == mount:
+        return
+    if f"{mount}_{kind.name}" in CATALOGUE:
+        bond.subject.noun = f"{mount}_{kind.name}"
         return
     if mount_of(kind, (word,)) == mount:
         thing.attributes += [word] if word not in thing.attributes else []

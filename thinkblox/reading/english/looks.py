@@ -56,6 +56,8 @@ class Descriptions(Rooms):
         elif len(things) > 1:
             for one, other in pairwise(things[-2:]):
                 bind(self.draft, Bond(relation_kind(kind), other, (one,)))
+            if nodes[0].frame is not None and nodes[0].things == things[-1:]:
+                nodes[0].things = things[-2:]
         elif things and things[-1].many and kind != "around":
             bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
 

@@ -117,6 +117,8 @@ class Meanings:
         if said.value == "other":
             return self._other(kind, subjects)
         plural = [t for t in likely if t.many]
+        if said.value == "each" and said.attributes:
+            plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
         anchors = (
             tuple(plural[:1])
             if plural and (kind != "between" or likely[:1] == plural[:1])

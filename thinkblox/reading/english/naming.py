@@ -59,6 +59,8 @@ class Naming(Several):
         first = self.referents.named(noun)
         if first is None:
             return []
+        if first.many and not noun.plural and self._is_of_somebody(noun):
+            return []
         if noun.plural and noun.definite:
             every = self.referents.every(noun)
             total = sum(t.count or 1 for t in every)
@@ -68,6 +70,10 @@ class Naming(Several):
         if noun.count and first.count and noun.count > first.count:
             return []
         return [first]
+
+    def _is_of_somebody(self, noun: Noun) -> bool:
+        """Whether it is told from others of its kind by whose it is: "the teacher's desk"."""
+        return "'s " in noun.text.replace("\u2019", "'") and not noun.owner
 
     def _one_and_other(self, noun: Noun) -> list[Mention]:
         """Read "One cot has a bag on it, the other has not": one of those that were named."""

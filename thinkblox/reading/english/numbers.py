@@ -17,6 +17,8 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
+        if self._again_with(noun):
+            return
         if self._is_one_more(noun):
             self._add_one(noun)
             return
@@ -39,6 +41,21 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _again_with(self, noun: Noun) -> bool:
+        """Read "four round tables with three chairs and two square ones with four": four of the same."""
+        head = self.pending.head.thing if self.pending is not None and self.pending.head is not None else None
+        if head is None or not noun.count or noun.of_known or noun.ordinal or noun.side or noun.det:
+            return False
+        family = [t for t in self.referents.family(head) if t is not head]
+        had = [b for b in self.draft.bonds if b.implied and any(a in family for a in b.anchors)]
+        if self.pending is None or not had:
+            return False
+        self.pending.each |= had[-1].each
+        more = self._copy_of(had[-1].subject)
+        more.count, more.plural = noun.count, noun.count > 1
+        self._take(more, noun)
+        return True
 
     def _is_one_more(self, noun: Noun) -> bool:
         """Whether "four small parcels and a large one" lists one more of the same kind."""

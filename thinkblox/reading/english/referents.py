@@ -71,6 +71,8 @@ class Referents:
             return []
         word = noun.word
         same = [t for t in self.draft.things if t.noun == first.noun and t.asked]
+        looks = [t for t in same if noun.attributes and set(noun.attributes) <= set(t.attributes)]
+        same = looks or same
         return [t for t in same if last_word(t) in (word, last_word(first))] or [first]
 
     def single(

@@ -176,6 +176,8 @@ class Subjects(Having):
             found.append(member)
         for front in self.front:
             found += [a for a in front.anchors if isinstance(a, Mention)]
+        denied = [b for t in node.things for b in self.draft.bonds_of(t)[-_BONDS:] if b.negated]
+        found += [a for b in denied for a in b.anchors if isinstance(a, Mention)]
         return list(dict.fromkeys(t for t in found if t not in node.things))
 
     def _after_and(self, node: Node) -> bool:
