@@ -82,6 +82,31 @@ def test_the_shift_that_is_named_helps() -> None:
     assert furnished(Answers([chair(0.2 + float(said[0]), 1.5)])).report.valid
 
 
+def picture(yaw: float, x: float = 2.0) -> str:
+    return write_step(["There."], id="picture_1", position=(x, 2.985, 1.4), yaw=yaw, size=(0.03, 0.9, 0.6))
+
+
+def hung(policy: object, *, repairs: int = 0) -> Generation:
+    effort = Effort(rounds=2, repairs=repairs, restarts=0)
+    prompt = "An empty room with nothing in it but a picture."
+    return generate_room(prompt, room=ROOM, policy=policy, effort=effort)  # type: ignore[arg-type]
+
+
+def test_a_picture_that_faces_its_wall_is_told_which_way_to_turn() -> None:
+    policy = Answers([picture(90.0), picture(90.0, 0.2)], [picture(270.0)])
+    result = hung(policy)
+    turned, both = policy.seen[1].feedback
+    assert turned.endswith("hangs with its front to the wall; turn it to 270 degrees")
+    assert "turn it to 270 degrees; move at least 0.25 m towards +x" in both
+    assert result.report.complete
+
+
+def test_a_picture_that_faces_its_wall_is_turned_in_repair() -> None:
+    result = hung(Answers([picture(90.0)]), repairs=20)
+    assert [r.kind for r in result.trace if r.chosen is not None] == ["repair"]
+    assert (result.scene["picture_1"].yaw, result.report.valid) == (270.0, True)
+
+
 # ---------------------------------------------------------------- policies that fail
 
 

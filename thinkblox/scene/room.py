@@ -77,6 +77,10 @@ class Wall(Value, frozen=True, kw_only=True):
         """Yaw of an object with its back to this wall [degrees, 0 to 360)."""
         return round(math.degrees(math.atan2(self.inward[1], self.inward[0])) % 360.0, 3) % 360.0
 
+    def is_faced(self, yaw: float) -> bool:
+        """Whether a front of that yaw [degrees] points into the wall: less than 60 degrees from straight at it."""
+        return turn_between(yaw, self.yaw) > 120.0
+
     def point(self, along: float, inward: float = 0.0) -> Vec2:
         """The point `along` metres from the start and `inward` metres into the room."""
         (ax, ay), (nx, ny) = self.along, self.inward
