@@ -31,7 +31,8 @@ def imported_asset(
     provenance: str,
 ) -> Asset:
     """A rigid asset of shapes that lie in the asset's frame; nobody's licence is known for it, and nobody says
-    that its mesh has its front where the layout turns it to."""
+    that its mesh has its front where the layout turns it to.
+    """
     asset = Asset(
         id="",
         category=category,

@@ -61,7 +61,7 @@ def relations_of(scene: Scene, plan: Plan) -> Iterator[RelationResult]:
         anchors = tuple(id for id in tie.anchors if id not in spared)
         if not wanted or (tie.anchors and not anchors):
             continue
-        gone = [id for id in (*wanted, *anchors) if id[-1].isdigit() and _is_planned(plan, id) and id not in scene]
+        gone = [id for id in (*wanted, *anchors) if _is_planned(plan, id) and id not in scene]
         if gone:
             says = f"{', '.join(gone)} not placed"
             yield RelationResult(kind=tie.kind, subject=subject, anchors=anchors, holds=False, measured=says)

@@ -28,7 +28,6 @@ from thinkblox.scene.room import Room
 from thinkblox.scene.scene import MAX_PLACEMENTS, Scene
 from thinkblox.value import Value, Vec3
 
-
 FRONTS = (
     "Whether what hangs on a wall has its front to the room is not judged: no layout says that its meshes face"
     " the way its format wants."

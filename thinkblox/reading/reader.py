@@ -8,7 +8,6 @@ from thinkblox.assets.mounting import HANGING, WALL_MOUNTED, mount_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import room_types
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import assume, stock
 from thinkblox.reading.chunker import Chunker
@@ -223,8 +222,3 @@ def _height(size: Size) -> float | None:
     if height is not None and not 2.0 <= height <= 10.0:
         raise InputError(f"the room's height in {size.text!r} is {height:g} m; it must be 2 to 10 m")
     return height
-
-
-def known_rooms() -> tuple[str, ...]:
-    """The types of room that are known, in alphabetical order."""
-    return tuple(sorted(room_types()))
