@@ -5,8 +5,9 @@ import math
 
 import numpy as np
 import pytest
+from msgspec import structs
 
-from tests.sim_rooms import asset, put, scene, table, vase
+from tests.sim_rooms import asset, box, put, scene, table, vase
 from thinkblox.assets import make_asset
 from thinkblox.assets.source import ProceduralAssets
 from thinkblox.brief import Brief
@@ -19,11 +20,12 @@ from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.scene.agreement import residual
+from thinkblox.scene.asset import Asset, Link
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.sim.verdict.world import World
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Step, parse, write_step
-from thinkblox.value import from_json, to_json
+from thinkblox.value import Vec3, from_json, to_json
 
 ONE_CHAIR = "An empty room with nothing in it but a chair."
 ROOM = rectangle(4.0, 3.0)
@@ -413,3 +415,52 @@ def test_the_pool_judges_as_the_world_does() -> None:
     assert json.dumps([[to_json(t).decode() for t in r] for r in pooled]) == json.dumps(
         [[to_json(t).decode() for t in r] for r in alone]
     )
+
+
+# ---------------------------------------------------------------- what cannot stand
+
+
+class TipsOver(ProceduralAssets):
+    """Its chairs weigh on their fronts, before all that they stand on."""
+
+    def make(self, category: str, **more: object) -> Asset:  # type: ignore[override]
+        made = super().make(category, **more)  # type: ignore[arg-type]
+        foot = box((0.1, 0.45, 0.4), (-0.2, 0.0, 0.2))
+        seat = box((0.5, 0.45, 0.45), (0.0, 0.0, 0.625))
+        links = (Link(name="body", shapes=(foot, seat)),)
+        return structs.replace(made, id="chair-tipping", size=(0.5, 0.45, 0.85), links=links)
+
+    def fit(self, asset: Asset, size: Vec3) -> Asset:
+        return asset
+
+
+def tried(result: Generation) -> dict[str, list[int]]:
+    """How many tries were measured in each round of every object, in the first attempt."""
+    found: dict[str, list[int]] = {}
+    for entry in (entry for entry in result.trace if entry.attempt == 0):
+        found.setdefault(entry.id, []).append(len(entry.tries))
+    return found
+
+
+def test_what_cannot_stand_is_given_up_after_a_round_and_its_like_after_a_try() -> None:
+    prompt = "An empty room with nothing in it but three chairs."
+    result = generate_room(prompt, room=ROOM, source=TipsOver(), effort=Effort(restarts=0))
+    (first,), *others = tried(result).values()
+    assert first <= Effort().candidates
+    assert others == [[1], [1]]
+    assert len(result.report.absent) == 3
+    for absence in result.report.absent:
+        assert absence.reason.startswith("it cannot stand: by itself on an empty level floor it ")
+        assert "tilted" in absence.reason
+
+
+def test_what_stands_by_itself_is_tried_on_where_it_falls() -> None:
+    result = furnished(Answers([chair(2.0, 1.5, 0.3)], [chair(2.0, 1.5)]))
+    assert result.report.complete
+
+
+def test_what_only_a_wall_holds_may_lean_on_it() -> None:
+    policy = Answers([chair(2.0, 1.5), chair(3.7499, 1.5)])
+    result = generate_room(ONE_CHAIR, room=ROOM, policy=policy, source=TipsOver(), effort=Effort(restarts=0))  # type: ignore[arg-type]
+    assert result.report.valid
+    assert result.scene["chair_1"].position[0] > 3.74

@@ -16,6 +16,7 @@ from thinkblox.value import Value, Vec2
 MIN_EXTENT = 0.5
 """Smallest side of a room's bounding box that is accepted [m]."""
 MAX_EXTENT = 100.0
+MAX_HEIGHT = 50.0
 """Largest side of a room's bounding box that is accepted [m]."""
 MAX_CORNERS = 200
 """Most corners of a floor."""
@@ -103,7 +104,7 @@ class Room(CheckedValue, frozen=True, kw_only=True, cache_hash=True):
     """
 
     floor: tuple[tuple[Coordinate, Coordinate], ...]
-    height: Annotated[float, Meta(ge=1.5, le=50.0)] = 2.6
+    height: Annotated[float, Meta(ge=1.5, le=MAX_HEIGHT)] = 2.6
     openings: tuple[Opening, ...] = ()
 
     def __post_init__(self) -> None:
