@@ -423,7 +423,7 @@ def test_the_pool_judges_as_the_world_does() -> None:
 class TipsOver(ProceduralAssets):
     """Its chairs weigh on their fronts, before all that they stand on."""
 
-    def make(self, category: str, **more: object) -> Asset:  # type: ignore[override]
+    def make(self, category: str, **more: object) -> Asset:
         made = super().make(category, **more)  # type: ignore[arg-type]
         foot = box((0.1, 0.45, 0.4), (-0.2, 0.0, 0.2))
         seat = box((0.5, 0.45, 0.45), (0.0, 0.0, 0.625))
@@ -461,6 +461,6 @@ def test_what_stands_by_itself_is_tried_on_where_it_falls() -> None:
 
 def test_what_only_a_wall_holds_may_lean_on_it() -> None:
     policy = Answers([chair(2.0, 1.5), chair(3.7499, 1.5)])
-    result = generate_room(ONE_CHAIR, room=ROOM, policy=policy, source=TipsOver(), effort=Effort(restarts=0))  # type: ignore[arg-type]
+    result = generate_room(ONE_CHAIR, room=ROOM, policy=policy, source=TipsOver(), effort=Effort(restarts=0))
     assert result.report.valid
     assert result.scene["chair_1"].position[0] > 3.74

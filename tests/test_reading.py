@@ -356,7 +356,7 @@ def test_unknown_things_are_things_under_their_own_names() -> None:
 def test_too_many_are_listed_not_lost() -> None:
     brief = read_brief("A room with 1000 chairs.")
     assert counted(brief) == {"chair": 200}
-    assert brief.missing == ("800 more of '1000 chairs'",)
+    assert (brief.missing, brief.beyond) == ((), ("800 more of '1000 chairs'",))
 
 
 def test_every_category_is_in_the_catalogue() -> None:

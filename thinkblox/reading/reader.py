@@ -145,6 +145,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
         missing=tuple(dict.fromkeys(draft.missing)),
+        beyond=tuple(dict.fromkeys(draft.beyond)),
         unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *looks)), *draft.unknown])),
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
