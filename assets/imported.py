@@ -11,7 +11,7 @@ from msgspec import structs
 from numpy.typing import NDArray
 
 from thinkblox.assets.catalogue import CATALOGUE
-from thinkblox.scene.asset import Asset, Link, Mount, Shape
+from thinkblox.scene.asset import FRONT_UNKNOWN, Asset, Link, Mount, Shape
 from thinkblox.value import Vec3
 
 Array = NDArray[np.float64]
@@ -30,7 +30,9 @@ def imported_asset(
     mount: Mount,
     provenance: str,
 ) -> Asset:
-    """A rigid asset of shapes that lie in the asset's frame; nobody's licence is known for it."""
+    """A rigid asset of shapes that lie in the asset's frame; nobody's licence is known for it, and nobody says
+    that its mesh has its front where the layout turns it to.
+    """
     asset = Asset(
         id="",
         category=category,
@@ -43,6 +45,7 @@ def imported_asset(
         licence="unknown",
         author="unknown",
         provenance=provenance,
+        flags=(FRONT_UNKNOWN,),
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
     return structs.replace(

@@ -189,9 +189,9 @@ def chair_into_leg() -> Setting:
     return among(put(kind, 1.44, 1.615 + 0.005 - 0.25, yaw=90.0), kind, DESK)
 
 
-def hung(kind: Asset, along: float, height: float, *others: tuple[Placement, Asset], gap: float = 0.0, id: str = "") -> Setting:  # fmt: skip
+def hung(kind: Asset, along: float, height: float, *others: tuple[Placement, Asset], gap: float = 0.0, yaw: float = 270.0, id: str = "") -> Setting:  # fmt: skip
     """On the north wall, `along` from the west [m]."""
-    there = put(kind, along, 5.0 - kind.size[0] / 2 - gap, height, 270.0, on="north_wall", id=id)
+    there = put(kind, along, 5.0 - kind.size[0] / 2 - gap, height, yaw, on="north_wall", id=id)
     return among(there, kind, *others, room=OPEN_ROOM)
 
 
@@ -373,6 +373,7 @@ SITUATIONS = (
     Situation("lamp hanging 3 cm below the ceiling", lambda: from_ceiling(0.03), ("unsupported",), supports=()),
     Situation("lamp hanging into a vase on the table", lambda: from_ceiling(0.0, DESK, (on(DESK, vase()), vase()), kind=asset("pendant_lamp", (0.3, 0.3, 1.6), mount="ceiling", mass=2.0)), ("collision",)),
     Situation("picture on a wall", lambda: hung(PICTURE, 0.6, 1.4), supports=("north_wall",)),
+    Situation("picture with its front to the wall", lambda: hung(PICTURE, 0.6, 1.4, yaw=90.0), ("faces_wall",), supports=("north_wall",)),
     Situation("picture 2 cm off the wall", lambda: hung(PICTURE, 0.6, 1.4, gap=0.02), ("unsupported",), supports=()),
     Situation("picture 1 cm in the wall", lambda: hung(PICTURE, 0.6, 1.4, gap=-0.01), ("outside",)),
     Situation("two pictures that overlap", lambda: hung(PICTURE, 0.9, 1.5, (put(PICTURE, 0.6, 4.985, 1.4, 270.0, on="north_wall"), PICTURE), id="picture_2"), ("collision",)),

@@ -5,7 +5,7 @@ from typing import get_args
 import pytest
 
 from thinkblox.reading import adjectives
-from thinkblox.reading.adjectives import AdjectiveKind, adjective_kinds, is_filler
+from thinkblox.reading.adjectives import AdjectiveKind, adjective_kinds
 
 LISTS = tomllib.loads(
     Path(adjectives.__file__).with_name("lexicon").joinpath("adjectives.toml").read_text(encoding="utf-8")
@@ -32,7 +32,6 @@ LISTS = tomllib.loads(
 )
 def test_the_kinds_of_an_adjective(word: str, kinds: set[str]) -> None:
     assert adjective_kinds(word) == kinds
-    assert is_filler(word) == (kinds == {"filler"})
 
 
 def test_the_file_has_every_kind_and_no_word_twice_in_one() -> None:

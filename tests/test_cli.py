@@ -47,6 +47,29 @@ def test_what_cannot_be_shown_is_said_and_the_status_is_1(tmp_path):
     assert (tmp_path / "room" / "scene.json").exists()
 
 
+def test_which_attempt_was_kept_is_said(tmp_path):
+    prompt = "An empty room of 2 m by 2 m with two beds."
+    done = run("generate", prompt, "--out", tmp_path / "room", "--no-pictures")
+    assert done.returncode == 1
+    said = done.stderr.splitlines()
+    assert "not all as asked; attempt 2, begun anew" in said
+    assert said[-1] == "attempt 1 of 2 is kept"
+
+
+def test_more_than_a_room_is_given_is_said_before_anything_is_placed(tmp_path):
+    done = run("generate", "A hall with 800 chairs", "--out", tmp_path / "r", "--no-pictures", "--budget", "0.01")
+    first = "not placed: 600 more of '800 chairs': a room is given at most 400 things, and 200 of a kind"
+    assert done.stderr.splitlines()[0] == first
+    assert f"  {first}" in done.stdout
+
+
+def test_verify_says_that_the_prompt_is_not_looked_at(tmp_path):
+    run("generate", CHAIR, "--out", tmp_path / "room", "--no-pictures")
+    done = run("verify", tmp_path / "room")
+    assert done.returncode == 0
+    assert "What the prompt asks for is not looked at here" in done.stdout
+
+
 def test_six_wardrobes_in_two_metres_end_honestly(tmp_path):
     done = run("generate", "Six wardrobes in a 2 m by 2 m room.", "--out", tmp_path / "room", "--no-pictures", "--json")
     assert done.returncode == 1

@@ -121,3 +121,26 @@ sys.exit(main())
     surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *filter(None, sys.path)])}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
     assert (done.returncode, done.stderr) == (130, "thinkblox: stopped; nothing was written\n")
+
+
+def test_a_stop_that_waits_for_a_module_does_not_end_what_is_held_later(tmp_path: Path) -> None:
+    (tmp_path / "slow_module.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGTERM)\n")
+    code = """
+import sys, time
+from thinkblox.cli import main, schema
+from thinkblox.holding import signals_held
+
+def holds(arguments):
+    import slow_module
+    with signals_held():
+        time.sleep(0.1)
+        print("done", flush=True)
+    time.sleep(60.0)
+
+schema._schema = holds
+sys.argv = ["thinkblox", "schema"]
+sys.exit(main())
+"""
+    surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *filter(None, sys.path)])}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
+    assert (done.returncode, done.stdout) == (130, "done\n")

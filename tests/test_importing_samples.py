@@ -11,6 +11,7 @@ import pytest
 
 from thinkblox.errors import InputError
 from thinkblox.importing import read_layout
+from thinkblox.sim.verdict.verify import verify
 
 DATA = Path(__file__).parent / "data" / "layouts"
 
@@ -151,6 +152,20 @@ def test_il3d_as_its_generator_writes_it(tmp_path):
     (chair,) = layout.scene.placements
     assert (chair.yaw, chair.category, layout.substituted) == (270.0, "chairs", ())
     assert chair.position == pytest.approx((1.0, 2.0, 0.0))
+
+
+def test_what_hangs_on_a_wall_is_not_judged_by_a_front_that_no_layout_gives(tmp_path):
+    room, other = tmp_path / "room", tmp_path / "other"
+    for folder in (room, other):
+        shutil.copytree(DATA / "layoutvlm", folder)
+    poses = json.loads((room / "layout.json").read_text())
+    poses["painting-0"]["rotation"][2] += 180.0
+    (other / "layout.json").write_text(json.dumps(poses))
+    for layout in (read_layout(folder / "layout.json") for folder in (room, other)):
+        verdict = next(v for v in verify(layout.scene).objects if v.id == "painting-0")
+        assert "faces_wall" not in verdict.reasons
+        assert any("has its front to the room is not judged" in note for note in layout.notes)
+    assert not any("front" in note for note in read_layout(DATA / "layoutgpt.json", room="Bedroom-803").notes)
 
 
 def test_layoutvlm_poses_find_their_scene_file_beside_them():

@@ -5,8 +5,9 @@ import math
 
 import numpy as np
 import pytest
+from msgspec import structs
 
-from tests.sim_rooms import asset, put, scene, table, vase
+from tests.sim_rooms import asset, box, put, scene, table, vase
 from thinkblox.assets import make_asset
 from thinkblox.assets.source import ProceduralAssets
 from thinkblox.brief import Brief
@@ -19,11 +20,12 @@ from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.scene.agreement import residual
+from thinkblox.scene.asset import Asset, Link
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.sim.verdict.world import World
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Step, parse, write_step
-from thinkblox.value import from_json, to_json
+from thinkblox.value import Vec3, from_json, to_json
 
 ONE_CHAIR = "An empty room with nothing in it but a chair."
 ROOM = rectangle(4.0, 3.0)
@@ -80,6 +82,31 @@ def test_the_shift_that_is_named_helps() -> None:
     said = policy.seen[1].feedback[0].partition("move at least ")[2].split(" m towards ")
     assert said[1] == "+x"
     assert furnished(Answers([chair(0.2 + float(said[0]), 1.5)])).report.valid
+
+
+def picture(yaw: float, x: float = 2.0) -> str:
+    return write_step(["There."], id="picture_1", position=(x, 2.985, 1.4), yaw=yaw, size=(0.03, 0.9, 0.6))
+
+
+def hung(policy: object, *, repairs: int = 0) -> Generation:
+    effort = Effort(rounds=2, repairs=repairs, restarts=0)
+    prompt = "An empty room with nothing in it but a picture."
+    return generate_room(prompt, room=ROOM, policy=policy, effort=effort)  # type: ignore[arg-type]
+
+
+def test_a_picture_that_faces_its_wall_is_told_which_way_to_turn() -> None:
+    policy = Answers([picture(90.0), picture(90.0, 0.2)], [picture(270.0)])
+    result = hung(policy)
+    turned, both = policy.seen[1].feedback
+    assert turned.endswith("hangs with its front to the wall; turn it to 270 degrees")
+    assert "turn it to 270 degrees; move at least 0.25 m towards +x" in both
+    assert result.report.complete
+
+
+def test_a_picture_that_faces_its_wall_is_turned_in_repair() -> None:
+    result = hung(Answers([picture(90.0)]), repairs=20)
+    assert [r.kind for r in result.trace if r.chosen is not None] == ["repair"]
+    assert (result.scene["picture_1"].yaw, result.report.valid) == (270.0, True)
 
 
 # ---------------------------------------------------------------- policies that fail
@@ -388,3 +415,52 @@ def test_the_pool_judges_as_the_world_does() -> None:
     assert json.dumps([[to_json(t).decode() for t in r] for r in pooled]) == json.dumps(
         [[to_json(t).decode() for t in r] for r in alone]
     )
+
+
+# ---------------------------------------------------------------- what cannot stand
+
+
+class TipsOver(ProceduralAssets):
+    """Its chairs weigh on their fronts, before all that they stand on."""
+
+    def make(self, category: str, **more: object) -> Asset:
+        made = super().make(category, **more)  # type: ignore[arg-type]
+        foot = box((0.1, 0.45, 0.4), (-0.2, 0.0, 0.2))
+        seat = box((0.5, 0.45, 0.45), (0.0, 0.0, 0.625))
+        links = (Link(name="body", shapes=(foot, seat)),)
+        return structs.replace(made, id="chair-tipping", size=(0.5, 0.45, 0.85), links=links)
+
+    def fit(self, asset: Asset, size: Vec3) -> Asset:
+        return asset
+
+
+def tried(result: Generation) -> dict[str, list[int]]:
+    """How many tries were measured in each round of every object, in the first attempt."""
+    found: dict[str, list[int]] = {}
+    for entry in (entry for entry in result.trace if entry.attempt == 0):
+        found.setdefault(entry.id, []).append(len(entry.tries))
+    return found
+
+
+def test_what_cannot_stand_is_given_up_after_a_round_and_its_like_after_a_try() -> None:
+    prompt = "An empty room with nothing in it but three chairs."
+    result = generate_room(prompt, room=ROOM, source=TipsOver(), effort=Effort(restarts=0))
+    (first,), *others = tried(result).values()
+    assert first <= Effort().candidates
+    assert others == [[1], [1]]
+    assert len(result.report.absent) == 3
+    for absence in result.report.absent:
+        assert absence.reason.startswith("it cannot stand: by itself on an empty level floor it ")
+        assert "tilted" in absence.reason
+
+
+def test_what_stands_by_itself_is_tried_on_where_it_falls() -> None:
+    result = furnished(Answers([chair(2.0, 1.5, 0.3)], [chair(2.0, 1.5)]))
+    assert result.report.complete
+
+
+def test_what_only_a_wall_holds_may_lean_on_it() -> None:
+    policy = Answers([chair(2.0, 1.5), chair(3.7499, 1.5)])
+    result = generate_room(ONE_CHAIR, room=ROOM, policy=policy, source=TipsOver(), effort=Effort(restarts=0))
+    assert result.report.valid
+    assert result.scene["chair_1"].position[0] > 3.74

@@ -4,11 +4,12 @@ from typing import get_args
 
 import pytest
 
-from thinkblox.assets import CATALOGUE
+from thinkblox.assets import CATALOGUE, GENERAL_WORDS
 from thinkblox.brief import Brief, Place
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_types
-from thinkblox.knowledge.senses import categories_meant, generic_nouns
+from thinkblox.knowledge.senses import senses_of
+from thinkblox.knowledge.things import things
 from thinkblox.reading import read_brief
 from thinkblox.reading.lexicon import LANGUAGES, load
 
@@ -355,7 +356,7 @@ def test_unknown_things_are_things_under_their_own_names() -> None:
 def test_too_many_are_listed_not_lost() -> None:
     brief = read_brief("A room with 1000 chairs.")
     assert counted(brief) == {"chair": 200}
-    assert brief.missing == ("800 more of '1000 chairs'",)
+    assert (brief.missing, brief.beyond) == ((), ("800 more of '1000 chairs'",))
 
 
 def test_every_category_is_in_the_catalogue() -> None:
@@ -363,8 +364,8 @@ def test_every_category_is_in_the_catalogue() -> None:
     nouns = {e.value for code in LANGUAGES for es in load(code).phrases.values() for e in es if e.sort == "object"}
     nouns |= {usual.category for kind in room_types().values() for usual in kind.usual}
     nouns |= {anchor for noun in habits.known() for habit in habits.of(noun) for anchor in habit.anchors}
-    nouns |= set(habits.known()) | categories_meant()
-    assert nouns - PLACES - generic_nouns() <= set(CATALOGUE)
+    nouns |= set(habits.known()) | {sense.category for noun in things() for sense in senses_of(noun)}
+    assert nouns - PLACES - set(GENERAL_WORDS) <= set(CATALOGUE)
 
 
 def test_every_room_type_is_known() -> None:
@@ -374,5 +375,5 @@ def test_every_room_type_is_known() -> None:
 
 def test_small_things_are_those_the_catalogue_puts_on_surfaces() -> None:
     habits = load_habits()
-    categories = set(habits.group("small")) - generic_nouns()
+    categories = set(habits.group("small")) - set(GENERAL_WORDS)
     assert {c for c in categories if CATALOGUE[c].mount != "surface"} == set()

@@ -374,7 +374,7 @@ def test_prompts_nobody_has_seen_are_read(prompt: str, expected: tuple[str, str,
     asked = {r.category for r in brief.requests if r.asked}
     assert {c: n for c, n in counted(brief).items() if c in asked} == _counts(objects)
     assert {r for r in relations.split(", ") if r} <= related(brief)
-    assert "; ".join(brief.missing) == missing
+    assert "; ".join((*brief.missing, *brief.beyond)) == missing
 
 
 def _counts(text: str) -> dict[str, int]:

@@ -17,8 +17,11 @@ from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
 from thinkblox.sim import verify
 from thinkblox.sim.geometry.access import FreeFloor
+from thinkblox.sim.geometry.boundary import boundary_distance
+from thinkblox.sim.geometry.bounds import Neighbours
 from thinkblox.sim.geometry.solid import solid_of
-from thinkblox.sim.settings import Walking
+from thinkblox.sim.settings import Physics, Walking
+from thinkblox.sim.verdict.gate import Gate
 from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Verdict
 
@@ -66,6 +69,10 @@ CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 POST = asset("post", (0.06, 0.06, 1.2), mass=3.0)
 FLUNG = 0.05
 """What is deeper than this in another thing or a wall is flung out, and hits what is metres away [m]."""
+MOST_CALM = 4
+"""Things in a calm room: among more, what floats falls on what balances, and chance says whose fault that is."""
+SPOTS = 6
+"""Draws of a place for a thing, before it is left out."""
 KINDS = (CRATE, POST, BALL, vase(), table(), wardrobe(), SHELF)
 ROOM = rectangle(3.0, 3.0, openings=(Opening(id="door_1", kind="door", wall=0, offset=1.0, width=0.9, height=2.0),))
 
@@ -79,6 +86,30 @@ def crowded(draw: st.DrawFn) -> tuple[Scene, Placement, Asset]:
         placed = placed.with_placement(placement, kind)
     placement, kind = draw(_somewhere(placed, "new_1"))
     return placed, placement, kind
+
+
+@st.composite
+def calm(draw: st.DrawFn) -> tuple[Scene, Placement, Asset]:
+    """A crowded room of which nothing is flung out but, maybe, the one thing more.
+
+    The cut world is of what is near the new thing, and what is flung comes there from metres away. What finds no place
+    in some draws is left out, so that no room has to be thrown away.
+    """
+    placed = scene(ROOM)
+    for number in range(draw(st.integers(0, MOST_CALM))):
+        spots = (draw(_somewhere(placed, f"thing_{number}")) for _ in range(SPOTS))
+        placement, kind = next(((p, k) for p, k in spots if not _is_flung(placed, p, k)), (None, None))
+        if placement is not None and kind is not None:
+            placed = placed.with_placement(placement, kind)
+    placement, kind = draw(_somewhere(placed, "new_1"))
+    return placed, placement, kind
+
+
+def _is_flung(placed: Scene, placement: Placement, kind: Asset) -> bool:
+    """Whether a thing would be deeper in another or in a wall than FLUNG."""
+    gate = Gate(placed, Neighbours(placed), kind, [placement], Physics())
+    outside = boundary_distance(placed.room, placement, solid_of(kind))
+    return outside > FLUNG or bool(gate.collisions(placement, FLUNG))
 
 
 @st.composite
@@ -100,8 +131,8 @@ def nothing_is_flung(placed: Scene) -> bool:
     return all(max(verdict.depth, verdict.boundary) <= FLUNG for verdict in verify(placed).objects)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
-@given(crowded())
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(calm())
 def test_any_room(case: tuple[Scene, Placement, Asset]) -> None:
     placed, placement, kind = case
     assume(nothing_is_flung(placed))

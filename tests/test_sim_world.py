@@ -1,5 +1,8 @@
+import math
+
 import mujoco
 import pytest
+from msgspec import structs
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
 from thinkblox.scene.asset import Asset, Shape
@@ -125,6 +128,19 @@ def test_a_picture_must_touch_its_wall(gap: float, valid: bool) -> None:
 def test_a_picture_names_the_wall_it_hangs_on() -> None:
     assert check(scene(), put(PICTURE, 2.0, 4.985, 1.4, yaw=270.0, on="east_wall"), PICTURE).reasons == ("unsupported",)
     assert check(scene(), put(PICTURE, 2.0, 4.985, 1.4, yaw=270.0, on="floor"), PICTURE).reasons == ("unsupported",)
+
+
+@pytest.mark.parametrize(("yaw", "faces"), [(90.0, True), (33.0, True), (27.0, False), (180.0, False)])
+def test_a_clock_has_its_face_to_the_room(yaw: float, faces: bool) -> None:
+    clock = asset("clock", (0.3, 0.3, 0.3), mount="wall", mass=1.0)
+    away = 0.15 * (abs(math.cos(math.radians(yaw))) + abs(math.sin(math.radians(yaw))))
+    there = put(clock, 2.0, 5.0 - away, 1.4, yaw=yaw, on="north_wall")
+    verdict = check(scene(), there, clock)
+    assert verdict.reasons == (("faces_wall",) if faces else ())
+    assert ("its front to the wall" in str(verdict)) is faces
+    for either in (structs.replace(clock, front="two"), structs.replace(clock, front="any")):
+        assert check(scene(), there, either).valid, "whichever way round, it looks the same"
+    assert check(scene(), there, structs.replace(clock, flags=("front_unknown",))).valid
 
 
 def test_two_pictures_do_not_hang_in_one_place() -> None:

@@ -147,6 +147,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
         height: of the room [m], where the prompt gives it.
         style: adjectives about the whole ("calm", "cosy").
         missing: things asked for that are not made, with their count in words.
+        beyond: things asked for that are more than one room is given, with their count in words.
         unknown: words that meant nothing to us, or that we can do nothing about, and that name or change a thing.
         empty: the prompt wants nothing besides what it names.
         excluded: categories that must not be there.
@@ -167,6 +168,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     relations: tuple[Relation, ...] = ()
     style: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+    beyond: tuple[str, ...] = ()
     unknown: tuple[str, ...] = ()
     empty: bool = False
     excluded: tuple[Name, ...] = ()

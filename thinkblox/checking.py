@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 OURS = "thinkblox"
 """The format of our own scene.json."""
+DEMANDS = "What the prompt asks for is not looked at here; of our own rooms, the report of `generate` says it."
 MODELS = ("mjcf", "urdf")
 MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
 RANGES = {"height": (1.5, 50.0), "short_side": (0.5, 100.0), "max_move": (0.0, 100.0)}
@@ -241,7 +242,7 @@ def _measured(path: str, format: str, reading: VerifyOptions) -> _Done:
         unusual=subject.unusual,
         substituted=subject.substituted,
         absent=(*report.absent, *absent),
-        notes=(*notes, *report.notes),
+        notes=(*notes, *((DEMANDS,) if report.prompt else ()), *report.notes),
         suites=_suites(subject, reading),
     )
     return _Done(report, _scene_files(path, subject, reading), _page(path, subject, report, reading))

@@ -36,7 +36,13 @@ def feedback_line(scene: Scene, id: str, tried: Try, asset: Asset) -> str:
 
 
 def _help(scene: Scene, placement: Placement, asset: Asset, verdict: Verdict) -> str:
-    """The nearest place that seems free, as a shift in words; empty where nothing of that kind is wrong."""
+    """The turn and the shift that would help, in words; empty where nothing of that kind is wrong."""
+    turn = f"turn it to {scene.room.wall(placement.support).yaw:g} degrees" if "faces_wall" in verdict.reasons else ""
+    return "; ".join(words for words in (turn, _shift(scene, placement, asset, verdict)) if words)
+
+
+def _shift(scene: Scene, placement: Placement, asset: Asset, verdict: Verdict) -> str:
+    """The nearest place that seems free, as a shift in words."""
     if not HELPED.intersection(verdict.reasons):
         return ""
     found = nearest_shift(scene, asset, placement, clear_of=verdict.blocked)

@@ -53,6 +53,11 @@ class Generation:
         """Every round of tries."""
         return self.episode.rounds
 
+    @property
+    def attempt(self) -> int:
+        """Which attempt was kept, from 0."""
+        return next((entry.attempt for entry in self.trace if entry.kept), 0)
+
 
 @dataclass(frozen=True)
 class Progress:
@@ -85,6 +90,7 @@ def generate_room(
     effort: Effort | None = None,
     tolerances: Tolerances | None = None,
     requirements: Sequence[Requirement] = (),
+    on_plan: Callable[[Plan], None] | None = None,
     on_object: Callable[[Progress], None] | None = None,
 ) -> Generation:
     """Furnish a room for a prompt; every placement in it has been measured in MuJoCo.
@@ -100,6 +106,7 @@ def generate_room(
         effort: how hard to try.
         tolerances: what counts as valid.
         requirements: what you require of every placement besides; the loop looks for places that meet it.
+        on_plan: called with what is to be placed, before anything is.
         on_object: called after each object.
 
     Raises:
@@ -110,8 +117,11 @@ def generate_room(
     _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
     brief = _made("briefer", (briefer or GrammarBriefer()).brief(prompt), Brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
+    plan = _made("planner", planner.plan(brief, room), Plan)
+    if on_plan is not None:
+        on_plan(plan)
     return furnish(
-        _made("planner", planner.plan(brief, room), Plan),
+        plan,
         Scene(prompt=prompt, seed=seed, room=room),
         policy=policy or ExpertPolicy(),
         source=source or ProceduralAssets(),

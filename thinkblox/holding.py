@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-STOPS = (signal.SIGINT, signal.SIGTERM)
-"""The signals that stop a command."""
+STOPS = (signal.SIGINT, signal.SIGTERM, signal.SIGALRM)
+"""The signals that stop a command; one that came while a module was loaded comes again as an alarm."""
 _PLACED: list[Path] = []
 
 

@@ -4,7 +4,7 @@ import math
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
+from itertools import islice, takewhile
 
 import numpy as np
 from msgspec import structs
@@ -32,7 +32,8 @@ from thinkblox.verdict import Reason, Verdict
 
 SOFT: frozenset[Reason] = frozenset({"blocks_way", "blocks_window", "blocks_opening"})
 """What a crowded room may have to give up, and the report then says."""
-
+FALLING: frozenset[Reason] = frozenset({"drift", "drop", "tilt", "restless", "unstable"})
+"""What becomes of a thing that cannot stand."""
 
 BUDGET = 900.0
 """How long the objects of a room may take to be placed unless told otherwise [s]."""
@@ -74,7 +75,12 @@ class Effort:
 
 @dataclass(frozen=True)
 class Loop:
-    """What every object of a room is placed with; `until` is the monotonic time at which the budget is over [s]."""
+    """What every object of a room is placed with.
+
+    Attributes:
+        until: the monotonic time at which the budget is over [s].
+        falls: of assets that fell where they were put, how each does so by itself; "" of one that stands.
+    """
 
     plan: Plan
     kinds: dict[str, Kind]
@@ -82,6 +88,7 @@ class Loop:
     source: AssetSource
     effort: Effort
     until: float = math.inf
+    falls: dict[Asset, str] = field(default_factory=dict)
 
     @property
     def over(self) -> str:
@@ -121,6 +128,8 @@ class Placing:
             grown = self._ask(number, feedback)
             if grown is not None:
                 return grown
+            if self._fall():
+                return None
             feedback = tuple(t.feedback for t in self.rounds[-1].tries if t.feedback)
         return self._repair() or (None if self.loop.over else self._revise()) or self._last_resort()
 
@@ -129,10 +138,33 @@ class Placing:
         """Why it could not be placed: the failure of the try that came nearest, or of the last text."""
         if self.loop.over:
             return self.loop.over
+        if falls := self._fall():
+            return falls
         if self.failed:
             return str(min(self.failed, key=_badness)[1]).removeprefix(f"{self.target.id}: ")
         said = [t.rejection.message for r in self.rounds for t in r.tries if t.rejection is not None]
         return said[-1] if said else "nothing was proposed"
+
+    def _fall(self) -> str:
+        """How what was tried falls by itself; empty where any of it stands, or fell nowhere yet.
+
+        Each asset is measured so once, and only after a whole round was of no use: a wall may hold what leans on it.
+        """
+        if not any(FALLING.intersection(verdict.reasons) for _, verdict in self.failed):
+            return ""
+        assets = dict.fromkeys(proposal.asset for proposal, _ in self.failed)
+        says = [self._falls(asset) for asset in takewhile(self._falls, assets)]
+        return says[0] if len(says) == len(assets) else ""
+
+    def _falls(self, asset: Asset | None) -> str:
+        if asset is None or not asset.free:
+            return ""
+        if asset not in self.loop.falls:
+            alone = self.world.by_itself(asset)
+            says = str(alone).partition(": ")[2]
+            fell = FALLING.intersection(alone.reasons)
+            self.loop.falls[asset] = f"it cannot stand: by itself on an empty level floor it {says}" if fell else ""
+        return self.loop.falls[asset]
 
     def _ask(self, number: int, feedback: tuple[str, ...]) -> World | None:
         loop = self.loop
@@ -187,6 +219,8 @@ class Placing:
         for item in read:
             if tries and self.loop.over:
                 break
+            if tries and isinstance(item, Proposal) and item.asset is not None and self.loop.falls.get(item.asset):
+                continue
             done = item if isinstance(item, Try) else measured(self.world, item)
             tries.append(done)
             if isinstance(item, Try) or done.verdict is None:

@@ -29,6 +29,11 @@ class Tie(CheckedValue, frozen=True, kw_only=True):
     spread: Ordinal = 0
 
 
+def is_object(anchor: str) -> bool:
+    """Whether an anchor of a Tie is the id of an object, "<category>_<n>", rather than a Place of the room."""
+    return anchor.rpartition("_")[2].isdecimal()
+
+
 class Target(CheckedValue, frozen=True, kw_only=True):
     """One object to place.
 
@@ -55,7 +60,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
     @property
     def depends_on(self) -> tuple[str, ...]:
         """Ids of the objects that must be placed before it (places of the room are left out)."""
-        return tuple(dict.fromkeys(a for tie in self.ties for a in tie.anchors if a.rsplit("_", 1)[-1].isdigit()))
+        return tuple(dict.fromkeys(a for tie in self.ties for a in tie.anchors if is_object(a)))
 
 
 class Plan(CheckedValue, frozen=True, kw_only=True):

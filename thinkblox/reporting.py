@@ -9,6 +9,7 @@ from thinkblox.demands import bounds_of, demands_of, placed_of
 from thinkblox.headline import UNKNOWN
 from thinkblox.plainness import plain_things
 from thinkblox.plan import Plan, Target, Tie
+from thinkblox.reading.counts import MAX_OBJECTS, MAX_OF_A_KIND
 from thinkblox.scene.landmarks import corners
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -19,6 +20,8 @@ from thinkblox.verdict import Absence, RelationResult, Report
 
 TOGETHER: frozenset[RelationKind] = frozenset({"around", "in_rows", "at_long_side", "at_short_side"})
 """Relations that a whole company has, not each member by itself; as is any that names no anchor, or is spread."""
+NAMELESS = "the catalogue has nothing of that name"
+TOO_MANY = f"a room is given at most {MAX_OBJECTS} things, and {MAX_OF_A_KIND} of a kind"
 NO_DOOR = "The room has no door, so that no walkable way could be measured."
 
 
@@ -33,8 +36,9 @@ def report_on(
     """Verify the scene and hold it against its plan."""
     brief = plan.brief
     missing = [
-        Absence(id=word, category=UNKNOWN, asked=True, reason="the catalogue has nothing of that name")
-        for word in brief.missing
+        Absence(id=word, category=UNKNOWN, asked=True, reason=why)
+        for why, words in ((NAMELESS, brief.missing), (TOO_MANY, brief.beyond))
+        for word in words
     ]
     verified = verify(scene, tolerances=tolerances, requirements=requirements)
     relations, demands = tuple(relations_of(scene, plan)), demands_of(scene, plan)
@@ -61,7 +65,7 @@ def relations_of(scene: Scene, plan: Plan) -> Iterator[RelationResult]:
         anchors = tuple(id for id in tie.anchors if id not in spared)
         if not wanted or (tie.anchors and not anchors):
             continue
-        gone = [id for id in (*wanted, *anchors) if id[-1].isdigit() and _is_planned(plan, id) and id not in scene]
+        gone = [id for id in (*wanted, *anchors) if _is_planned(plan, id) and id not in scene]
         if gone:
             says = f"{', '.join(gone)} not placed"
             yield RelationResult(kind=tie.kind, subject=subject, anchors=anchors, holds=False, measured=says)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from thinkblox.judging import Proposal, Try, measured
 from thinkblox.phrases import phrase
-from thinkblox.plan import Plan, Target, Tie
+from thinkblox.plan import Plan, Target, Tie, is_object
 from thinkblox.scene.actions import Move
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
@@ -50,7 +50,7 @@ def unmet(scene: Scene, target: Target) -> list[Tie]:
         tie
         for tie in ties
         if tie.anchors
-        and all(anchor in scene or not anchor[-1].isdigit() for anchor in tie.anchors)
+        and all(anchor in scene or not is_object(anchor) for anchor in tie.anchors)
         and not measure(scene, tie.kind, target.id, tie.anchors, rows=tie.rows).holds
     ]
 

@@ -11,6 +11,7 @@ Reason = Literal[
     "collision",  # deeper in another object than tolerated, where it is put or once it rests
     "outside",  # outside the room or above its ceiling
     "unsupported",  # nothing carries it, or a mounted thing does not touch what it hangs on
+    "faces_wall",  # hangs with its front to the wall
     "drift",  # slid while settling
     "drop",  # fell further than its clearance
     "tilt",  # leaned or toppled
@@ -184,6 +185,7 @@ class Verdict(Measurement, frozen=True, kw_only=True):
             ),
             "outside": f"reaches {self.outside * 1000:.1f} mm outside the room",
             "unsupported": "nothing supports it",
+            "faces_wall": "hangs with its front to the wall",
             "drift": f"slid {self.drift * 1000:.1f} mm while settling",
             "drop": f"fell {self.drop * 1000:.1f} mm while settling",
             "tilt": f"tilted {self.tilt:.1f} degrees while settling",

@@ -1,7 +1,8 @@
-"""Whether something fixed touches what it is fixed to."""
+"""Whether something fixed touches what it is fixed to, and which way round."""
 
 import numpy as np
 
+from thinkblox.scene.asset import FRONT_UNKNOWN, Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.sim.geometry.solid import Solid, pose
@@ -15,6 +16,13 @@ def hangs(room: Room, placement: Placement, solid: Solid, touching: float) -> bo
     if mount == "wall":
         return _touches_wall(room, placement, solid, touching)
     return abs(placement.position[2] + solid.lowest) <= touching
+
+
+def faces_its_wall(room: Room, placement: Placement, asset: Asset) -> bool:
+    """Whether something mounted has its front to the wall it names; not what has no front, or none that is known."""
+    if asset.mount != "wall" or asset.front != "one" or FRONT_UNKNOWN in asset.flags:
+        return False
+    return any(wall.name == placement.support and wall.is_faced(placement.yaw) for wall in room.walls)
 
 
 def _touches_wall(room: Room, placement: Placement, solid: Solid, touching: float) -> bool:

@@ -9,7 +9,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.sim.geometry.boundary import boundary_distance
-from thinkblox.sim.geometry.mounting import hangs
+from thinkblox.sim.geometry.mounting import faces_its_wall, hangs
 from thinkblox.sim.geometry.openings import blocked_openings
 from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.settings import Tolerances, Walking
@@ -75,6 +75,7 @@ def judge_pose(
         "collision": bool(collisions),
         "outside": boundary > tolerances.outside,
         "unsupported": not asset.free and not hangs(room, placement, solid, tolerances.touching),
+        "faces_wall": faces_its_wall(room, placement, asset),
         "blocks_door": bool(doors),
         "blocks_window": bool(windows),
         "blocks_opening": any(swing.opens < tolerances.opens for swing in swings),

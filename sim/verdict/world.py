@@ -8,8 +8,9 @@ from typing import NamedTuple
 from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import MAX_EXTENT, MAX_HEIGHT, rectangle
 from thinkblox.scene.scene import Scene
-from thinkblox.scene.support import ON_FLOOR
+from thinkblox.scene.support import ON_FLOOR, placed_at
 from thinkblox.sim.build import add_placement, build_spec
 from thinkblox.sim.geometry.access import FreeFloor
 from thinkblox.sim.geometry.bounds import Boxes, Neighbours, piece_boxes
@@ -58,6 +59,8 @@ SOON = 0.5
 """How long a candidate is let go among sleepers, to see whether it stands squarely or falls [s]."""
 KEPT = 32
 """Compiled parts of a room that a world keeps."""
+ROOMY = 4.0
+"""An empty room is so much wider than what stands in it by itself, and so much higher [m]."""
 WIDER = 0.05
 """How much wider than the way that the candidate went the second cut is [m]."""
 
@@ -143,6 +146,13 @@ class World:
         if isinstance(action, Remove):
             return with_riders(Verdict(id=action.id, valid=True), riders)
         return with_riders(world._standing(action.id, way), riders)
+
+    def by_itself(self, asset: Asset) -> Verdict:
+        """The verdict on an asset on an empty level floor, by the same lines: whether it stands if nothing holds it."""
+        side = min(MAX_EXTENT, ROOMY * (1.0 + max(asset.size)))
+        empty = Scene(room=rectangle(side, side, height=min(MAX_HEIGHT, ROOMY + asset.size[2])))
+        there = placed_at(empty, asset, id=asset.category, position=(side / 2, side / 2, 0.0), yaw=0.0)
+        return self.with_scene(empty)._judge(there, asset, None, way=False)
 
     def _leaning_on(self, id: str) -> list[str]:
         """Whatever free and not on the floor is near enough to an object that it may stand on it, in part at least."""

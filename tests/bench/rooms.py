@@ -52,7 +52,7 @@ def run(job: tuple[str, int, Path]) -> Row | str:
     save_room(result, out, pictures=False, overwrite=True)
     seconds = time.perf_counter() - start
     asked = [t for t in result.plan.targets if t.asked]
-    missing = len(result.plan.brief.missing)
+    missing = len(result.plan.brief.missing) + len(result.plan.brief.beyond)
     placed = [t for t in asked if t.id in result.scene]
     absent = {a.id for a in result.report.absent}
     depth, drift, tilt = hold(out / "scene.xml")

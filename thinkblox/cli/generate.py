@@ -57,8 +57,10 @@ def _generate(arguments: argparse.Namespace) -> int:
             seed=arguments.seed,
             room=room,
             effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
+            on_plan=progress.begin,
             on_object=progress.tell,
         )
+        progress.end(result)
     heed_stops()
     save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
     if arguments.json:

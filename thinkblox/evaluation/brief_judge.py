@@ -158,7 +158,8 @@ class _Reading:
     def _lost(self, category: str) -> str:
         """Where a thing that is not asked for ended, if its name is found there."""
         words = set(plain(category).split())
-        for where, texts in (("missing", self._brief.missing), ("unknown", self._brief.unknown)):
+        brief = self._brief
+        for where, texts in (("missing", brief.missing), ("beyond", brief.beyond), ("unknown", brief.unknown)):
             for text in texts:
                 if words & set(plain(text).split()):
                     return f", {where} has {text!r}"

@@ -28,6 +28,11 @@ from thinkblox.scene.room import Room
 from thinkblox.scene.scene import MAX_PLACEMENTS, Scene
 from thinkblox.value import Value, Vec3
 
+FRONTS = (
+    "Whether what hangs on a wall has its front to the room is not judged: no layout says that its meshes face"
+    " the way its format wants."
+)
+
 
 class ForeignLayout(Value, frozen=True, kw_only=True):
     """What was read.
@@ -154,6 +159,8 @@ def _layout(document: Document, draft: LayoutDraft, format: str, height: float |
     if known is None:
         notes = (f"The room's height is not in the file; it was taken to be {up:.4g} m.", *notes)
         bodies = [corded(b, up) if m == "ceiling" else b for b, m in zip(bodies, mounts, strict=True)]
+    if "wall" in mounts:
+        notes = (*notes, FRONTS)
     ids = _ids(room, draft.items)
     return ForeignLayout(
         scene=_scene(document, room, bodies, ids, mounts, plain(draft.prompt)),

@@ -3,7 +3,7 @@
 from functools import lru_cache
 from typing import NamedTuple
 
-from thinkblox.assets import GENERAL_WORDS, revision
+from thinkblox.assets import revision
 from thinkblox.knowledge.things import things
 
 
@@ -27,13 +27,3 @@ def _senses(revision: int) -> dict[str, tuple[Sense, ...]]:
 def _sense(line: str) -> Sense:
     category, _, conditions = line.partition(" if ")
     return Sense(category, tuple(conditions.split()))
-
-
-def generic_nouns() -> frozenset[str]:
-    """Nouns that are no categories themselves ("any_table")."""
-    return frozenset(GENERAL_WORDS)
-
-
-def categories_meant() -> frozenset[str]:
-    """Every category that a word can come to mean."""
-    return frozenset(sense.category for senses in _senses(revision()).values() for sense in senses)

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from thinkblox.brief import Brief
 from thinkblox.knowledge.things import counts_as
-from thinkblox.plan import Plan, Target
+from thinkblox.plan import Plan, Target, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
 from thinkblox.planning.implied import imply
@@ -111,7 +111,7 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
 
 def _rank(member: Member, number: int) -> _Rank:
     stage = 2 if member.flat else _STAGES[member.mount]
-    dependent = any(anchor.rsplit("_", 1)[-1].isdigit() for tie in member.ties for anchor in tie.anchors)
+    dependent = any(is_object(anchor) for tie in member.ties for anchor in tie.anchors)
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
     shared_out = any(tie.spread for tie in member.ties)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out)

@@ -14,11 +14,6 @@ def adjective_kinds(word: str) -> frozenset[AdjectiveKind]:
     return _kinds().get(word, frozenset())
 
 
-def is_filler(word: str) -> bool:
-    """Whether an adjective asks for nothing: "lovely", "ample", "well-designed"."""
-    return adjective_kinds(word) == {"filler"}
-
-
 @lru_cache(maxsize=1)
 def _kinds() -> Mapping[str, frozenset[AdjectiveKind]]:
     text = Path(__file__).with_name("lexicon").joinpath("adjectives.toml").read_text(encoding="utf-8")

@@ -7,18 +7,18 @@ from thinkblox.reading.draft import Bond, Draft, Mention
 MAX_OF_A_KIND = 200
 """Most objects that one request may ask for."""
 MAX_OBJECTS = 400
-"""Most objects that one prompt may ask for; the rest is listed as missing."""
+"""Most objects that one prompt may ask for; the rest is listed as beyond it."""
 _CORNERS = _WALLS = 4
 _PER_ROW, _ROWS = 3, 2
 
 
 def limit_things(draft: Draft) -> None:
-    """Keep as many things as can be asked for; the others are listed as missing."""
+    """Keep as many things as can be asked for; the others are listed as beyond that."""
     extra = draft.things[MAX_OBJECTS:]
     if extra:
         kept = draft.things = draft.things[:MAX_OBJECTS]
         known = set(map(id, kept))
-        draft.missing.append(f"{len(extra)} more things, from {extra[0].text!r} on")
+        draft.beyond.append(f"{len(extra)} more things, from {extra[0].text!r} on")
         draft.bonds = [
             b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Mention))
         ]
@@ -114,6 +114,6 @@ def _limit(draft: Draft) -> None:
         thing.count = max(0, min(wanted, MAX_OF_A_KIND, MAX_OBJECTS - total))
         total += thing.count
         if thing.count < wanted:
-            draft.missing.append(f"{wanted - thing.count} more of {thing.text or thing.noun!r}")
+            draft.beyond.append(f"{wanted - thing.count} more of {thing.text or thing.noun!r}")
         if thing.count == 0:
             draft.drop(thing)

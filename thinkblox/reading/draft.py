@@ -93,6 +93,7 @@ class Draft:
     room_attributes: list[str] = field(default_factory=list)
     style: list[str] = field(default_factory=list)
     missing: list[str] = field(default_factory=list)
+    beyond: list[str] = field(default_factory=list)
     unknown: list[str] = field(default_factory=list)
     excluded: set[str] = field(default_factory=set)
     empty: bool = False

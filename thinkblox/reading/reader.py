@@ -8,7 +8,6 @@ from thinkblox.assets.mounting import HANGING, WALL_MOUNTED, mount_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import room_types
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import assume, stock
 from thinkblox.reading.chunker import Chunker
@@ -149,6 +148,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
         missing=tuple(dict.fromkeys(draft.missing)),
+        beyond=tuple(dict.fromkeys(draft.beyond)),
         unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *looks)), *draft.unknown])),
         empty=draft.empty,
         excluded=tuple(sorted(draft.excluded)),
@@ -226,8 +226,3 @@ def _height(size: Size) -> float | None:
     if height is not None and not 2.0 <= height <= 10.0:
         raise InputError(f"the room's height in {size.text!r} is {height:g} m; it must be 2 to 10 m")
     return height
-
-
-def known_rooms() -> tuple[str, ...]:
-    """The types of room that are known, in alphabetical order."""
-    return tuple(sorted(room_types()))

@@ -26,6 +26,8 @@ MAX_LINKS = 64
 """Most links of one asset."""
 MAX_CORNERS = 4096
 """Most corners of one hull."""
+FRONT_UNKNOWN = "front_unknown"
+"""The flag of an asset whose source does not say which of its sides is its front."""
 _THIN = 1e-6
 
 
@@ -194,6 +196,7 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
         clearance: depth that should stay free before its front for use [m].
         surfaces: where other things can be put, largest useful first.
         attributes: the words it was made for, such as "round", "double", "three-seat".
+        flags: what is not known of it, such as FRONT_UNKNOWN.
 
     Raises:
         InputError: a field out of range, two links of one name, or more than MAX_LINKS links or MAX_SHAPES shapes.

@@ -117,10 +117,10 @@ def _on_wall(scene: Arrangement, asset: Known, failed: Placement) -> list[Placem
     heights = [h for h in (0.0, 0.15, -0.15, 0.3, -0.3, 0.5, -0.5) if failed.position[2] + h >= 0.0]
     (lx, ly), (x, y, z) = failed.left, failed.position
     pairs = sorted(((abs(s) + abs(h), float(s), h) for s in steps for h in heights), key=lambda pair: pair[0])
+    faced = next((w for w in scene.room.walls if w.name == failed.support and w.is_faced(failed.yaw)), None)
+    yaw = failed.yaw if faced is None else faced.yaw
     return [
-        placed_at(
-            scene, asset, id=failed.id, position=(round(x + lx * s, 3), round(y + ly * s, 3), z + h), yaw=failed.yaw
-        )
+        placed_at(scene, asset, id=failed.id, position=(round(x + lx * s, 3), round(y + ly * s, 3), z + h), yaw=yaw)
         for _, s, h in pairs
         if z + h + asset.size[2] <= scene.room.height
     ]

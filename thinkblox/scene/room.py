@@ -16,6 +16,7 @@ from thinkblox.value import Value, Vec2
 MIN_EXTENT = 0.5
 """Smallest side of a room's bounding box that is accepted [m]."""
 MAX_EXTENT = 100.0
+MAX_HEIGHT = 50.0
 """Largest side of a room's bounding box that is accepted [m]."""
 MAX_CORNERS = 200
 """Most corners of a floor."""
@@ -77,6 +78,10 @@ class Wall(Value, frozen=True, kw_only=True):
         """Yaw of an object with its back to this wall [degrees, 0 to 360)."""
         return round(math.degrees(math.atan2(self.inward[1], self.inward[0])) % 360.0, 3) % 360.0
 
+    def is_faced(self, yaw: float) -> bool:
+        """Whether a front of that yaw [degrees] points into the wall: less than 60 degrees from straight at it."""
+        return turn_between(yaw, self.yaw) > 120.0
+
     def point(self, along: float, inward: float = 0.0) -> Vec2:
         """The point `along` metres from the start and `inward` metres into the room."""
         (ax, ay), (nx, ny) = self.along, self.inward
@@ -99,7 +104,7 @@ class Room(CheckedValue, frozen=True, kw_only=True, cache_hash=True):
     """
 
     floor: tuple[tuple[Coordinate, Coordinate], ...]
-    height: Annotated[float, Meta(ge=1.5, le=50.0)] = 2.6
+    height: Annotated[float, Meta(ge=1.5, le=MAX_HEIGHT)] = 2.6
     openings: tuple[Opening, ...] = ()
 
     def __post_init__(self) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Target, Tie
+from thinkblox.plan import Target, Tie, is_object
 from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, sides, spreading, surfaces, walls
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
@@ -38,7 +38,7 @@ def from_ties(situation: Situation) -> list[Idea]:
 
 def _looks_at_place(tie: Tie) -> bool:
     """Whether it is asked to look at a door, a window or a wall, which decides before any habit where it stands."""
-    return tie.kind == "facing" and tie.asked and bool(tie.anchors) and not any(a[-1].isdigit() for a in tie.anchors)
+    return tie.kind == "facing" and tie.asked and bool(tie.anchors) and not any(map(is_object, tie.anchors))
 
 
 def _is_staffed(situation: Situation) -> bool:
@@ -82,7 +82,7 @@ def _from_tie(situation: Situation, tie: Tie) -> Iterable[Idea]:
     if tie.kind == "in_rows":
         return _rows(situation, tie)
     anchors = situation.placed(tie.anchors)
-    places = [a for a in tie.anchors if not a[-1].isdigit()]
+    places = [a for a in tie.anchors if not is_object(a)]
     if places and not anchors:
         ideas = _far_from_place(situation, places[0]) if tie.kind == "far" else _at_place(situation, tie, places[0])
         return spreading.spread_out(situation, tie, ideas) if tie.spread else ideas

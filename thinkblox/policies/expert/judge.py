@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from thinkblox.plan import is_object
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea
@@ -153,7 +154,7 @@ def _denied(situation: Situation, idea: Idea) -> float:
     scene = situation.scene.with_placement(placement_of(situation, idea), situation.asset)
     cost = 0.0
     for tie in situation.target.denied:
-        anchors = tuple(a for a in tie.anchors if a in scene or not a[-1].isdigit())
+        anchors = tuple(a for a in tie.anchors if a in scene or not is_object(a))
         if anchors or not tie.anchors:
             cost += DENIED * (not measure(scene, tie.kind, situation.target.id, anchors, negated=True).holds)
     return cost
@@ -170,7 +171,7 @@ def _unmet(situation: Situation, idea: Idea) -> float:
         if (
             tie.kind in ("around", "in_rows")
             or not tie.anchors
-            or any(a not in scene and a[-1].isdigit() for a in tie.anchors)
+            or any(a not in scene and is_object(a) for a in tie.anchors)
         ):
             continue
         if not measure(scene, tie.kind, situation.target.id, tie.anchors, rows=tie.rows).holds:

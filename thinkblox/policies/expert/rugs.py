@@ -55,13 +55,3 @@ def _lie(situation: Situation, anchor: Placement, local: Vec2, turn: float, size
     )
     rounded = (round(size[0], 3), round(size[1], 3), size[2])
     return Idea((x, y, 0.0), yaw, words, f"{anchor.id} stands on it", cost, size=rounded)
-
-
-def before_seats(situation: Situation, seat: Placement) -> Iterator[Idea]:
-    """In front of a seat, its front legs on it."""
-    for turn in (0.0, 90.0):
-        for factor in (1.0, 0.85, 1.2):
-            size = (situation.size[0] * factor, situation.size[1] * factor, situation.size[2])
-            reach = size[0] if turn == 0.0 else size[1]
-            local = (seat.size[0] / 2 - 0.25 + reach / 2, 0.0)
-            yield _lie(situation, seat, local, turn, size, 0.3 * abs(factor - 1.0) + _along(seat, size, turn))

@@ -5,7 +5,7 @@ from functools import cached_property
 
 from thinkblox.assets import Facts, facts_of
 from thinkblox.observe import Kind, Layout, Observation
-from thinkblox.plan import Target, Tie
+from thinkblox.plan import Target, Tie, is_object
 from thinkblox.policies.expert.needs import Need, need, seat_need, uses
 from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.scene.asset import AssetCard
@@ -198,7 +198,7 @@ class Situation:
 
 def _is_amid(tie: Tie) -> bool:
     """Whether it belongs in the middle of the room, not of a table."""
-    return tie.kind == "in_centre" and not any(anchor[-1].isdigit() for anchor in tie.anchors)
+    return tie.kind == "in_centre" and not any(map(is_object, tie.anchors))
 
 
 def _in_the_middle(room: Room, count: int, size: Vec3) -> tuple[Vec2, Vec2, float, float, float]:

@@ -11,12 +11,6 @@ from thinkblox.reading.tokens import Token
 
 _LONGEST = 10
 """Most tokens of a stretch."""
-_NO_COMPARATIVES = ("rather", "other", "fewer", "either", "higher", "whether")
-"""Words on "er" before "than" that the grammar has, or that compare nothing."""
-_SHADES = ("dark", "light", "pale", "bright", "deep", "all", "painted", "made")
-_UNPAINTED = ("in", "with", "on")
-_OWNED = ("for", "of", "by", "from", "like")
-"""Words before an animal that is not itself to be in the room: "a picture of a dog"."""
 
 
 def unread_at(tokens: Sequence[Token], at: int) -> int:
@@ -26,16 +20,20 @@ def unread_at(tokens: Sequence[Token], at: int) -> int:
         if length := reader(words):
             return _to_end(tokens, at, length) if reader is _painted else length
     before = tokens[at - 1].text if at else ""
-    return _animal(tokens, at, words) if before not in _OWNED else 0
+    return 0 if _is_in(before, "before_animals") else _animal(tokens, at, words)
 
 
 def _is_in(word: str, name: str) -> bool:
     return word in grammar().lists[name]
 
 
+def _next_is(words: list[str], at: int, name: str) -> bool:
+    return at < len(words) and _is_in(words[at], name)
+
+
 def _comparison(words: list[str]) -> int:
     """Read "taller than", "twice as long as", "more comfortable than", "the same height as"."""
-    if len(words) > 1 and words[1] == "than" and words[0].endswith("er") and words[0] not in _NO_COMPARATIVES:
+    if len(words) > 1 and words[1] == "than" and words[0].endswith("er") and not _is_in(words[0], "no_comparatives"):
         return 2
     if words[:1] in (["more"], ["less"]) and words[2:3] == ["than"] and words[1] != "or":
         return 3
@@ -51,11 +49,11 @@ def _comparison(words: list[str]) -> int:
 
 def _money(words: list[str]) -> int:
     """Read "2000 euros", "€ 2000"."""
-    if len(words) > 1 and words[0] in ("€", "$", "£") and words[1][:1].isdigit():
+    if len(words) > 1 and _is_in(words[0], "money_signs") and words[1][:1].isdigit():
         return 2
     if words[:1] and words[0][:1].isdigit():
         for end in (1, 2):
-            if end < len(words) and (words[end] in ("€", "$", "£") or _is_in(words[end], "money")):
+            if _next_is(words, end, "money_signs") or _next_is(words, end, "money"):
                 return end + 1
     return 0
 
@@ -65,10 +63,9 @@ def _height(words: list[str]) -> int:
     if not words or not words[0][:1].isdigit():
         return 0
     for at in (2, 3):
-        rest = words[at : at + 3]
-        if rest[:1] and rest[0] in ("above", "off", "from", "over", "below"):
-            ends = rest[1:] if rest[1:2] != ["the"] else rest[2:]
-            return at + len(rest) - len(ends) + 1 if ends[:1] and ends[0] in ("floor", "ground", "ceiling") else 0
+        if _next_is(words, at, "over_levels"):
+            level = at + 2 if words[at + 1 : at + 2] == ["the"] else at + 1
+            return level + 1 if _next_is(words, level, "levels") else 0
     return 0
 
 
@@ -82,13 +79,12 @@ def _state(words: list[str]) -> int:
 
 def _painted(words: list[str]) -> int:
     """Read "walls painted dark blue", "the walls are blue"."""
-    if not words or words[0] not in ("wall", "walls", "ceiling", "ceilings", "floor", "floors", "floorboards"):
+    if not _next_is(words, 0, "paintable"):
         return 0
     at = 2 if words[1:2] in (["is"], ["are"]) else 1
-    painted = words[at : at + 1] and words[at] in ("painted", "papered", "wallpapered", "tiled", "panelled", "carpeted")
-    if painted:
-        return at + 1 if at + 1 < len(words) and words[at + 1] not in _UNPAINTED else 0
-    shade = words[at + 1 : at + 2] if words[at : at + 1] and words[at] in _SHADES else words[at : at + 1]
+    if _next_is(words, at, "painted"):
+        return at + 1 if at + 1 < len(words) and not _is_in(words[at + 1], "before_other_than_paint") else 0
+    shade = words[at + 1 : at + 2] if _next_is(words, at, "before_paint") else words[at : at + 1]
     return at + 1 if at == 2 and shade and shade[0] in LOOKS else 0
 
 
@@ -109,14 +105,14 @@ def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
 
 def _ends(words: list[str], at: int) -> bool:
     """Whether a clause ends at `at`."""
-    return at >= len(words) or not words[at][:1].isalnum() or words[at] in ("and", "but", "or", "while", "plus")
+    return at >= len(words) or not words[at][:1].isalnum() or _is_in(words[at], "clause_ends")
 
 
 def _to_end(tokens: Sequence[Token], at: int, length: int) -> int:
     """The length up to the next mark, "and" or "with", or to a thing that is new."""
     end = at + length
     while end < min(len(tokens), at + _LONGEST) and tokens[end].kind != "mark":
-        if grammar().at(tokens, end, "joins") or tokens[end].text in ("with", "a", "an"):
+        if grammar().at(tokens, end, "joins") or _is_in(tokens[end].text, "stretch_ends"):
             break
         end += 1
     return end - at
