@@ -10,6 +10,7 @@ from thinkblox.brief import Brief, Request
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.asked import rows_for
+from thinkblox.planning.sizes import width_for_seats
 from thinkblox.planning.walls import COMPASS, SIDES
 from thinkblox.value import Vec2, Vec3
 
@@ -27,6 +28,8 @@ ROUND_TABLES = ("around", "at_long_side", "at_short_side")
 _ON = ("at", "on", "inside")
 _ACROSS = 1.9
 """Free floor between things opposite each other, and behind them [m]."""
+BEHIND_SEAT, TUCK = 0.35, 0.1
+"""Free floor behind a seat at a table, and how far it goes under it [m]."""
 _BOARD = 1.8
 """Free depth before a board [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
@@ -94,23 +97,39 @@ def _own_area(brief: Brief, request: Request) -> float:
     if not _stands(request) or _belongs_to_seating(brief, request):
         return 0.0
     depth, across, _ = _size(request)
+    across = max(across, _seated_width(brief, request))
     beside, before = _margins(brief, request)
     return (across + beside) * (depth + max(before, kind_of(request.category).clearance))
+
+
+def _seated_width(brief: Brief, request: Request) -> float:
+    """Width of what several sit at [m]; 0 where it is not more than usual."""
+    sat = [r for r in brief.relations if request.key in r.anchors and len(r.anchors) == 1]
+    seats = {
+        kind: sum(brief.request(r.subject).count for r in sat if r.kind == kind) // request.count
+        for kind in ("at", "in_front_of", "at_long_side")
+    }
+    before = seats["at"] + seats["in_front_of"]
+    words = frozenset(request.attributes)
+    kind = kind_of(request.category)
+    return width_for_seats(kind, words, before=before, along=seats["at_long_side"]) or 0.0
 
 
 def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     """Free width beside and free depth before a piece [m]."""
     habits = load_habits()
     name = request.category
-    seated = any(r.kind in ROUND_TABLES and request.key in r.anchors for r in brief.relations)
+    drawn_up = [r for r in brief.relations if r.kind in ROUND_TABLES and request.key in r.anchors]
+    seats = [brief.request(r.subject) for r in drawn_up]
+    about = 2.0 * (max((_size(seat)[0] for seat in seats if _stands(seat)), default=0.0) + BEHIND_SEAT - TUCK)
     if habits.is_in(name, "played_around"):
         return 2.2, 2.2
     if habits.is_in(name, "lined_up") or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):
-        return 0.6, 1.0
-    if any(r.kind in ROUND_TABLES[1:] and request.key in r.anchors for r in brief.relations):
-        return 1.9, 1.9
-    if seated and habits.is_in(name, "meal_tables"):
-        return 1.5, 1.5
+        return max(0.6, about), max(1.0, about)
+    if any(r.kind in ROUND_TABLES[1:] for r in drawn_up):
+        return max(1.9, about), max(1.9, about)
+    if drawn_up:
+        return about, about
     if habits.is_in(name, "beds"):
         return 0.9, 0.7
     if habits.is_in(name, "desks"):

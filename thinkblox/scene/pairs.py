@@ -129,10 +129,8 @@ def _on_side(x: int, y: int, reach: float) -> Pair:
         local = anchor.to_local(subject.centre)
         forward, across = (local[0] * x, abs(local[1])) if x else (local[1] * y, abs(local[0]))
         half, half_across = anchor.half if x else anchor.half[::-1]
-        if anchor.front == "two":
-            forward = abs(forward)
         beyond, past = forward - half, max(across - half_across, 0.0)
-        aligned = anchor.front == "any" or (beyond >= -CONTACT and past <= max(beyond, 0.0) + CONTACT)
+        aligned = beyond >= -CONTACT and past <= max(beyond, 0.0) + CONTACT
         return aligned and ground_gap(subject, anchor) <= reach + ROUNDING, gap_text(subject, anchor)
 
     return pair

@@ -5,6 +5,7 @@ import numpy as np
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import need, seat_need
+from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
@@ -61,8 +62,10 @@ def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
     size = situation.kind(follower).size
-    wanted = seat_need(tie, of=situation.size, size=size) or need(
-        follower, tie, of=situation.target.category, size=size
+    wanted = (
+        pair_need(situation, follower, size)
+        or seat_need(tie, of=situation.size, size=size)
+        or need(follower, tie, of=situation.target.category, size=size)
     )
     if wanted is None:
         hung_above = tie.kind == "above" and situation.kind(follower).mount == "wall"

@@ -130,6 +130,26 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
                 yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost)
 
 
+def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: int = 1) -> Iterator[Idea]:
+    """On the wall at the anchor's back, in line with it; several side by side, above what stands there."""
+    eye = _height(situation)
+    for wall in situation.room.walls:
+        if turn_between(wall.yaw, anchor.yaw) > 45.0:
+            continue
+        along, inward = wall.coordinates((anchor.position[0], anchor.position[1]))
+        half = situation.size[1] / 2
+        if inward < 0.0 or wall.length < 2 * half + 0.02:
+            continue
+        own = along + (index - (count - 1) / 2) * (situation.size[1] + 0.15)
+        z = max(eye, min(_top(situation, anchor) + 0.1, situation.room.height - situation.size[2] - 0.02))
+        for shift in (0.0, 0.15, -0.15, 0.3, -0.3, 0.6, -0.6):
+            place = min(max(own + shift, half + 0.01), wall.length - half - 0.01)
+            for height, dear in ((eye, 0.2), (z, 0.0), (max(0.0, z - 0.3), 0.4)):
+                if height + situation.size[2] <= situation.room.height:
+                    cost = abs(place - own) + dear + 0.3 * max(0.0, inward - 1.5)
+                    yield hang(situation, wall, place, height, why=f"it hangs behind {anchor.id}", cost=cost)
+
+
 def _top(situation: Situation, anchor: Placement) -> float:
     """Height of a thing with what stands on it and is nearly as wide [m]."""
     wide = [p.top for p in situation.scene.resting_on(anchor.id) if p.size[1] > 0.6 * anchor.size[1]]

@@ -83,7 +83,7 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
         case "in_front_of" | "at_foot_of":
             return Need(("front",), depth + 0.5, width, 1, 4.0)
         case "behind" | "back_to_back":
-            return Need(("back",), depth + 0.3, width, 1, 4.0)
+            return Need(("back",), depth + 0.3, width * tie.count, 1, 4.0)
         case "facing" if anchor.gaze == "back":
             return Need(("back",), depth + MAIN_WAY, None, 1, 4.0)
         case "facing":
