@@ -37,7 +37,25 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         for habit in load_habits().of(request[0].category):
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
+        _look_ahead(members, request)
         _number(request)
+
+
+def _look_ahead(members: Members, request: list[Member]) -> None:
+    """Rows of seats or of desks look at the board, or at who speaks, where nobody says at what."""
+    habits, first = load_habits(), request[0]
+    in_rows = all(any(tie.kind == "in_rows" for tie in member.ties) for member in request)
+    looking = any(tie.kind in _WITHOUT_PLACE for tie in first.ties)
+    if not in_rows or looking or not habits.is_in(first.category, "lined_up", "seating"):
+        return
+    for category in (*habits.group("boards"), "podium"):
+        boards = (m for m in members.of_category(category) if not any(members.depends(m, w) for w in request))
+        board = next(boards, None)
+        if board is not None and not any(board.id in tie.anchors for tie in first.denied):
+            for index, member in enumerate(request):
+                tie = Tie(kind="facing", anchors=(board.id,), index=index, count=len(request), asked=False)
+                member.ties.append(tie)
+            return
 
 
 def _is_sat_about(members: Members, table: Member) -> bool:

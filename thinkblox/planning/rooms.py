@@ -18,6 +18,8 @@ _SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
 _PROPORTIONS = {"hallway": (0.4, 0.45)}
 _USUAL_PROPORTION = (0.75, 0.8)
 _LEAST_SIDE = 1.8
+_CLOSE_ROOMS = frozenset({"tiny", "small"})
+"""What is said of rooms that do not grow."""
 
 
 def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
@@ -32,6 +34,18 @@ def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
     height = brief.height or room_type(brief.room_type).height
     room = _l_shape(width, depth, height) if brief.shape == "L" else rectangle(width, depth, height=height)
     return with_openings(room, brief, draw)
+
+
+def is_open(brief: Brief) -> bool:
+    """Whether a brief leaves it open how large the room is, so that it may grow."""
+    given = brief.area is not None or (brief.width is not None and brief.depth is not None)
+    return not given and _CLOSE_ROOMS.isdisjoint(brief.style)
+
+
+def larger(brief: Brief, room: Room, factor: float) -> Brief:
+    """The brief for a room of the same proportions with `factor` times the floor of `room`."""
+    width, depth = (min(MAX_SIDE, round(side * math.sqrt(factor), 1)) for side in room.extent)
+    return replace(brief, width=width, depth=depth)
 
 
 def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:

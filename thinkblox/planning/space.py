@@ -30,6 +30,10 @@ _ACROSS = 1.9
 """Free floor between things opposite each other, and behind them [m]."""
 BEHIND_SEAT, TUCK = 0.35, 0.1
 """Free floor behind a seat at a table, and how far it goes under it [m]."""
+_SIT = 0.8
+"""Free depth behind a desk for who sits at it [m]."""
+_FAR = 4.4
+"""Free floor between things that are far from each other [m]."""
 _BOARD = 1.8
 """Free depth before a board [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
@@ -50,11 +54,17 @@ def _furniture_area(brief: Brief) -> float:
 
 
 def _before_board(brief: Brief) -> float:
-    """Floor between a board and the first of the rows that look at it [m2]."""
+    """Floor between a board and the first of the rows that look at it, with who teaches in between [m2]."""
+    boards = {r.key for r in brief.requests if load_habits().is_in(r.category, "boards")}
     looking = {r.subject for r in brief.relations if r.kind in ("facing", "opposite")}
+    looking |= {r.key for r in brief.requests if boards and load_habits().is_in(r.category, "lined_up", "seating")}
     rows = [r for r in brief.relations if r.kind == "in_rows" and r.subject in looking]
     requests = [(brief.request(r.subject), r.rows) for r in rows]
-    return sum(_BOARD * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.count)) for q, n in requests)
+    desks = [r.subject for r in brief.relations if r.kind in ("in_front_of", "near") and boards & set(r.anchors)]
+    depth = _BOARD + max(
+        (_size(brief.request(key))[0] + _SIT for key in desks if _stands(brief.request(key))), default=0
+    )
+    return sum(depth * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.count)) for q, n in requests)
 
 
 def _walls_area(brief: Brief) -> float:
@@ -81,11 +91,23 @@ def wall_needs(brief: Brief) -> Vec2:
 
 
 def across_need(brief: Brief) -> float:
-    """Least longer side of a room where the prompt puts things opposite each other [m]."""
+    """Least longer side of a room with things opposite each other, far apart, or with a third between, as asked [m]."""
     requests = {request.key: request for request in brief.requests}
-    pairs = [(r.subject, r.anchors[0]) for r in brief.relations if r.kind == "opposite" and r.asked and r.anchors]
-    depths = [sum(_size(requests[key])[0] for key in pair if key in requests) for pair in pairs]
-    return round(min(MAX_SIDE, max((depth + _ACROSS for depth in depths), default=0.0)), 1)
+    asked = [r for r in brief.relations if r.asked and r.anchors and r.subject in requests]
+    needs = [0.0]
+    for relation in asked:
+        pair = [requests[key] for key in (relation.subject, relation.anchors[0]) if key in requests]
+        if relation.kind == "opposite":
+            needs.append(sum(_size(each)[0] for each in pair) + _ACROSS)
+        elif relation.kind == "far":
+            needs.append(sum(min(_size(each)[:2]) for each in pair if _stands(each)) + _FAR)
+        elif relation.kind == "between" and _stands(requests[relation.subject]):
+            beside = [requests[key] for key in relation.anchors if key in requests]
+            twice = beside * 2 if len(beside) == 1 else beside
+            needs.append(
+                sum(_size(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
+            )
+    return round(min(MAX_SIDE, max(needs)), 1)
 
 
 def _stands(request: Request) -> bool:

@@ -144,7 +144,7 @@ def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: in
         z = max(eye, min(_top(situation, anchor) + 0.1, situation.room.height - situation.size[2] - 0.02))
         for shift in (0.0, 0.15, -0.15, 0.3, -0.3, 0.6, -0.6):
             place = min(max(own + shift, half + 0.01), wall.length - half - 0.01)
-            for height, dear in ((eye, 0.2), (z, 0.0), (max(0.0, z - 0.3), 0.4)):
+            for height, dear in ((z, 0.0), (eye, 0.1), (z + 0.25, 0.2), (z + 0.5, 0.3), (max(0.0, z - 0.3), 0.4)):
                 if height + situation.size[2] <= situation.room.height:
                     cost = abs(place - own) + dear + 0.3 * max(0.0, inward - 1.5)
                     yield hang(situation, wall, place, height, why=f"it hangs behind {anchor.id}", cost=cost)

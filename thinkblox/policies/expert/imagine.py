@@ -37,6 +37,11 @@ TURNED_AWAY = 8.0
 """Cost of looking elsewhere than asked."""
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
+_SIDED = ("in_front_of", "behind", "left_of", "right_of")
+ASKEW = 4.0
+"""Cost of turning a thing against what carries it, by whose sides others stand."""
+BY_ANOTHER = 2.0
+"""Cost of standing by another of the anchor's kind than its own."""
 UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
@@ -49,7 +54,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
     ties = tuple(sorted(situation.target.ties, key=lambda tie: not _looks_at_place(tie)))
     seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
-    ties = tuple(tie for tie in ties if tie.kind != "facing" or tie.anchors not in seated)
+    in_rows = any(tie.kind == "in_rows" for tie in ties)
+    ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
@@ -153,6 +159,8 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return _in_corner(situation, tie)
     if place == "floor":
         return anywhere(situation)
+    if tie.kind == "opposite" and place in ("window", "door"):
+        return walls.across_from(situation, place)
     if tie.kind == "facing":
         return _turned_to(situation, place)
     if place in ("window", "door"):
@@ -222,6 +230,9 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for side, dear in (("back", 1.5), ("front", 2.5)):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, dear)
+    for other in situation.alike(anchor.id):
+        for idea in beside.sides_of(situation, other, sides):
+            yield _dearer(idea, BY_ANOTHER)
 
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -229,6 +240,8 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if face and situation.scene.asset_of(anchor).gaze == "back" and _is_worked_at(situation, anchor):
         yield from _visiting(situation, anchor, tie)
         return
+    if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
+        yield from open_floor.presenting(situation, anchor)
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
     why = f"it belongs before {anchor.id}"
     if face and facts_of(anchor.category).is_in("counters"):
@@ -276,7 +289,13 @@ def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     yield from beside.before(situation, anchor, gaps=gaps, face=False, why=f"it stands at the foot of {anchor.id}")
 
 
-def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    aligned = _is_looked_from(situation)
+    for idea in _carried(situation, anchor, tie):
+        yield _dearer(idea, ASKEW if aligned and turn_between(idea.yaw, anchor.yaw) > 1.0 else 0.0)
+
+
+def _carried(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
         return _on_rug(situation, anchor, tie)
     return _on_top(situation, anchor, tie)
@@ -289,6 +308,12 @@ def _on_top(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     if not ideas and not situation.scene.asset_of(anchor).surfaces and anchor.position[2] < 0.1:
         for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
             yield _dearer(idea, BESIDE_INSTEAD)
+
+
+def _is_looked_from(situation: Situation) -> bool:
+    """Whether something is asked to stand on one side of it: what carries it has been placed with that in mind."""
+    brief = situation.observation.plan.brief
+    return any(r.kind in _SIDED and situation.target.request in r.anchors and not r.negated for r in brief.relations)
 
 
 def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:

@@ -191,6 +191,12 @@ class Situation:
         """What is known of a target that is yet to come."""
         return self.observation.kinds[later.category]
 
+    def alike(self, id: str) -> tuple[Placement, ...]:
+        """The placed others of an object's request."""
+        targets = self.observation.plan.targets
+        request = next((t.request for t in targets if t.id == id), "")
+        return self.placed(tuple(t.id for t in targets if t.request == request and t.id != id))
+
     def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
         """Those of the ids that stand in the scene."""
         return tuple(self.scene[id] for id in ids if id in self.scene)

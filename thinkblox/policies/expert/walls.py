@@ -98,6 +98,28 @@ def clear_of_windows(situation: Situation, walls: Iterable[Wall]) -> Iterator[Id
             yield Idea((x, y, 0.0), idea.yaw, words, "it stands before the window and leaves it free", idea.cost + 0.4)
 
 
+def across_from(situation: Situation, kind: str) -> Iterator[Idea]:
+    """Across the room from each door or window, looking at it: against the wall there, or nearer in a deep room."""
+    room = situation.room
+    depth = situation.size[0]
+    for opening in room.openings:
+        if opening.kind != kind:
+            continue
+        wall = room.walls[opening.wall]
+        deep = max(wall.coordinates(corner)[1] for corner in room.floor)
+        yaw = (wall.yaw + 180.0) % 360.0
+        at_wall_there = deep - WALL_GAP - depth / 2
+        outs = [at_wall_there, at_wall_there - WINDOW_DEPTH, *(apart + depth / 2 for apart in (3.8, 3.0, 2.2, 1.6))]
+        for rank, out in enumerate(outs):
+            if not 1.5 <= out - depth / 2 <= 4.0:
+                continue
+            for aside in (0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.9, -0.9):
+                x, y = wall.point(opening.offset + opening.width / 2 + aside, out)
+                words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+                why = f"it looks at {opening.id} across the room"
+                yield Idea((x, y, 0.0), yaw, words, why, 0.3 * rank + 0.5 * abs(aside))
+
+
 def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:
     places = {low, high, (low + high) / 2}
     places |= {low + (high - low) * i / STEPS for i in range(STEPS + 1)}
