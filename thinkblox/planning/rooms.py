@@ -18,6 +18,8 @@ _SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
 _PROPORTIONS = {"hallway": (0.4, 0.45)}
 _USUAL_PROPORTION = (0.75, 0.8)
 _LEAST_SIDE = 1.8
+_NOT_NARROWER = 0.6
+"""Least proportion of a room that is longer for what is to be far apart in it."""
 _CLOSE_ROOMS = frozenset({"tiny", "small"})
 """What is said of rooms that do not grow."""
 
@@ -62,7 +64,10 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.area is not None:
         return width, depth
     least_width, least_depth = wall_needs(brief)
-    return max(width, least_width, across_need(brief)), max(depth, least_depth)
+    across = across_need(brief)
+    if across > width:
+        depth = max(depth, round(_NOT_NARROWER * across, 1))
+    return max(width, least_width, across), max(depth, least_depth)
 
 
 def _proportion(brief: Brief, rng: np.random.Generator) -> float:

@@ -218,7 +218,16 @@ def _is_lounge(situation: Situation, anchor: Placement) -> bool:
     return situation.facts.is_in("lounges") and facts_of(anchor.category).is_in("lounged_at")
 
 
+def _at_side(situation: Situation, anchor: Placement, side: str) -> Iterator[Idea]:
+    if situation.asset.mount == "wall":
+        yield from hung.beside(situation, anchor, (side,))
+    else:
+        yield from beside.sides_of(situation, anchor, (side,))
+
+
 def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    if situation.asset.mount == "wall":
+        yield from hung.beside(situation, anchor, ("left", "right"))
     if _is_lounge(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
     sides: tuple[str, ...] = ("left", "right")
@@ -417,8 +426,8 @@ _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "under": _under,
     "above": _above,
     "next_to": _next_to,
-    "left_of": lambda s, a, t: beside.sides_of(s, a, ("left",)),
-    "right_of": lambda s, a, t: beside.sides_of(s, a, ("right",)),
+    "left_of": lambda s, a, t: _at_side(s, a, "left"),
+    "right_of": lambda s, a, t: _at_side(s, a, "right"),
     "in_front_of": _front,
     "behind": _behind,
     "at_foot_of": _foot,

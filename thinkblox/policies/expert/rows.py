@@ -26,6 +26,8 @@ FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
 OFF_SIGHT = 8.0
 """Cost of a row layout in which nobody sees what the rows look at without turning."""
+ANY_OFF_SIGHT = 2.0
+"""The same where somebody does not."""
 REACH = 0.45
 """How far the middle of a block may be from that of the room, as a share of the room's extent."""
 STEPS = 7
@@ -127,7 +129,8 @@ def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...
 def _past(ahead: Array, across: Array) -> Array:
     """What it costs that some in the outer places look past what the rows look at."""
     off = np.degrees(np.arctan2(np.abs(across), np.maximum(ahead, 0.01)))
-    return np.asarray(OFF_SIGHT * (off > FACING - 1.0).mean(-1))
+    past = off > FACING - 1.0
+    return np.asarray(OFF_SIGHT * past.mean(-1) + ANY_OFF_SIGHT * past.any(-1))
 
 
 def _first_row(situation: Situation, board: Placement) -> float:
