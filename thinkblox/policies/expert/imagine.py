@@ -63,7 +63,7 @@ def from_ties(situation: Situation) -> list[Idea]:
     paired = list(partners.partner_ideas(situation))
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
-    return [*paired, *ideas, *_before_staff(situation)]
+    return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
 def _looks_at_place(tie: Tie) -> bool:

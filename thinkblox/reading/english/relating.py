@@ -116,7 +116,7 @@ class Relating(Naming):
             subject.count *= meaning.times
             if subject.least:
                 subject.least *= meaning.times
-        elif meaning.spread > 1 and subject.count == 1:
+        elif meaning.spread > 1 and (subject.count in (None, 1) or (subject.vague and subject.count < meaning.spread)):
             subject.count = meaning.spread
 
     def _share(self, bond: Bond) -> None:
