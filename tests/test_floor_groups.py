@@ -113,8 +113,8 @@ def test_a_small_thing_next_to_what_carries_nothing_stands_on_the_floor():
 
 def test_what_is_right_of_a_table_is_right_of_it_as_it_stands():
     prompt = "A wooden table and a blue plastic bin on the floor to the right of the table."
-    table, bin = of(prompt, "dining_table")[0], of(prompt, "storage_bin")[0]
-    assert table.to_local((bin.position[0], bin.position[1]))[1] < -table.size[1] / 2
+    table, blue = of(prompt, "dining_table")[0], of(prompt, "storage_bin")[0]
+    assert table.to_local((blue.position[0], blue.position[1]))[1] < -table.size[1] / 2
 
 
 def test_a_mat_at_the_door_lies_inside_it():
@@ -143,6 +143,14 @@ def test_rows_of_desks_look_at_the_board_in_lines_with_aisles():
     assert all(x > 1.0 for x, _ in local)
     assert len({round(x, 1) for x, _ in local}) == 3
     assert all(turn_between(d.yaw, board.yaw) < 1.0 for d in desks)
+
+
+def test_a_chair_behind_each_desk_is_drawn_up_to_it():
+    prompt = "An office with four desks in two rows, each with a chair behind it."
+    assert unmet(prompt) == []
+    desks, chairs = of(prompt, "desk"), of(prompt, "office_chair") + of(prompt, "chair")
+    assert all(turn_between(d.yaw, desks[0].yaw) % 180.0 < 1.0 for d in desks)
+    assert all(min(apart(chair, desk) for desk in desks) < 0.3 for chair in chairs)
 
 
 def test_seats_round_a_small_thing_form_a_circle_as_wide_as_they_need():

@@ -159,7 +159,7 @@ def _add(members: Members, subject: Member, anchors: list[Member], relation: Rel
             anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked))
     if free:
         ids = tuple(anchor.id for anchor in free)
-        kind = _meant(relation, subject, free, members)
+        kind = _meant(relation, subject, free, members, count)
         subject.ties.append(Tie(kind=kind, anchors=ids, index=index, count=count, asked=relation.asked))
         if kind in ("at_long_side", "at_short_side") and load_habits().is_in(subject.category, "seating"):
             subject.ties.append(Tie(kind="facing", anchors=ids, index=index, count=count, asked=relation.asked))
@@ -175,10 +175,10 @@ def _standing(members: Members, anchor: Member, subject: Member, relation: Relat
     return support
 
 
-def _meant(relation: Relation, subject: Member, anchors: list[Member], members: Members) -> RelationKind:
-    """A lone seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it."""
+def _meant(relation: Relation, subject: Member, anchors: list[Member], members: Members, count: int) -> RelationKind:
+    """The one seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it."""
     habits, desk = load_habits(), anchors[0]
-    if relation.kind not in ("in_front_of", "behind") or len(anchors) > 1 or subject.request.count > 1:
+    if relation.kind not in ("in_front_of", "behind") or len(anchors) > 1 or count > 1:
         return relation.kind
     works = habits.is_in(subject.category, "chairs") and facts_of(desk.category).gaze == "back"
     taken = any(tie.kind == "at" and desk.id in tie.anchors for other in members.all for tie in other.ties)

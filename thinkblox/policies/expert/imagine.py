@@ -75,7 +75,8 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
     """Off the walls by what is to stand behind it."""
     own = situation.target.id
     behind = [later for later in situation.followers if _is_behind(later, own)]
-    if not behind or situation.asset.mount != "floor":
+    together = any(tie.kind in _PLACED_TOGETHER for tie in situation.target.ties)
+    if not behind or together or situation.asset.mount != "floor":
         return
     kinds = [situation.kind(later) for later in behind]
     deepest = max((kind.size[0] for kind in kinds if kind.mount in ("floor", "surface")), default=0.0)
