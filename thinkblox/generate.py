@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -17,7 +17,7 @@ from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import ExpertPlanner
+from thinkblox.planning import ExpertPlanner, is_open, larger
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import GrammarBriefer
@@ -31,6 +31,8 @@ from thinkblox.sim.verdict.world import World
 from thinkblox.verdict import Absence, Report
 
 M = TypeVar("M")
+GROWTH = (1.35, 1.8)
+"""By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
 
@@ -116,19 +118,50 @@ def generate_room(
     planner = planner or ExpertPlanner()
     _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
     brief = _made("briefer", (briefer or GrammarBriefer()).brief(prompt), Brief)
+    grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
-    plan = _made("planner", planner.plan(brief, room), Plan)
-    if on_plan is not None:
-        on_plan(plan)
-    return furnish(
-        plan,
-        Scene(prompt=prompt, seed=seed, room=room),
-        policy=policy or ExpertPolicy(),
-        source=source or ProceduralAssets(),
-        effort=effort or Effort(),
-        judged=Judged(tolerances or Tolerances(), tuple(requirements)),
-        on_object=on_object or (lambda progress: None),
-    )
+    effort = effort or Effort()
+    until = time.monotonic() + effort.seconds
+
+    def furnished(floor: Room, effort: Effort, first: int = 0) -> Generation:
+        plan = _made("planner", planner.plan(brief, floor), Plan)
+        if on_plan is not None and not first:
+            on_plan(plan)
+        return furnish(
+            plan,
+            Scene(prompt=prompt, seed=seed, room=floor),
+            policy=policy or ExpertPolicy(),
+            source=source or ProceduralAssets(),
+            effort=effort,
+            judged=Judged(tolerances or Tolerances(), tuple(requirements)),
+            on_object=on_object or (lambda progress: None),
+            first=first,
+            until=until,
+        )
+
+    if not grows or not effort.restarts:
+        return furnished(room, effort)
+    made = [furnished(room, replace(effort, restarts=0))]
+    for factor in GROWTH:
+        if not _lacks_floor(made[-1]) or time.monotonic() >= until:
+            break
+        wider = _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
+        made.append(furnished(wider, replace(effort, restarts=0), len(made)))
+        if len(made) > 2 and _faults(made[-1].report) >= _faults(made[-2].report):
+            break
+    best = min(made, key=lambda each: _faults(each.report))
+    if any(_faults(best.report)) and time.monotonic() < until:
+        made.append(furnished(best.scene.room, replace(effort, restarts=effort.restarts - 1), len(made)))
+    return min(made, key=lambda each: _faults(each.report))
+
+
+def _lacks_floor(made: Generation) -> bool:
+    """Whether something that stands on the floor is absent, fails, or does not stand as asked."""
+    mounts = {target.id: made.episode.kinds[target.category].mount for target in made.plan.targets}
+    absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
+    failing = any(not v.valid for v in made.report.objects)
+    subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
+    return absent or failing or any(mounts.get(id) == "floor" for id in subjects)
 
 
 def _made(role: str, made: object, kind: type[M]) -> M:
@@ -177,13 +210,18 @@ def furnish(
     effort: Effort,
     judged: Judged,
     on_object: Callable[[Progress], None],
+    first: int,
+    until: float,
 ) -> Generation:
-    """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps."""
-    until = time.monotonic() + effort.seconds
+    """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
+
+    Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
+    is over [s].
+    """
     makeable, refused = _makeable(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
     made: list[_Attempt] = []
-    for number in range(1 + effort.restarts):
+    for number in range(first, first + 1 + effort.restarts):
         made.append(_Attempt(loop, scene, number, judged, on_object, refused))
         last = _faults(made[-1].report)
         if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):

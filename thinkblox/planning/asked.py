@@ -6,10 +6,17 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import Brief, Relation, RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.plan import Tie
+from thinkblox.planning.groups import bring_near
 from thinkblox.planning.members import Member, Members
 
 _TOGETHER = ("between", "above", "around", "facing", "opposite", "behind", "under", "near", "far")
 """Relations that one object can have to several anchors at once."""
+_PAIRED = ("facing", "opposite", "back_to_back")
+"""Relations among alike that pair them."""
+_SUPPORTED = ("between", "in_front_of", "opposite")
+"""Relations of things on walls and ceilings to what carries their anchor."""
+_DRAWN_UP = ("around", "at", "at_long_side", "at_short_side", "next_to")
+"""Relations by which seats belong to a table."""
 _MIRRORED: dict[str, RelationKind] = {
     "next_to": "next_to",
     "near": "near",
@@ -68,9 +75,25 @@ def rows_for(count: int) -> int:
 
 
 def _tie_among(relation: Relation, subjects: list[Member]) -> None:
-    """Objects related to each other: side by side in a chain; facing in pairs, or row to row."""
+    """Objects related to each other: side by side in a chain; facing in pairs, or row to row; a table's among them."""
+    for company in _companies(relation, subjects):
+        _tie_company(relation, company)
+
+
+def _companies(relation: Relation, subjects: list[Member]) -> list[list[Member]]:
+    """Those who look at each other: where they are shared out over several tables, those of one table."""
+    if relation.kind not in _PAIRED:
+        return [subjects]
+    tables: dict[tuple[str, ...], list[Member]] = {}
+    for subject in subjects:
+        anchors = next((tie.anchors for tie in subject.ties if tie.kind in _DRAWN_UP), ())
+        tables.setdefault(anchors, []).append(subject)
+    return list(tables.values())
+
+
+def _tie_company(relation: Relation, subjects: list[Member]) -> None:
     rows = next((tie.rows for tie in subjects[0].ties if tie.kind == "in_rows"), 0)
-    paired = relation.kind in ("facing", "opposite", "back_to_back") and (rows == 2 or len(subjects) > 1)
+    paired = relation.kind in _PAIRED and (rows == 2 or len(subjects) > 1)
     half = len(subjects) // 2 if paired else 0
     for index, subject in enumerate(subjects):
         if half:
@@ -85,6 +108,11 @@ def _tie_among(relation: Relation, subjects: list[Member]) -> None:
 
 def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member], members: Members) -> None:
     """Spread subjects evenly over the anchors, in order; a few may have them all."""
+    if _shared_by_two(relation, subjects, anchors):
+        for number, subject in enumerate(subjects):
+            for anchor in anchors[2 * number : 2 * number + 2]:
+                _add(members, subject, [anchor], relation, 0, 1)
+        return
     if relation.kind in ("on", "next_to") and len(subjects) < len(anchors):
         anchors = sorted(anchors, key=lambda anchor: _load(members, anchor, relation.kind))
     together = relation.kind in _TOGETHER and not relation.each and len(subjects) < len(anchors)
@@ -97,21 +125,12 @@ def _share_out(relation: Relation, subjects: list[Member], anchors: list[Member]
         _add(members, subject, [anchors[which]], relation, alike.index(number), len(alike))
 
 
-def _is_backing(relation: Relation, subject: Member, anchors: list[Member]) -> bool:
-    """Whether shelves behind a counter have to be placed before it, so that somebody fits in between."""
-    habits = load_habits()
-    shelves = habits.is_in(subject.category, "storage") and subject.mount == "floor"
-    return relation.kind == "behind" and shelves and habits.is_in(anchors[0].category, "counters")
-
-
-def _back(shelves: Member, counter: Member) -> None:
-    """Put shelves against the wall with the counter before them; more of them join the first."""
-    first = next((tie.anchors for tie in counter.ties if tie.kind == "in_front_of"), ())
-    if first:
-        shelves.ties.append(Tie(kind="next_to", anchors=first, asked=False))
-    else:
-        shelves.ties.append(Tie(kind="against_wall", anchors=("wall",), asked=False))
-        counter.ties.append(Tie(kind="in_front_of", anchors=(shelves.id,)))
+def _shared_by_two(relation: Relation, subjects: list[Member], anchors: list[Member]) -> bool:
+    """Whether things on the floor stand next to twice as many alike: each has one of them on either side."""
+    alike = len({anchor.request.key for anchor in anchors}) == 1
+    floor = all(member.mount == "floor" for member in (*subjects, *anchors))
+    twice = len(anchors) == 2 * len(subjects)
+    return relation.kind == "next_to" and not relation.each and alike and floor and twice
 
 
 def _load(members: Members, anchor: Member, kind: str) -> int:
@@ -126,11 +145,8 @@ def share(number: int, count: int, anchors: int) -> int:
 
 def _add(members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int) -> None:
     """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject."""
-    if _is_backing(relation, subject, anchors):
-        _back(subject, anchors[0])
-        return
-    if relation.kind in ("between", "in_front_of", "opposite") or subject.mount == "floor":
-        anchors = [members.support(anchor) or anchor for anchor in anchors]
+    if subject.mount == "floor" or (relation.kind in _SUPPORTED and subject.mount != "surface"):
+        anchors = [_standing(members, anchor, subject, relation) for anchor in anchors]
     anchors = [anchor for anchor in dict.fromkeys(anchors) if anchor is not subject]
     free = [anchor for anchor in anchors if not members.depends(anchor, subject)]
     for anchor in anchors:
@@ -143,16 +159,26 @@ def _add(members: Members, subject: Member, anchors: list[Member], relation: Rel
             anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked))
     if free:
         ids = tuple(anchor.id for anchor in free)
-        kind = _meant(relation, subject, free, members)
+        kind = _meant(relation, subject, free, members, count)
         subject.ties.append(Tie(kind=kind, anchors=ids, index=index, count=count, asked=relation.asked))
         if kind in ("at_long_side", "at_short_side") and load_habits().is_in(subject.category, "seating"):
             subject.ties.append(Tie(kind="facing", anchors=ids, index=index, count=count, asked=relation.asked))
 
 
-def _meant(relation: Relation, subject: Member, anchors: list[Member], members: Members) -> RelationKind:
-    """A lone seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it."""
+def _standing(members: Members, anchor: Member, subject: Member, relation: Relation) -> Member:
+    """What a thing on the floor stands by where it is asked to stand by a thing on a counter: the counter."""
+    support = members.support(anchor)
+    if support is None or support is subject:
+        return anchor
+    if relation.kind in ("next_to", "near") and anchor.mount == "surface" and not members.depends(subject, anchor):
+        bring_near(anchor, subject)
+    return support
+
+
+def _meant(relation: Relation, subject: Member, anchors: list[Member], members: Members, count: int) -> RelationKind:
+    """The one seat before or behind a desk that has none yet is the one that somebody works in: drawn up to it."""
     habits, desk = load_habits(), anchors[0]
-    if relation.kind not in ("in_front_of", "behind") or len(anchors) > 1 or subject.request.count > 1:
+    if relation.kind not in ("in_front_of", "behind") or len(anchors) > 1 or count > 1:
         return relation.kind
     works = habits.is_in(subject.category, "chairs") and facts_of(desk.category).gaze == "back"
     taken = any(tie.kind == "at" and desk.id in tie.anchors for other in members.all for tie in other.ties)

@@ -17,6 +17,11 @@ _EXCLUSIVE = ("at", "above", "under", "in_front_of", "at_foot_of", "opposite", "
 _CAPACITY = {"at": 1, "above": 1, "under": 1, "in_front_of": 1, "at_foot_of": 1, "opposite": 1, "in_centre": 1}
 _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
 _UNLIMITED = 1000
+_ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
+"""Relations of things that stand where an anchor with its back to a wall leaves no room."""
+_BESIDE = ("left_of", "right_of", "between")
+"""Relations of things that stand where an anchor in a corner may leave no room."""
+_CLOSE = ("next_to", "left_of", "right_of")
 
 
 def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
@@ -30,9 +35,27 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         if len(waiting) > 1 and len(waiting) == len(request) and _is_sat_about(members, waiting[0]):
             waiting = _in_rows(waiting)
         for habit in load_habits().of(request[0].category):
-            if waiting and not _is_forbidden(waiting[0], habit, free):
+            if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
+        _look_ahead(members, request)
         _number(request)
+
+
+def _look_ahead(members: Members, request: list[Member]) -> None:
+    """Rows of seats or of desks look at the board, or at who speaks, where nobody says at what."""
+    habits, first = load_habits(), request[0]
+    in_rows = all(any(tie.kind == "in_rows" for tie in member.ties) for member in request)
+    looking = any(tie.kind in _WITHOUT_PLACE for tie in first.ties)
+    if not in_rows or looking or not habits.is_in(first.category, "lined_up", "seating"):
+        return
+    for category in (*habits.group("boards"), "podium"):
+        boards = (m for m in members.of_category(category) if not any(members.depends(m, w) for w in request))
+        board = next(boards, None)
+        if board is not None and not any(board.id in tie.anchors for tie in first.denied):
+            for index, member in enumerate(request):
+                tie = Tie(kind="facing", anchors=(board.id,), index=index, count=len(request), asked=False)
+                member.ties.append(tie)
+            return
 
 
 def _is_sat_about(members: Members, table: Member) -> bool:
@@ -48,15 +71,45 @@ def _is_forbidden(member: Member, habit: Habit, free: Collection[str]) -> bool:
     return denied or ("centre" in free and "centre" in places)
 
 
+def _hems_in(members: Members, member: Member, habit: Habit) -> bool:
+    """Whether the habit leads to where there is no room at a side at which others are asked to stand."""
+    place = habit.anchors[0] if habit.anchors else ""
+    walled = habit.kind == "in_corner" or place == "corner"
+    backed = walled or habit.kind == "against_wall" or place in ("wall", "long_wall", "short_wall")
+    sides = _ALL_ROUND if backed else ()
+    sides = (*sides, *_BESIDE) if walled else sides
+    floor = (other for other in members.all if other.mount in ("floor", "surface") and not other.flat)
+    return any(tie.asked and tie.kind in sides and member.id in tie.anchors for other in floor for tie in other.ties)
+
+
 def _stay_on_floor(members: Members, member: Member) -> None:
     """Small things that may stand on the floor do so beside furniture, in a corner or by a window."""
-    outside = any(tie.kind == "outside" for tie in member.ties)
+    outside = any(tie.kind == "outside" for tie in member.ties) or _is_beyond_reach(members, member)
     floor = outside or any(habit.kind != "on" for habit in load_habits().of(member.category))
     if member.mount != "surface" or not floor or any(tie.kind == "on" or carries(tie) for tie in member.ties):
         return
     anchors = [members.by_id.get(anchor) for tie in member.ties if tie.asked for anchor in tie.anchors]
     if outside or (anchors and all(anchor is None or anchor.mount == "floor" for anchor in anchors)):
         member.ties.append(Tie(kind="on", anchors=("floor",), asked=False))
+
+
+def _is_beyond_reach(members: Members, member: Member) -> bool:
+    """Whether it is asked to be close by what stands on the floor, and nothing that usually stands there carries it."""
+    close = [tie for tie in member.ties if tie.asked and tie.kind in _CLOSE]
+    anchors = [members.by_id.get(anchor) for tie in close for anchor in tie.anchors]
+    if not anchors or any(anchor is None or anchor.mount != "floor" for anchor in anchors):
+        return False
+    names = {name for habit in load_habits().of(member.category) if habit.kind == "on" for name in habit.anchors}
+    carriers = [other for other in members.all if other.category in names and other not in anchors]
+    return not any(anchor and _are_close(anchor, other) for anchor in anchors for other in carriers)
+
+
+def _are_close(one: Member, other: Member) -> bool:
+    """Whether two things stand beside each other, as asked or usually."""
+    asked = any(b.id in tie.anchors and tie.kind in _CLOSE for a, b in ((one, other), (other, one)) for tie in a.ties)
+    habits = load_habits()
+    kinds = {habits.tie(one.category, other.category), habits.tie(other.category, one.category)}
+    return asked or not kinds.isdisjoint((*_CLOSE, "in_front_of", "near"))
 
 
 def _needs_place(member: Member) -> bool:

@@ -9,6 +9,7 @@ from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Plan, Target, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
+from thinkblox.planning.groups import count_off, lower
 from thinkblox.planning.implied import imply
 from thinkblox.planning.members import Member, Members
 from thinkblox.planning.openings import opening_notes
@@ -37,6 +38,8 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
             tie_relation(brief, relation, members)
     deny((relation for relation in relations if relation.negated), members)
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
+    lower(members)
+    count_off(members)
     targets = tuple(_target(member, members) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
     notes = (*filter(None, sizes), *opening_notes(brief, room))

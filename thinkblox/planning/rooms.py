@@ -18,6 +18,10 @@ _SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
 _PROPORTIONS = {"hallway": (0.4, 0.45)}
 _USUAL_PROPORTION = (0.75, 0.8)
 _LEAST_SIDE = 1.8
+_NOT_NARROWER = 0.6
+"""Least proportion of a room that is longer for what is to be far apart in it."""
+_CLOSE_ROOMS = frozenset({"tiny", "small"})
+"""What is said of rooms that do not grow."""
 
 
 def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
@@ -34,6 +38,18 @@ def plan_room(brief: Brief, *, rng: np.random.Generator | int) -> Room:
     return with_openings(room, brief, draw)
 
 
+def is_open(brief: Brief) -> bool:
+    """Whether a brief leaves it open how large the room is, so that it may grow."""
+    given = brief.area is not None or (brief.width is not None and brief.depth is not None)
+    return not given and _CLOSE_ROOMS.isdisjoint(brief.style)
+
+
+def larger(brief: Brief, room: Room, factor: float) -> Brief:
+    """The brief for a room of the same proportions with `factor` times the floor of `room`."""
+    width, depth = (min(MAX_SIDE, round(side * math.sqrt(factor), 1)) for side in room.extent)
+    return replace(brief, width=width, depth=depth)
+
+
 def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     """Sides of the floor's bounding box along x and y [m]; the longer lies along x where the prompt leaves it open."""
     proportion = _proportion(brief, rng)
@@ -48,7 +64,10 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if brief.area is not None:
         return width, depth
     least_width, least_depth = wall_needs(brief)
-    return max(width, least_width, across_need(brief)), max(depth, least_depth)
+    across = across_need(brief)
+    if across > width:
+        depth = max(depth, round(_NOT_NARROWER * across, 1))
+    return max(width, least_width, across), max(depth, least_depth)
 
 
 def _proportion(brief: Brief, rng: np.random.Generator) -> float:

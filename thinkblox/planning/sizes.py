@@ -67,11 +67,33 @@ def _plan(member: Member) -> tuple[float, float]:
 
 
 def _for_seats(member: Member, members: Members, kind: Category) -> float | None:
-    """Width of a counter that is longer than usual because several sit at it."""
-    if not load_habits().is_in(member.category, "counters"):
-        return None
-    seats = sum(t.kind == "at" and member.id in t.anchors for m in members.all for t in m.ties)
+    """Width of a counter or table that is longer than usual because several sit at it."""
+    ties = [
+        tie.kind
+        for m in members.all
+        if load_habits().is_in(m.category, "seating")
+        for tie in m.ties
+        if member.id in tie.anchors
+    ]
     words = frozenset(member.request.attributes)
-    usual = size_for(kind, words, np.random.default_rng(0))[1] if seats else 0.0
-    needed = round(min(_PLACE * seats + 0.1, kind.size_range[1][1]), 3)
-    return needed if seats and needed > usual else None
+    return width_for_seats(
+        kind, words, before=ties.count("at") + ties.count("in_front_of"), along=ties.count("at_long_side")
+    )
+
+
+def width_for_seats(kind: Category, words: frozenset[str], *, before: int, along: int) -> float | None:
+    """Width [m] that something needs to seat so many, where that is more than usual.
+
+    Args:
+        kind: what they sit at.
+        words: what is said of it.
+        before: how many sit in one line before it, as at a counter.
+        along: how many share its two long sides.
+    """
+    counter = load_habits().is_in(kind.name, "counters")
+    places = max(before if counter else 0, (along + 1) // 2)
+    if places < 2:
+        return None
+    depth, usual, _ = size_for(kind, words, np.random.default_rng(0))
+    needed = round(min(_PLACE * places + 0.1, kind.size_range[1][1]), 3)
+    return needed if needed > usual >= depth else None

@@ -10,6 +10,7 @@ from thinkblox.brief import Brief, Request
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import MAX_SIDE, room_type
 from thinkblox.planning.asked import rows_for
+from thinkblox.planning.sizes import width_for_seats
 from thinkblox.planning.walls import COMPASS, SIDES
 from thinkblox.value import Vec2, Vec3
 
@@ -27,6 +28,12 @@ ROUND_TABLES = ("around", "at_long_side", "at_short_side")
 _ON = ("at", "on", "inside")
 _ACROSS = 1.9
 """Free floor between things opposite each other, and behind them [m]."""
+BEHIND_SEAT, TUCK = 0.35, 0.1
+"""Free floor behind a seat at a table, and how far it goes under it [m]."""
+_SIT = 0.8
+"""Free depth behind a desk for who sits at it [m]."""
+_FAR = 4.4
+"""Free floor between things that are far from each other [m]."""
 _BOARD = 1.8
 """Free depth before a board [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
@@ -47,11 +54,17 @@ def _furniture_area(brief: Brief) -> float:
 
 
 def _before_board(brief: Brief) -> float:
-    """Floor between a board and the first of the rows that look at it [m2]."""
+    """Floor between a board and the first of the rows that look at it, with who teaches in between [m2]."""
+    boards = {r.key for r in brief.requests if load_habits().is_in(r.category, "boards")}
     looking = {r.subject for r in brief.relations if r.kind in ("facing", "opposite")}
+    looking |= {r.key for r in brief.requests if boards and load_habits().is_in(r.category, "lined_up", "seating")}
     rows = [r for r in brief.relations if r.kind == "in_rows" and r.subject in looking]
     requests = [(brief.request(r.subject), r.rows) for r in rows]
-    return sum(_BOARD * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.count)) for q, n in requests)
+    desks = [r.subject for r in brief.relations if r.kind in ("in_front_of", "near") and boards & set(r.anchors)]
+    depth = _BOARD + max(
+        (_size(brief.request(key))[0] + _SIT for key in desks if _stands(brief.request(key))), default=0
+    )
+    return sum(depth * (_size(q)[1] + 0.6) * q.count / (n or rows_for(q.count)) for q, n in requests)
 
 
 def _walls_area(brief: Brief) -> float:
@@ -78,11 +91,23 @@ def wall_needs(brief: Brief) -> Vec2:
 
 
 def across_need(brief: Brief) -> float:
-    """Least longer side of a room where the prompt puts things opposite each other [m]."""
+    """Least longer side of a room with things opposite each other, far apart, or with a third between, as asked [m]."""
     requests = {request.key: request for request in brief.requests}
-    pairs = [(r.subject, r.anchors[0]) for r in brief.relations if r.kind == "opposite" and r.asked and r.anchors]
-    depths = [sum(_size(requests[key])[0] for key in pair if key in requests) for pair in pairs]
-    return round(min(MAX_SIDE, max((depth + _ACROSS for depth in depths), default=0.0)), 1)
+    asked = [r for r in brief.relations if r.asked and r.anchors and r.subject in requests]
+    needs = [0.0]
+    for relation in asked:
+        pair = [requests[key] for key in (relation.subject, relation.anchors[0]) if key in requests]
+        if relation.kind == "opposite":
+            needs.append(sum(_size(each)[0] for each in pair) + _ACROSS)
+        elif relation.kind == "far":
+            needs.append(sum(min(_size(each)[:2]) for each in pair if _stands(each)) + _FAR)
+        elif relation.kind == "between" and _stands(requests[relation.subject]):
+            beside = [requests[key] for key in relation.anchors if key in requests]
+            twice = beside * 2 if len(beside) == 1 else beside
+            needs.append(
+                sum(_size(each)[1] + _BESIDE for each in (requests[relation.subject], *twice) if _stands(each))
+            )
+    return round(min(MAX_SIDE, max(needs)), 1)
 
 
 def _stands(request: Request) -> bool:
@@ -94,23 +119,39 @@ def _own_area(brief: Brief, request: Request) -> float:
     if not _stands(request) or _belongs_to_seating(brief, request):
         return 0.0
     depth, across, _ = _size(request)
+    across = max(across, _seated_width(brief, request))
     beside, before = _margins(brief, request)
     return (across + beside) * (depth + max(before, kind_of(request.category).clearance))
+
+
+def _seated_width(brief: Brief, request: Request) -> float:
+    """Width of what several sit at [m]; 0 where it is not more than usual."""
+    sat = [r for r in brief.relations if request.key in r.anchors and len(r.anchors) == 1]
+    seats = {
+        kind: sum(brief.request(r.subject).count for r in sat if r.kind == kind) // request.count
+        for kind in ("at", "in_front_of", "at_long_side")
+    }
+    before = seats["at"] + seats["in_front_of"]
+    words = frozenset(request.attributes)
+    kind = kind_of(request.category)
+    return width_for_seats(kind, words, before=before, along=seats["at_long_side"]) or 0.0
 
 
 def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     """Free width beside and free depth before a piece [m]."""
     habits = load_habits()
     name = request.category
-    seated = any(r.kind in ROUND_TABLES and request.key in r.anchors for r in brief.relations)
+    drawn_up = [r for r in brief.relations if r.kind in ROUND_TABLES and request.key in r.anchors]
+    seats = [brief.request(r.subject) for r in drawn_up]
+    about = 2.0 * (max((_size(seat)[0] for seat in seats if _stands(seat)), default=0.0) + BEHIND_SEAT - TUCK)
     if habits.is_in(name, "played_around"):
         return 2.2, 2.2
     if habits.is_in(name, "lined_up") or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):
-        return 0.6, 1.0
-    if any(r.kind in ROUND_TABLES[1:] and request.key in r.anchors for r in brief.relations):
-        return 1.9, 1.9
-    if seated and habits.is_in(name, "meal_tables"):
-        return 1.5, 1.5
+        return max(0.6, about), max(1.0, about)
+    if any(r.kind in ROUND_TABLES[1:] for r in drawn_up):
+        return max(1.9, about), max(1.9, about)
+    if drawn_up:
+        return about, about
     if habits.is_in(name, "beds"):
         return 0.9, 0.7
     if habits.is_in(name, "desks"):

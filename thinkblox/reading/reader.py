@@ -183,10 +183,14 @@ def _request(thing: Mention, keys: dict[int, str]) -> Request:
 
 
 def _relation(bond: Bond, keys: dict[int, str]) -> Relation:
+    subject = keys[id(bond.subject)]
+    anchors = tuple(a if isinstance(a, str) else keys[id(a)] for a in bond.anchors)
+    if len(anchors) > 1 and bond.subject.count == 1:
+        anchors = tuple(anchor for anchor in anchors if anchor != subject)
     return Relation(
         kind=bond.kind,
-        subject=keys[id(bond.subject)],
-        anchors=tuple(a if isinstance(a, str) else keys[id(a)] for a in bond.anchors),
+        subject=subject,
+        anchors=anchors,
         each=bond.each,
         asked=bond.asked,
         rows=bond.rows,

@@ -155,12 +155,14 @@ def _object(scene: Arrangement, placement: Placement) -> Landmark:
 
 
 def _wall(room: Room, wall: Wall) -> Landmark:
+    yaw = math.degrees(math.atan2(wall.inward[1], wall.inward[0]))
     return Landmark(
         name=wall.name,
         kind="wall",
         footprint=LineString([wall.start, wall.end]),
         centre=wall.point(wall.length / 2),
-        yaw=math.degrees(math.atan2(wall.inward[1], wall.inward[0])),
+        yaw=yaw,
+        gaze=yaw,
         half=(0.0, wall.length / 2),
         top=room.height,
     )
@@ -170,13 +172,15 @@ def _opening(room: Room, opening: Opening) -> Landmark:
     wall = room.walls[opening.wall]
     depth = opening.width if opening.kind == "door" else WINDOW_ZONE
     start, end = opening.offset, opening.offset + opening.width
+    yaw = math.degrees(math.atan2(wall.inward[1], wall.inward[0]))
     zone = Polygon([wall.point(start), wall.point(end), wall.point(end, depth), wall.point(start, depth)])
     return Landmark(
         name=opening.id,
         kind="opening",
         footprint=zone,
         centre=wall.point((start + end) / 2),
-        yaw=math.degrees(math.atan2(wall.inward[1], wall.inward[0])),
+        yaw=yaw,
+        gaze=yaw,
         half=(0.0, opening.width / 2),
         base=opening.sill,
         top=opening.sill + opening.height,

@@ -123,16 +123,18 @@ def _far(room: Room) -> Pair:
 
 
 def _on_side(x: int, y: int, reach: float) -> Pair:
-    """Lies beyond one side of the anchor, in the anchor's frame, rather than past one of its corners."""
+    """Lies beyond one side of the anchor, in the anchor's frame, rather than past one of its corners.
+
+    What hangs behind a desk that is drawn up to the wall hangs over its edge.
+    """
 
     def pair(subject: Landmark, anchor: Landmark) -> Finding:
         local = anchor.to_local(subject.centre)
         forward, across = (local[0] * x, abs(local[1])) if x else (local[1] * y, abs(local[0]))
         half, half_across = anchor.half if x else anchor.half[::-1]
-        if anchor.front == "two":
-            forward = abs(forward)
         beyond, past = forward - half, max(across - half_across, 0.0)
-        aligned = anchor.front == "any" or (beyond >= -CONTACT and past <= max(beyond, 0.0) + CONTACT)
+        least = -half if subject.hung and not anchor.hung else -CONTACT
+        aligned = beyond >= least and past <= max(beyond, 0.0) + CONTACT
         return aligned and ground_gap(subject, anchor) <= reach + ROUNDING, gap_text(subject, anchor)
 
     return pair
@@ -262,7 +264,9 @@ def _opposite(subject: Landmark, anchor: Landmark) -> Finding:
     """In front of the anchor, fronts against each other, well apart; what hangs on facing walls, however far."""
     ahead, _ = _on_side(1, 0, math.inf)(subject, anchor)
     turn = turn_between(subject.gaze, anchor.gaze + 180.0)
-    if "any" in (subject.front, anchor.front):
+    if anchor.kind == "opening" and subject.gaze != subject.yaw:
+        turn = min(angle_to(subject, anchor), 180.0 - angle_to(subject, anchor))
+    elif "any" in (subject.front, anchor.front):
         turn = 0.0 if subject.front == "any" else angle_to(subject, anchor)
     elif "two" in (subject.front, anchor.front):
         turn = min(turn, 180.0 - turn)

@@ -9,13 +9,15 @@ import numpy as np
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.beside import beside_at
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.value import Vec2
 
 PLACE_WIDTH = 0.6
 """Edge of a table that one person needs [m]; Neufert, Architects' Data."""
+BETWEEN = 0.1
+"""Free width between those in a circle [m]."""
 SQUEEZED = 0.5
 """The least of it, at a counter [m]."""
 USUAL_TUCKS = (0.15, 0.05, -0.05)
@@ -148,9 +150,27 @@ def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> lis
 
 def _companies(situation: Situation, anchor: Placement, count: int) -> list[list[Place]]:
     surfaces = situation.scene.asset_of(anchor).surfaces
+    wide = _circles(anchor, count, situation.size[1])
     if surfaces and surfaces[0].round:
-        return [_ring(anchor, count, phase / 8) for phase in (0, 4, 2, 6)]
+        return [*wide, *(_ring(anchor, count, phase / 8) for phase in (0, 4, 2, 6))]
+    crowded = count > 1 and situation.size[1] > max(anchor.size[:2])
+    if wide and (crowded or not is_seat(situation.target.category)):
+        return wide
     return _rectangles(anchor, count, place=max(PLACE_WIDTH, situation.size[1] + 0.05))
+
+
+def _circles(anchor: Placement, count: int, width: float) -> list[list[Place]]:
+    """Circles about what is too small for the company to sit at its edge: as wide as they need side by side."""
+    if count < 3:
+        return []
+    needed = (width + BETWEEN) / 2 / math.tan(math.pi / count)
+    if needed <= max(anchor.size[:2]) / 2:
+        return []
+    turns = [[360.0 * (k + phase) / count % 360.0 for k in range(count)] for phase in (0.0, 0.5)]
+    return [
+        [Place((needed * math.cos(math.radians(t)), needed * math.sin(math.radians(t))), round(t, 2)) for t in each]
+        for each in turns
+    ]
 
 
 def _ring(anchor: Placement, count: int, phase: float) -> list[Place]:

@@ -5,13 +5,21 @@ from collections.abc import Iterator
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
+from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.saying import turned
 from thinkblox.value import Vec2
 
 USUAL_GAPS = (0.1, 0.25, 0.4)
+_ELBOW, _BEHIND_EACH = 0.12, 0.35
+"""Free width between several before one anchor, and free depth between their rows [m]."""
+BEHIND_GAPS = (0.6, 0.3, 0.15, 0.05)
+"""Free distance behind a thing to what stands there, the best first [m]."""
+SERVED_BEHIND = (0.65, 0.75, 0.9, 0.5)
+"""The same behind a counter, where somebody serves [m]."""
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
@@ -117,14 +125,19 @@ def before(situation: Situation, anchor: Placement, *, gaps: tuple[float, ...], 
             )
 
 
-def behind(situation: Situation, anchor: Placement) -> Iterator[Idea]:
-    """Behind the anchor, turned the same way."""
-    for rank, gap in enumerate((0.6, 0.3, 0.15, 0.05)):
-        local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), 0.0)
-        words = (Constraint(kind="beside", anchors=(anchor.id,), side="back", values=(gap,)),)
-        yield beside_at(
-            situation, anchor, local, yaw=anchor.yaw, words=words, why=f"it stands behind {anchor.id}", cost=0.1 * rank
-        )
+def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: int = 1) -> Iterator[Idea]:
+    """Behind the anchor, turned the same way; several side by side, and a little aside where the middle is taken."""
+    pitch = situation.size[1] + _ELBOW
+    own = (index - (count - 1) / 2) * pitch
+    room = max(0.0, anchor.size[1] - situation.size[1]) / 2
+    gaps = SERVED_BEHIND if facts_of(anchor.category).is_in("counters") else BEHIND_GAPS
+    for rank, gap in enumerate(gaps):
+        for step, aside in enumerate(dict.fromkeys((own, 0.0, 0.5 * room, -0.5 * room, room, -room))):
+            local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), aside)
+            words = (Constraint(kind="beside", anchors=(anchor.id,), side="back", values=(gap,)),)
+            why = f"it stands behind {anchor.id}"
+            cost = 0.1 * rank + 0.15 * step
+            yield beside_at(situation, anchor, local, yaw=anchor.yaw, words=words, why=why, cost=cost)
 
 
 def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Idea]:
@@ -136,6 +149,7 @@ def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Id
     length = math.dist(first.position[:2], last.position[:2]) or 1.0
     ux, uy = (last.position[0] - first.position[0]) / length, (last.position[1] - first.position[1]) / length
     words = Constraint(kind="between", anchors=(first.id, last.id))
+    flush = _flush(situation, first, last)
     for shift in (0.0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35):
         for aside in (0.0, 0.15, -0.15, 0.3, -0.3):
             for turn in (0.0, 90.0):
@@ -144,3 +158,43 @@ def between(situation: Situation, anchors: tuple[Placement, ...]) -> Iterator[Id
                 place = Constraint(kind="at", values=(round(px, 3), round(py, 3)))
                 cost = 1.2 * abs(shift) + 2.0 * abs(aside) + (0.4 if turn and situation.asset.front != "any" else 0.0)
                 yield Idea((px, py, 0.0), yaw, (words, place, turned(yaw)), "it belongs to both", cost)
+        if flush is not None:
+            px, py = x + ux * shift + flush[0], y + uy * shift + flush[1]
+            place = Constraint(kind="at", values=(round(px, 3), round(py, 3)))
+            pose = (words, place, turned(first.yaw))
+            yield Idea((px, py, 0.0), first.yaw, pose, "their backs are in one line", 1.2 * abs(shift) - 0.1)
+
+
+def _flush(situation: Situation, first: Placement, last: Placement) -> Vec2 | None:
+    """From the middle of two that stand side by side to where a thing's back is in line with the first's [m]."""
+    if first is last or situation.asset.front == "any" or turn_between(first.yaw, last.yaw) > 10.0:
+        return None
+    back = -(first.size[0] - situation.size[0]) / 2
+    angle = math.radians(first.yaw)
+    return (back * math.cos(angle), back * math.sin(angle))
+
+
+def before_several(
+    situation: Situation, anchor: Placement, tie: Tie, *, gaps: tuple[float, ...], face: bool, why: str
+) -> Iterator[Idea]:
+    """Places of their own for several in front of the anchor: side by side along it, then in rows behind each other.
+
+    Nobody is so far aside that they are past the anchor's corner rather than before it.
+    """
+    depth, width = situation.size[0], situation.size[1]
+    pitch, turn = width + _ELBOW, 180.0 if face else 0.0
+    for rank, gap in enumerate(gaps):
+        reach = anchor.size[1] / 2 + 0.8 * (gap + depth / 2)
+        fit = 1 + int(2 * max(0.0, reach - 0.2) / pitch)
+        rows = math.ceil(tie.count / fit)
+        columns = math.ceil(tie.count / rows)
+        spread = max(pitch, min(1.5 * pitch, anchor.size[1] / columns))
+        for number in range(tie.count):
+            row, column = divmod(number, columns)
+            there = min(columns, tie.count - row * columns)
+            out = anchor.size[0] / 2 + gap + depth / 2 + row * (depth + _BEHIND_EACH)
+            local = (out, (column - (there - 1) / 2) * spread)
+            side = Constraint(kind="beside", anchors=(anchor.id,), side="front", values=(round(gap, 3),))
+            words = (side,) if row == 0 else ()
+            cost = 0.3 * rank + (0.0 if number == tie.index else 0.6)
+            yield beside_at(situation, anchor, local, yaw=anchor.yaw + turn, words=words, why=why, cost=cost)

@@ -5,12 +5,15 @@ import numpy as np
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import need, seat_need
+from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""
+DARKENS = 0.85
+"""What is higher than this does not stand before a window [m]."""
 IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
@@ -61,14 +64,20 @@ def _along(situation: Situation, rects: Rects, sides: tuple[str, str], lengths: 
 
 def _room_for(situation: Situation, rects: Rects, follower: Target, tie: Tie) -> Array:
     size = situation.kind(follower).size
-    wanted = seat_need(tie, of=situation.size, size=size) or need(
-        follower, tie, of=situation.target.category, size=size
+    pair = pair_need(situation, follower, size)
+    wanted = (
+        pair
+        or seat_need(tie, of=situation.size, size=size)
+        or need(follower, tie, of=situation.target.category, size=size)
     )
     if wanted is None:
         hung_above = tie.kind == "above" and situation.kind(follower).mount == "wall"
         return _wall_behind_taken(situation, rects) if hung_above else np.zeros(len(rects))
     zones = [beside(rects, side, wanted.depth, width=wanted.width) for side in wanted.sides]
     missing = [zone_costs(situation, zone, weight=wanted.weight) + _in_use(situation, zone) for zone in zones]
+    if pair and situation.size[2] > DARKENS and situation.facts.hanging.windows == "no":
+        dark = [(overlap_depth(zone, situation.window_zones) > 0.0).any(-1) for zone in zones]
+        missing = [cost + np.where(taken, 4.0, 0.0) for cost, taken in zip(missing, dark, strict=True)]
     return fewest(missing, wanted.number)
 
 

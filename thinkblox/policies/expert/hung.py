@@ -130,6 +130,43 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
                 yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost)
 
 
+def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: int = 1) -> Iterator[Idea]:
+    """On the wall at the anchor's back, in line with it; several side by side, above what stands there."""
+    eye = _height(situation)
+    for wall in situation.room.walls:
+        if turn_between(wall.yaw, anchor.yaw) > 45.0:
+            continue
+        along, inward = wall.coordinates((anchor.position[0], anchor.position[1]))
+        half = situation.size[1] / 2
+        if inward < 0.0 or wall.length < 2 * half + 0.02:
+            continue
+        own = along + (index - (count - 1) / 2) * (situation.size[1] + 0.15)
+        z = max(eye, min(_top(situation, anchor) + 0.1, situation.room.height - situation.size[2] - 0.02))
+        for shift in (0.0, 0.15, -0.15, 0.3, -0.3, 0.6, -0.6):
+            place = min(max(own + shift, half + 0.01), wall.length - half - 0.01)
+            for height, dear in ((z, 0.0), (eye, 0.1), (z + 0.25, 0.2), (z + 0.5, 0.3), (max(0.0, z - 0.3), 0.4)):
+                if height + situation.size[2] <= situation.room.height:
+                    cost = abs(place - own) + dear + 0.3 * max(0.0, inward - 1.5)
+                    yield hang(situation, wall, place, height, why=f"it hangs behind {anchor.id}", cost=cost)
+
+
+def beside(situation: Situation, anchor: Placement, sides: tuple[str, ...]) -> Iterator[Idea]:
+    """On the wall at the anchor's back, or the one beside it, to the left or right of the anchor."""
+    half = situation.size[1] / 2
+    for side in sides:
+        sign = 1.0 if side == "left" else -1.0
+        for gap in (0.08, 0.2, 0.35):
+            point = anchor.to_room((0.0, sign * (anchor.size[1] / 2 + gap + half)))
+            for wall in situation.room.walls:
+                along, inward = wall.coordinates(point)
+                if turn_between(wall.yaw, anchor.yaw) > 45.0 or not 0.0 <= inward <= 1.5:
+                    continue
+                if half + 0.01 <= along <= wall.length - half - 0.01:
+                    for rank, z in enumerate((_height(situation), max(0.0, anchor.top - situation.size[2]))):
+                        why = f"it hangs beside {anchor.id}"
+                        yield hang(situation, wall, along, z, why=why, cost=gap + 0.2 * rank + 0.3 * inward)
+
+
 def _top(situation: Situation, anchor: Placement) -> float:
     """Height of a thing with what stands on it and is nearly as wide [m]."""
     wide = [p.top for p in situation.scene.resting_on(anchor.id) if p.size[1] > 0.6 * anchor.size[1]]

@@ -7,7 +7,19 @@ from dataclasses import replace
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie, is_object
-from thinkblox.policies.expert import around, beside, hung, open_floor, rows, rugs, sides, spreading, surfaces, walls
+from thinkblox.policies.expert import (
+    around,
+    beside,
+    hung,
+    open_floor,
+    partners,
+    rows,
+    rugs,
+    sides,
+    spreading,
+    surfaces,
+    walls,
+)
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
@@ -17,8 +29,23 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
 from thinkblox.scene.room import turn_between
 
+AT_COUNTER = (0.1, 0.2, 0.3)
+"""Free distance of a stool to the counter that it stands at, the best first [m]."""
+OUT_OF_LINE = 2.0
+"""Cost of a place before something that is none of those that are shared out among several."""
 TURNED_AWAY = 8.0
 """Cost of looking elsewhere than asked."""
+BESIDE_INSTEAD = 3.0
+"""Cost of standing beside what cannot carry or hold it."""
+_SIDED = ("in_front_of", "behind", "left_of", "right_of")
+ASKEW = 4.0
+"""Cost of turning a thing against what carries it, by whose sides others stand."""
+BY_ANOTHER = 2.0
+"""Cost of standing by another of the anchor's kind than its own."""
+UNPAIRED = 3.0
+"""Cost of a place that leaves no room for what comes between it and its partner, or too much."""
+_PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
+"""Relations that decide where those stand who look at each other."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
@@ -27,13 +54,16 @@ def from_ties(situation: Situation) -> list[Idea]:
     """Ideas from each tie of the target in its order; who is faced by its like stands free for that."""
     ties = tuple(sorted(situation.target.ties, key=lambda tie: not _looks_at_place(tie)))
     seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
-    ties = tuple(tie for tie in ties if tie.kind != "facing" or tie.anchors not in seated)
+    in_rows = any(tie.kind == "in_rows" for tie in ties)
+    ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
-    if mutual and all(tie.kind != "in_rows" for tie in ties):
+    if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
         ties = mutual
-    ideas = [_dearer(idea, 2.0 * rank) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
-    return [*ideas, *walls.off_walls(situation)] if ties and _is_staffed(situation) else ideas
+    paired = list(partners.partner_ideas(situation))
+    dear = UNPAIRED if paired else 0.0
+    ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
+    return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
 def _looks_at_place(tie: Tie) -> bool:
@@ -41,10 +71,24 @@ def _looks_at_place(tie: Tie) -> bool:
     return tie.kind == "facing" and tie.asked and bool(tie.anchors) and not any(map(is_object, tie.anchors))
 
 
-def _is_staffed(situation: Situation) -> bool:
-    """Whether something will stand behind it."""
+def _before_staff(situation: Situation) -> Iterator[Idea]:
+    """Off the walls by what is to stand behind it."""
     own = situation.target.id
-    return any(tie.kind == "behind" and own in tie.anchors for later in situation.followers for tie in later.ties)
+    behind = [later for later in situation.followers if _is_behind(later, own)]
+    together = any(tie.kind in _PLACED_TOGETHER for tie in situation.target.ties)
+    if not behind or together or situation.asset.mount != "floor":
+        return
+    kinds = [situation.kind(later) for later in behind]
+    deepest = max((kind.size[0] for kind in kinds if kind.mount in ("floor", "surface")), default=0.0)
+    served = situation.facts.is_in("counters")
+    gaps = beside.SERVED_BEHIND if served else beside.BEHIND_GAPS
+    yield from walls.off_walls(situation, max(walls.BEHIND if served or not deepest else 0.0, deepest + gaps[0]))
+    if deepest and not served:
+        yield from walls.off_walls(situation, deepest + gaps[-1])
+
+
+def _is_behind(later: Target, own: str) -> bool:
+    return any(tie.kind == "behind" and own in tie.anchors for tie in later.ties)
 
 
 def from_room(situation: Situation) -> list[Idea]:
@@ -108,12 +152,16 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return hung.on_walls(situation, place)
     if situation.asset.mount == "ceiling":
         return hung.from_ceiling(situation)
+    if not situation.asset.collides and place == "door":
+        return open_floor.at_doors(situation)
     if not situation.asset.collides or place == "centre":
         return open_floor.grid(situation, step=0.1)
     if tie.kind == "in_corner" or place == "corner":
         return _in_corner(situation, tie)
     if place == "floor":
         return anywhere(situation)
+    if tie.kind == "opposite" and place in ("window", "door"):
+        return walls.across_from(situation, place)
     if tie.kind == "facing":
         return _turned_to(situation, place)
     if place in ("window", "door"):
@@ -145,7 +193,8 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     """Along the walls, the nearer to such an opening the better."""
     room = situation.room
     centres = [room.walls[o.wall].point(o.offset + o.width / 2) for o in room.openings if o.kind == kind]
-    candidates = [*walls.along_walls(situation), *walls.corners(situation)]
+    before = (wall for o in room.openings if o.kind == kind == "window" for wall in [room.walls[o.wall]])
+    candidates = [*walls.along_walls(situation), *walls.corners(situation), *walls.clear_of_windows(situation, before)]
     for idea in candidates:
         if not centres:
             yield idea
@@ -170,7 +219,16 @@ def _is_lounge(situation: Situation, anchor: Placement) -> bool:
     return situation.facts.is_in("lounges") and facts_of(anchor.category).is_in("lounged_at")
 
 
+def _at_side(situation: Situation, anchor: Placement, side: str) -> Iterator[Idea]:
+    if situation.asset.mount == "wall":
+        yield from hung.beside(situation, anchor, (side,))
+    else:
+        yield from beside.sides_of(situation, anchor, (side,))
+
+
 def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    if situation.asset.mount == "wall":
+        yield from hung.beside(situation, anchor, ("left", "right"))
     if _is_lounge(situation, anchor):
         yield from open_floor.about_low_table(situation, anchor)
     sides: tuple[str, ...] = ("left", "right")
@@ -179,6 +237,12 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for rank, side in enumerate(sides):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
+    for side, dear in (("back", 1.5), ("front", 2.5)):
+        for idea in beside.sides_of(situation, anchor, (side,)):
+            yield _dearer(idea, dear)
+    for other in situation.alike(anchor.id):
+        for idea in beside.sides_of(situation, other, sides):
+            yield _dearer(idea, BY_ANOTHER)
 
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -186,8 +250,16 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if face and situation.scene.asset_of(anchor).gaze == "back" and _is_worked_at(situation, anchor):
         yield from _visiting(situation, anchor, tie)
         return
+    if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
+        yield from open_floor.presenting(situation, anchor)
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
-    yield from beside.before(situation, anchor, gaps=gaps, face=face, why=f"it belongs before {anchor.id}")
+    why = f"it belongs before {anchor.id}"
+    if face and facts_of(anchor.category).is_in("counters"):
+        gaps = AT_COUNTER
+    if tie.count > 1:
+        yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
+    for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why):
+        yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
 
 
 def _is_worked_at(situation: Situation, desk: Placement) -> bool:
@@ -216,15 +288,42 @@ def _visiting(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]
             )
 
 
+def _behind(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+    if situation.asset.mount == "wall":
+        return hung.behind(situation, anchor, index=tie.index, count=tie.count)
+    return beside.behind(situation, anchor, index=tie.index, count=tie.count)
+
+
 def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     gaps = (0.06, 0.12, 0.02, 0.25)
     yield from beside.before(situation, anchor, gaps=gaps, face=False, why=f"it stands at the foot of {anchor.id}")
 
 
-def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
+def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    aligned = _is_looked_from(situation)
+    for idea in _carried(situation, anchor, tie):
+        yield _dearer(idea, ASKEW if aligned and turn_between(idea.yaw, anchor.yaw) > 1.0 else 0.0)
+
+
+def _carried(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
         return _on_rug(situation, anchor, tie)
-    return surfaces.on_surfaces(situation, anchor, tie)
+    return _on_top(situation, anchor, tie)
+
+
+def _on_top(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
+    """On it; where it has nothing to stand on, close beside it, which the report says is not on it."""
+    ideas = list(surfaces.on_surfaces(situation, anchor, tie))
+    yield from ideas
+    if not ideas and not situation.scene.asset_of(anchor).surfaces and anchor.position[2] < 0.1:
+        for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
+            yield _dearer(idea, BESIDE_INSTEAD)
+
+
+def _is_looked_from(situation: Situation) -> bool:
+    """Whether something is asked to stand on one side of it: what carries it has been placed with that in mind."""
+    brief = situation.observation.plan.brief
+    return any(r.kind in _SIDED and situation.target.request in r.anchors and not r.negated for r in brief.relations)
 
 
 def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -234,7 +333,7 @@ def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     if not ideas:
         yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
         for idea in beside.sides_of(situation, anchor, ("left", "right", "front")):
-            yield _dearer(idea, 3.0)
+            yield _dearer(idea, BESIDE_INSTEAD)
 
 
 def _in_middle_of(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
@@ -328,10 +427,10 @@ _BY_ANCHOR: dict[str, Callable[[Situation, Placement, Tie], Iterable[Idea]]] = {
     "under": _under,
     "above": _above,
     "next_to": _next_to,
-    "left_of": lambda s, a, t: beside.sides_of(s, a, ("left",)),
-    "right_of": lambda s, a, t: beside.sides_of(s, a, ("right",)),
+    "left_of": lambda s, a, t: _at_side(s, a, "left"),
+    "right_of": lambda s, a, t: _at_side(s, a, "right"),
     "in_front_of": _front,
-    "behind": lambda s, a, t: beside.behind(s, a),
+    "behind": _behind,
     "at_foot_of": _foot,
     "at": around.at_desk,
     "around": around.around,

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from thinkblox.plan import is_object
+from thinkblox.observe import Layout
+from thinkblox.plan import Tie, is_object
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea
@@ -32,6 +33,8 @@ DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
 FINALISTS, MOST_LOOKED_AT = 40, 400
 """How many ideas are held against what the plan wants, and at most where most have what they must not."""
+OF_EACH_SORT = 10
+"""How many ideas of each sort are looked at besides: a place by the second relation may meet the first as well."""
 
 
 def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator) -> list[tuple[float, Idea]]:
@@ -49,9 +52,12 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
     order = np.argsort(costs, kind="stable")
     finalists: list[int] = []
     spared = 0
+    of_its_sort: dict[str, int] = {}
     for i in map(int, order[:MOST_LOOKED_AT]):
-        if spared == FINALISTS:
-            break
+        sort = ideas[i].why
+        of_its_sort[sort] = of_its_sort.get(sort, 0) + 1
+        if spared >= FINALISTS and (of_its_sort[sort] > OF_EACH_SORT or costs[i] >= HOPELESS):
+            continue
         denied = _denied(situation, ideas[i])
         spared += denied == 0.0
         if denied and len(finalists) - spared >= FINALISTS:
@@ -175,5 +181,14 @@ def _unmet(situation: Situation, idea: Idea) -> float:
         ):
             continue
         if not measure(scene, tie.kind, situation.target.id, tie.anchors, rows=tie.rows).holds:
-            cost += UNMET_ASKED if tie.asked else UNMET_HABIT
+            grave = tie.asked and not _holds_with_another(situation, scene, tie)
+            cost += UNMET_ASKED if grave else UNMET_HABIT
     return cost
+
+
+def _holds_with_another(situation: Situation, scene: Layout, tie: Tie) -> bool:
+    """Whether it is next to another of the anchor's request, which is what was asked for too."""
+    if tie.kind not in ("next_to", "near") or len(tie.anchors) != 1:
+        return False
+    others = tuple(p.id for p in situation.alike(tie.anchors[0]))
+    return bool(others) and measure(scene, tie.kind, situation.target.id, others).holds

@@ -80,16 +80,16 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
             return Need(ALL_ROUND, depth + BEHIND_SEAT, None, 2 if tie.count <= 2 else 4, 2.5)
         case "at":
             return Need(("front",), depth + BEHIND_SEAT, width, 1, 4.0)
+        case "in_front_of" | "near" if anchor.is_in("boards") and own.gaze == "back":
+            return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case "in_front_of" | "at_foot_of":
             return Need(("front",), depth + 0.5, width, 1, 4.0)
         case "behind" | "back_to_back":
-            return Need(("back",), depth + 0.3, width, 1, 4.0)
+            return Need(("back",), depth + 0.3, width * tie.count, 1, 4.0)
         case "facing" if anchor.gaze == "back":
             return Need(("back",), depth + MAIN_WAY, None, 1, 4.0)
         case "facing":
             apart = TALK if anchor.is_in("seating") else VIEW
             return Need(("front",), apart + depth, min(width, 1.2), 1, 2.0)
-        case "near" if anchor.is_in("boards") and own.gaze == "back":
-            return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case _:
             return None

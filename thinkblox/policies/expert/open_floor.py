@@ -42,6 +42,24 @@ def grid(situation: Situation, *, step: float = 0.25, why: str = "it stands free
                 yield Idea((x, y, 0.0), turn, words, why, cost)
 
 
+def at_doors(situation: Situation) -> Iterator[Idea]:
+    """Just inside each door, along it, as a mat lies."""
+    room = situation.room
+    for opening in room.openings:
+        if opening.kind != "door":
+            continue
+        wall = room.walls[opening.wall]
+        across = situation.size[1] > situation.size[0] or situation.asset.front == "one"
+        depth, width = situation.size[:2] if across else (situation.size[1], situation.size[0])
+        yaw = (wall.yaw + (0.0 if across else 90.0)) % 360.0
+        for rank, gap in enumerate((0.05, 0.15, 0.3)):
+            middle = opening.offset + opening.width / 2
+            along = min(max(middle, width / 2 + 0.01), max(wall.length - width / 2 - 0.01, width / 2))
+            x, y = wall.point(along, gap + depth / 2)
+            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+            yield Idea((x, y, 0.0), yaw, words, f"it lies inside {opening.id}", 0.1 * rank)
+
+
 def _across_room(situation: Situation, yaw: float) -> float:
     """A long thing lies along the long side of the room."""
     depth, width = situation.size[0], situation.size[1]

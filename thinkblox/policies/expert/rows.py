@@ -17,12 +17,17 @@ from thinkblox.policies.expert.needs import MAIN_WAY, need
 from thinkblox.policies.expert.row_layout import RowLayout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import imbalance, moment
+from thinkblox.scene.pairs import FACING
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
 from thinkblox.scene.saying import turned
 
 FIRST_ROW = 2.0
 """Free distance from a board to the first row that looks at it [m]."""
+OFF_SIGHT = 8.0
+"""Cost of a row layout in which nobody sees what the rows look at without turning."""
+ANY_OFF_SIGHT = 2.0
+"""The same where somebody does not."""
 REACH = 0.45
 """How far the middle of a block may be from that of the room, as a share of the room's extent."""
 STEPS = 7
@@ -115,9 +120,17 @@ def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...
     anchor, angle = anchors[0], math.radians(anchors[0].yaw)
     offset = centre - np.array(anchor.position[:2])
     ahead = offset @ np.array([math.cos(angle), math.sin(angle)])
-    aside = np.abs((offset @ np.array([-math.sin(angle), math.cos(angle)])).mean(-1))
+    across = offset @ np.array([-math.sin(angle), math.cos(angle)])
+    aside = np.abs(across.mean(-1))
     free = ahead.min(-1) - anchor.size[0] / 2 - situation.size[0] / 2
-    return np.asarray(0.6 * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside)
+    return np.asarray(0.6 * np.abs(free - _first_row(situation, anchor)) + 0.3 * aside + _past(ahead, across))
+
+
+def _past(ahead: Array, across: Array) -> Array:
+    """What it costs that some in the outer places look past what the rows look at."""
+    off = np.degrees(np.arctan2(np.abs(across), np.maximum(ahead, 0.01)))
+    past = off > FACING - 1.0
+    return np.asarray(OFF_SIGHT * past.mean(-1) + ANY_OFF_SIGHT * past.any(-1))
 
 
 def _first_row(situation: Situation, board: Placement) -> float:

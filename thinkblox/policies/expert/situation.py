@@ -1,9 +1,12 @@
 """The situation in which ideas are had: what stands, what is to come, and the floor that is spoken for."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
-from thinkblox.assets import Facts, facts_of
+import numpy as np
+
+from thinkblox.assets import Facts, facts_of, kind_of, revision
+from thinkblox.assets.sizing import size_for
 from thinkblox.observe import Kind, Layout, Observation
 from thinkblox.plan import Target, Tie, is_object
 from thinkblox.policies.expert.needs import Need, need, seat_need, uses
@@ -188,12 +191,32 @@ class Situation:
         return self.facts.runs_with(facts_of(other.category))
 
     def kind(self, later: Target) -> Kind:
-        """What is known of a target that is yet to come."""
-        return self.observation.kinds[later.category]
+        """What is known of a target that is yet to come: an ordinary one, as large as what is said of it makes it."""
+        usual = self.observation.kinds[later.category]
+        if not later.attributes and not any(later.size):
+            return usual
+        shares = _shares(later.category, later.attributes, revision())
+        x, y, z = (asked or size * share for asked, size, share in zip(later.size, usual.size, shares, strict=True))
+        return Kind(size=(x, y, z), mount=usual.mount)
+
+    def alike(self, id: str) -> tuple[Placement, ...]:
+        """The placed others of an object's request."""
+        targets = self.observation.plan.targets
+        request = next((t.request for t in targets if t.id == id), "")
+        return self.placed(tuple(t.id for t in targets if t.request == request and t.id != id))
 
     def placed(self, ids: tuple[str, ...]) -> tuple[Placement, ...]:
         """Those of the ids that stand in the scene."""
         return tuple(self.scene[id] for id in ids if id in self.scene)
+
+
+@lru_cache(maxsize=512)
+def _shares(category: str, attributes: tuple[str, ...], revision: int) -> Vec3:
+    """By what words about a thing change its size, along each axis."""
+    kind = kind_of(category)
+    said = size_for(kind, frozenset(attributes), np.random.default_rng(0))
+    usual = size_for(kind, frozenset(), np.random.default_rng(0))
+    return (said[0] / usual[0], said[1] / usual[1], said[2] / usual[2])
 
 
 def _is_amid(tie: Tie) -> bool:

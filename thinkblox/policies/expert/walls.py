@@ -8,7 +8,7 @@ from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.needs import DOUBLE
-from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.situation import WINDOW_DEPTH, Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, Wall
 from thinkblox.scene.saying import turned
@@ -76,15 +76,48 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     yield from along_walls(situation, named_walls(situation.room, place))
 
 
-def off_walls(situation: Situation) -> Iterator[Idea]:
-    """Parallel to a wall with room behind for whoever sits or serves there."""
+def off_walls(situation: Situation, behind: float = BEHIND) -> Iterator[Idea]:
+    """Parallel to a wall with room behind for whoever sits or serves there, or for what stands there [m]."""
     for wall in situation.room.walls:
         for idea in along_walls(situation, (wall,)):
             (x, y), inward = (idea.position[0], idea.position[1]), wall.inward
-            x, y = x + inward[0] * BEHIND, y + inward[1] * BEHIND
+            x, y = x + inward[0] * behind, y + inward[1] * behind
             words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
             why = "somebody stands between it and the wall"
             yield Idea((x, y, 0.0), idea.yaw, words, why, idea.cost)
+
+
+def clear_of_windows(situation: Situation, walls: Iterable[Wall]) -> Iterator[Idea]:
+    """Before the windows of some walls, with so much air behind that tall things darken none."""
+    for wall in dict.fromkeys(walls):
+        for idea in along_walls(situation, (wall,)):
+            _, (depth, _) = oriented(situation.size, situation.asset.front)
+            along, _ = wall.coordinates((idea.position[0], idea.position[1]))
+            x, y = wall.point(along, WINDOW_DEPTH + WALL_GAP + depth / 2)
+            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
+            yield Idea((x, y, 0.0), idea.yaw, words, "it stands before the window and leaves it free", idea.cost + 0.4)
+
+
+def across_from(situation: Situation, kind: str) -> Iterator[Idea]:
+    """Across the room from each door or window, looking at it: against the wall there, or nearer in a deep room."""
+    room = situation.room
+    depth = situation.size[0]
+    for opening in room.openings:
+        if opening.kind != kind:
+            continue
+        wall = room.walls[opening.wall]
+        deep = max(wall.coordinates(corner)[1] for corner in room.floor)
+        yaw = (wall.yaw + 180.0) % 360.0
+        at_wall_there = deep - WALL_GAP - depth / 2
+        outs = [at_wall_there, at_wall_there - WINDOW_DEPTH, *(apart + depth / 2 for apart in (3.8, 3.0, 2.2, 1.6))]
+        for rank, out in enumerate(outs):
+            if not 1.5 <= out - depth / 2 <= 4.0:
+                continue
+            for aside in (0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6, 0.9, -0.9):
+                x, y = wall.point(opening.offset + opening.width / 2 + aside, out)
+                words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+                why = f"it looks at {opening.id} across the room"
+                yield Idea((x, y, 0.0), yaw, words, why, 0.3 * rank + 0.5 * abs(aside))
 
 
 def _places(situation: Situation, wall: Wall, depth: float, width: float, low: float, high: float) -> set[float]:

@@ -117,7 +117,7 @@ class Relating(Naming):
             self.multiplied.add(subject)
             if subject.least:
                 subject.least *= meaning.times
-        elif meaning.spread > 1 and subject.count == 1:
+        elif meaning.spread > 1 and (subject.count in (None, 1) or (subject.vague and subject.count < meaning.spread)):
             subject.count = meaning.spread
 
     def _share(self, bond: Bond) -> None:

@@ -1,0 +1,49 @@
+"""What stands together is planned together: places counted off over all requests, and what carries small things."""
+
+from msgspec.structs import replace
+
+from thinkblox.plan import Tie
+from thinkblox.planning.members import Member, Members
+
+_COUNTED = ("around", "at_long_side", "at_short_side", "at", "in_front_of")
+"""Relations whose members take places of their own about one anchor."""
+_CLOSE = ("next_to", "near", "left_of", "right_of")
+"""Relations to a thing on a counter that are those to the counter, for what stands on the floor."""
+
+
+def lower(members: Members) -> None:
+    """What stands on the floor next to a thing on a counter stands next to the counter, and the thing near it."""
+    for member in members.all:
+        if member.mount == "floor":
+            for place, tie in enumerate(member.ties):
+                _lower(members, member, place, tie)
+
+
+def _lower(members: Members, member: Member, place: int, tie: Tie) -> None:
+    upper = members.by_id.get(tie.anchors[0]) if len(tie.anchors) == 1 else None
+    support = members.support(upper) if upper else None
+    if tie.kind not in _CLOSE or upper is None or support is None or support is member or upper.mount != "surface":
+        return
+    if members.depends(support, member):
+        return
+    member.ties[place] = replace(tie, anchors=(support.id,))
+    if not members.depends(member, upper):
+        bring_near(upper, member)
+
+
+def bring_near(upper: Member, member: Member) -> None:
+    """Have a thing on a counter put where `member`, that stands on the floor, is next to it."""
+    if not any(member.id in tie.anchors for tie in upper.ties):
+        upper.ties.append(Tie(kind="next_to", anchors=(member.id,)))
+
+
+def count_off(members: Members) -> None:
+    """Number those that share an anchor and a relation, whatever they were asked for with."""
+    groups: dict[tuple[str, tuple[str, ...]], list[tuple[Member, int]]] = {}
+    for member in members.all:
+        for place, tie in enumerate(member.ties):
+            if tie.kind in _COUNTED and len(tie.anchors) == 1 and tie.anchors[0] in members.by_id:
+                groups.setdefault((tie.kind, tie.anchors), []).append((member, place))
+    for group in groups.values():
+        for index, (member, place) in enumerate(group):
+            member.ties[place] = replace(member.ties[place], index=index, count=len(group))

@@ -1,0 +1,96 @@
+"""Two things with a third between them: the second leaves just the room beside the first that the third needs."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from thinkblox.phrases import Constraint
+from thinkblox.plan import Target
+from thinkblox.policies.expert.beside import beside_at, sides_of
+from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.needs import ALL_ROUND, Need
+from thinkblox.policies.expert.situation import Situation, is_seat
+from thinkblox.scene.placement import Placement
+from thinkblox.value import Vec3
+
+LENGTHWISE = 0.6
+"""Cost of things without a front end to end, rather than side by side."""
+AIRS = (0.08, 0.15, 0.25)
+"""Left on either side of what comes between, the best first [m]."""
+
+
+def partner_ideas(situation: Situation) -> Iterator[Idea]:
+    """Beside a placed partner, or before it where the two look at each other, with room for what comes between."""
+    for later, partner in _shared(situation):
+        size = situation.kind(later).size
+        looking = partner.id in _looked_at(situation.target)
+        if looking or situation.target.id in _looked_at_by(situation, partner):
+            yield from _before(situation, partner, max(size[:2]), later)
+        else:
+            gaps = tuple(round(size[1] + 2 * air, 3) for air in AIRS)
+            why = f"{later.id} comes between it and {partner.id}"
+            yield from sides_of(situation, partner, ("left", "right"), gaps=gaps, why=why)
+            if situation.asset.front == "two":
+                for idea in sides_of(situation, partner, ("front", "back"), gaps=gaps, why=why):
+                    yield replace(idea, cost=idea.cost + LENGTHWISE)
+
+
+def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None:
+    """Floor beside the first of a pair: for what comes between them, and the second; None where there is no second."""
+    own = situation.target
+    for other in situation.observation.plan.targets:
+        if other.id == own.id or other.id in situation.scene or other.id not in _sharers(follower):
+            continue
+        if not _makes_pair(situation, own, other.id):
+            return None
+        if own.id in _looked_at(other) or other.id in _looked_at(own):
+            return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, 4.0)
+        sides = ALL_ROUND if situation.asset.front == "two" else ALL_ROUND[2:]
+        return Need(sides, size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, 4.0)
+    return None
+
+
+def _shared(situation: Situation) -> Iterator[tuple[Target, Placement]]:
+    """Things on the floor that are to come between the target and something that stands, with what that is."""
+    own = situation.target.id
+    for later in situation.followers:
+        sharers = _sharers(later)
+        if situation.kind(later).mount not in ("floor", "surface") or own not in sharers:
+            continue
+        for other in situation.placed(sharers):
+            if other.id != own and other.position[2] < 0.1 and _makes_pair(situation, situation.target, other.id):
+                yield later, other
+
+
+def _makes_pair(situation: Situation, one: Target, other: str) -> bool:
+    """Whether two things stand by each other; a seat that looks at something, and that, keep their distance."""
+    target = next((t for t in situation.observation.plan.targets if t.id == other), None)
+    if target is None:
+        return False
+    return is_seat(one.category) == is_seat(target.category) or not (_looked_at(one) or _looked_at(target))
+
+
+def _sharers(target: Target) -> tuple[str, ...]:
+    """The two things that a third is between, or next to both of; none where it is not so."""
+    between = next((tie.anchors for tie in target.ties if tie.kind == "between" and len(tie.anchors) == 2), ())
+    if between:
+        return between
+    beside = tuple(tie.anchors[0] for tie in target.ties if tie.kind == "next_to" and len(tie.anchors) == 1)
+    objects = tuple(anchor for anchor in beside if is_object(anchor))
+    return objects if len(objects) == 2 else ()
+
+
+def _looked_at(target: Target) -> tuple[str, ...]:
+    return tuple(a for tie in target.ties if tie.kind in ("facing", "opposite") for a in tie.anchors)
+
+
+def _looked_at_by(situation: Situation, partner: Placement) -> tuple[str, ...]:
+    return next((_looked_at(t) for t in situation.observation.plan.targets if t.id == partner.id), ())
+
+
+def _before(situation: Situation, partner: Placement, width: float, later: Target) -> Iterator[Idea]:
+    for rank, air in enumerate(AIRS):
+        gap = round(width + 2 * air, 3)
+        local = (partner.size[0] / 2 + gap + situation.size[0] / 2, 0.0)
+        words = (Constraint(kind="beside", anchors=(partner.id,), side="front", values=(gap,)),)
+        why = f"it looks at {partner.id}, with {later.id} between them"
+        yield beside_at(situation, partner, local, yaw=partner.yaw + 180.0, words=words, why=why, cost=0.15 * rank)
