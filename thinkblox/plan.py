@@ -29,6 +29,12 @@ class Tie(CheckedValue, frozen=True, kw_only=True):
     spread: Ordinal = 0
 
 
+def carries(tie: Tie) -> bool:
+    """Whether the tie's anchor carries what has it: on it, inside it, or in the middle of its top."""
+    on_object = tie.kind == "in_centre" and any(anchor[-1].isdigit() for anchor in tie.anchors)
+    return bool(tie.anchors) and (tie.kind in ("on", "inside") or on_object)
+
+
 class Target(CheckedValue, frozen=True, kw_only=True):
     """One object to place.
 

@@ -10,6 +10,7 @@ from thinkblox.plan import Plan, Target
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
 from thinkblox.planning.implied import imply
+from thinkblox.planning.loads import words_of
 from thinkblox.planning.members import Member, Members
 from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.parts import chosen_walls, free_parts
@@ -63,7 +64,7 @@ def _target(member: Member, members: Members) -> Target:
         category=request.category,
         request=request.key,
         asked=request.asked,
-        attributes=request.attributes,
+        attributes=words_of(member, members),
         index=member.index,
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
