@@ -3,6 +3,7 @@
 from thinkblox.assets.catalogue import CATALOGUE, GENERAL_WORDS, register, revision, unregister
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Companion, Facts, Hanging, RowGaps, Use
+from thinkblox.assets.levels import room_under
 from thinkblox.assets.make import category_of, fit_asset, make_asset, make_thing
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.assets.stand_ins import StandIn, facts_of, kind_of, stand_in
@@ -27,6 +28,7 @@ __all__ = [
     "make_thing",
     "register",
     "revision",
+    "room_under",
     "stand_in",
     "unregister",
 ]

@@ -54,10 +54,12 @@ def fridge(spec: Spec) -> Build:
     if z >= 1.2:
         build.body.append(box(finish, (-x / 2 + WALL, front), inner, around(low, 0.05)))
     shelves = []
-    for k in range(1, 4):
-        level = low + k * (z - low) / 4
-        build.body.append(box(GLASS, (-x / 2 + WALL, front - 0.06), inner, (level - 0.008, level)))
-        free = (z - low) / 4 - (0.008 if k < 3 else WALL)
+    count = max(1, min(4, round((z - low) / 0.4)))
+    for k in range(count):
+        level = low + k * (z - low) / count if k else max(low + 0.025, 0.03 + WALL) if z >= 1.2 else 0.03 + WALL
+        free = low + (k + 1) * (z - low) / count - level - (0.008 if k < count - 1 else WALL)
+        if k:
+            build.body.append(box(GLASS, (-x / 2 + WALL, front - 0.06), inner, (level - 0.008, level)))
         shelves.append(inner_surface(f"shelf {k}", (-x / 2 + WALL, front - 0.06), inner, level, headroom=free))
     spans = [("door", (low + 0.003, z - 0.003))] + ([("freezer", (0.035, low - 0.003))] if z >= 1.2 else [])
     for name, span in spans:
@@ -84,7 +86,7 @@ def _thick_door(spec: Spec, name: str, x: Range, z: Range, finish: Finish, handl
 
 
 def display_fridge(spec: Spec) -> Build:
-    """Return a glass-fronted counter fridge when low, or a cooler with glass doors when tall."""
+    """Return a glass-fronted counter fridge when low, a cooler with glass doors when tall; full unless "empty"."""
     return _tall_cooler(spec) if spec.size[2] > 1.55 else _display_case(spec)
 
 
@@ -107,10 +109,16 @@ def _display_case(spec: Spec) -> Build:
     shelf, bottom = base + 0.5 * (z - base), base + 0.004
     build.body.append(box(GLASS, (-x / 2 + 0.04, x / 2 - 0.16), inner, (shelf - 0.01, shelf)))
     build.body.append(box(STEEL, (-x / 2 + 0.03, x / 2 - 0.02), inner, (base, bottom)))
-    build.body += _food(spec, (-x / 2 + 0.12, x / 2 - 0.2), inner, shelf) + _food(
-        spec, (-x / 2 + 0.12, x / 2 - 0.1), inner, bottom
-    )
     _top(build, spec, (-x / 2, x / 2))
+    if spec.has("empty"):
+        upper, lower = (-x / 2 + 0.04, x / 2 - 0.16), (-x / 2 + 0.03, x / 2 - 0.03)
+        build.surfaces += [
+            inner_surface("shelf", upper, inner, shelf, headroom=z - 0.05 - shelf),
+            inner_surface("floor", lower, inner, bottom, headroom=shelf - 0.01 - bottom),
+        ]
+        return build
+    build.body += _food(spec, (-x / 2 + 0.12, x / 2 - 0.2), inner, shelf)
+    build.body += _food(spec, (-x / 2 + 0.12, x / 2 - 0.1), inner, bottom)
     return build
 
 
@@ -136,18 +144,24 @@ def _tall_cooler(spec: Spec) -> Build:
     finish, front = spec.main(WHITE_METAL), x / 2 - 0.043
     build = Build(body=chamber(finish, (-x / 2, front), (-y / 2, y / 2), (0.0, z), base=0.2, lid=0.2))
     inner = (-y / 2 + WALL, y / 2 - WALL)
-    rows = 5
+    rows, shelves = 5, []
     for k in range(rows):
         level = 0.2 + k * (z - 0.4) / rows
         if k:
             build.body.append(box(STEEL, (-x / 2 + WALL, front - 0.04), inner, (level - 0.012, level)))
-        build.body += _drinks(spec, front - 0.1, inner, level)
+        depth = (-x / 2 + WALL, front - 0.04)
+        if spec.has("empty"):
+            free = (z - 0.4) / rows - 0.012
+            shelves.append(inner_surface(f"shelf {k + 1}", depth, inner, level, headroom=free))
+        else:
+            build.body += _drinks(spec, front - 0.1, inner, level)
     face = face_of("door", (front + 0.002, x / 2), (-y / 2 + 0.002, y / 2 - 0.002), (0.12, z - 0.16), IRON, STEEL)
     build.moving.append(door(face, left_hung=False, glazed=True))
     build.body.append(
         box(spec.style.accent, (front, front + 0.004), (-y / 2 + 0.05, y / 2 - 0.05), (z - 0.14, z - 0.03))
     )
     _top(build, spec, (-x / 2, front))
+    build.surfaces += shelves
     return build
 
 

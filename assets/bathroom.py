@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from thinkblox.assets.carcasses import Cell, cabinet_parts
 from thinkblox.assets.palette import CHROME, GLASS, PORCELAIN, WHITE_PLASTIC
-from thinkblox.assets.part import Build, Part, hull
+from thinkblox.assets.part import Build, Part, Range, hull, moved
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, oval, prism, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.worktop import tap
@@ -64,29 +64,48 @@ def toilet(spec: Spec) -> Build:
 
 def washbasin(spec: Spec) -> Build:
     """Return a basin on a cabinet with two doors, and a tap."""
-    x, y, z = spec.size
+    _, y, z = spec.size
+    build = _basin_cabinet(spec, (-y / 2, y / 2), 2)
     rim = z - 0.13
+    build.surfaces = [top_surface("rim", (-spec.size[0] / 2, -spec.size[0] / 2 + 0.13), (0.06, y / 2), rim)]
+    return build
+
+
+def vanity(spec: Spec) -> Build:
+    """Return a basin at the right end of a worktop over a cabinet, with a tap."""
+    x, y, z = spec.size
+    split = -y / 2 + min(0.56, 0.5 * y)
+    build = _basin_cabinet(spec, (-y / 2, split), max(2, round(y / 0.45)))
+    build.body.append(box(PORCELAIN, (-x / 2, x / 2), (split, y / 2), (z - 0.23, z - 0.13)))
+    build.surfaces = [top_surface("worktop", (-x / 2, x / 2), (split, y / 2), z - 0.13)]
+    return build
+
+
+def _basin_cabinet(spec: Spec, basin: Range, doors: int) -> Build:
+    """A cabinet over the whole width with a basin and a tap over a part of it [m], without surfaces."""
+    x, y, z = spec.size
+    rim, (low, high) = z - 0.13, basin
     white = PORCELAIN
     parts = cabinet_parts(
         spec,
         (-x / 2, x / 2 - 0.015),
         (-y / 2 + 0.01, y / 2 - 0.01),
         (0.0, rim - 0.1),
-        [[Cell("door")], [Cell("door")]],
+        [[Cell("door")]] * doors,
         plinth=0.1,
         finish=spec.wood,
     )
-    hollow = ((-x / 2 + 0.13, x / 2 - 0.04), (-y / 2 + 0.07, y / 2 - 0.07))
+    hollow = ((-x / 2 + 0.13, x / 2 - 0.04), (low + 0.07, high - 0.07))
+    drain = sum(hollow[1]) / 2
     body = [
-        box(white, (-x / 2, x / 2), (-y / 2, y / 2), (rim - 0.1, rim - 0.08)),
-        box(white, (-x / 2, hollow[0][0]), (-y / 2, y / 2), (rim - 0.08, rim)),
-        box(white, (hollow[0][1], x / 2), (-y / 2, y / 2), (rim - 0.08, rim)),
-        *(box(white, hollow[0], (s * y / 2, s * (y / 2 - 0.07)), (rim - 0.08, rim)) for s in (-1, 1)),
-        disc(CHROME, (0.04, 0), 0.025, (rim - 0.08, rim - 0.077)),
-        *tap(-x / 2 + 0.06, rim, z),
+        box(white, (-x / 2, x / 2), basin, (rim - 0.1, rim - 0.08)),
+        box(white, (-x / 2, hollow[0][0]), basin, (rim - 0.08, rim)),
+        box(white, (hollow[0][1], x / 2), basin, (rim - 0.08, rim)),
+        *(box(white, hollow[0], side, (rim - 0.08, rim)) for side in ((low, low + 0.07), (high - 0.07, high))),
+        disc(CHROME, (0.04, drain), 0.025, (rim - 0.08, rim - 0.077)),
+        *(moved(part, (0.0, drain, 0.0)) for part in tap(-x / 2 + 0.06, rim, z)),
     ]
-    surface = top_surface("rim", (-x / 2, hollow[0][0]), (0.06, y / 2), rim)
-    return Build(body=parts.body + body, moving=parts.moving, surfaces=[surface])
+    return Build(body=parts.body + body, moving=parts.moving)
 
 
 def shower_cabin(spec: Spec) -> Build:

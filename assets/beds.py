@@ -95,9 +95,9 @@ def bedding(build: Build, spec: Spec, x: Range, y: Range, z: Range, *, blanket: 
 
 
 def bunk_bed(spec: Spec) -> Build:
-    """Return two beds over each other, with a guard rail and a ladder on the left side."""
+    """Return two beds over each other, or a "loft" with the upper one alone, with a rail and a ladder on the left."""
     x, y, z = spec.size
-    build, post = Build(), 0.06
+    build, post, loft = Build(), 0.06, spec.has("loft")
     for sx in (-1, 1):
         for sy in (-1, 1):
             build.body.append(
@@ -109,7 +109,7 @@ def bunk_bed(spec: Spec) -> Build:
                 )
             )
     inner_x, inner_y = (-x / 2 + post, x / 2 - post), (-y / 2 + 0.05, y / 2 - 0.05)
-    for top in (0.24 * z + 0.02, 0.78 * z):
+    for top in (0.8 * z,) if loft else (0.24 * z + 0.02, 0.78 * z):
         build.body += [
             box(spec.wood, inner_x, around(s * (y / 2 - 0.05), 0.025), (top - 0.2, top - 0.06)) for s in (-1, 1)
         ]
@@ -132,7 +132,7 @@ def bunk_bed(spec: Spec) -> Build:
     build.body += [
         box(spec.wood, around(s * (x / 2 - post / 2), 0.025), (-y / 2 + 0.08, y / 2 - 0.08), (a * z, a * z + 0.09))
         for s in (-1, 1)
-        for a in (0.36, 0.86, 0.94)
+        for a in ((0.88, 0.94) if loft else (0.36, 0.86, 0.94))
     ]
     guard = (0.93 * z, 0.98 * z)
     build.body += [
@@ -140,6 +140,8 @@ def bunk_bed(spec: Spec) -> Build:
         box(spec.wood, (-x / 2 + post, x / 2 - 0.5), around(y / 2 - 0.05, 0.025), guard),
     ]
     build.body += _ladder(spec, (x / 2 - 0.48, x / 2 - 0.1), y / 2, 0.93 * z)
+    if loft:
+        return build
     build.surfaces.reverse()
     build.surfaces[1] = top_surface(
         "lower mattress", *_area(build.surfaces[1]), build.surfaces[1].position[2], headroom=0.78 * z - 0.2 - 0.24 * z

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.assets.palette import BRASS, BRIGHT, DARK_PLASTIC, IRON, STEEL
-from thinkblox.assets.part import Build, Finish, Part, Range, hull
+from thinkblox.assets.part import Build, Finish, Part, Range, hull, turned
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, oval, prism, rod
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tubes import arc, tube
@@ -41,7 +41,11 @@ def backpack(spec: Spec) -> Build:
 
 
 def suitcase(spec: Spec) -> Build:
-    """Return an upright wheeled case with ribs, its handle pulled out a little."""
+    """Return an upright wheeled case with ribs, its handle pulled out a little; or the same "lying" on its back."""
+    if spec.has("lying"):
+        upright = Spec(spec.category, (spec.size[2], spec.size[0], spec.size[1]), frozenset(), spec.style, spec.rng)
+        laid = [turned(part, 1, -90.0, (0.0, 0.0, 0.0)) for part in suitcase(upright).body]
+        return Build(body=[turned(part, 2, 90.0, (0.0, 0.0, 0.0)) for part in laid])
     x, y, z = spec.size
     shell = spec.main(
         Finish(spec.choice(((0.20, 0.32, 0.44), (0.58, 0.22, 0.24), (0.24, 0.25, 0.27), (0.80, 0.66, 0.34))), "plastic")
@@ -141,9 +145,20 @@ def shoes(spec: Spec) -> Build:
 
 
 def umbrella(spec: Spec) -> Build:
-    """Return a rolled umbrella lying down, its crook to the front."""
+    """Return a rolled umbrella lying down, its crook to the front; "upright", with a straight handle, on its tip."""
     x, y, z = spec.size
     cloth = spec.main(Finish(spec.choice(((0.18, 0.20, 0.26), (0.62, 0.20, 0.20), (0.26, 0.38, 0.34))), "fabric"))
+    if spec.has("upright"):
+        r = min(x, y) / 2
+        return Build(
+            body=[
+                disc(STEEL, (0, 0), 0.5 * r, (0, 0.16 * z)),
+                frustum(cloth, (0, 0), (0.16 * z, 0.7 * z), 0.5 * r, r),
+                frustum(cloth, (0, 0), (0.7 * z, 0.75 * z), r, 0.4 * r),
+                disc(spec.style.wood, (0, 0), 0.35 * r, (0.75 * z, z)),
+            ],
+            front="any",
+        )
     mid, r = z / 2, z / 2
     start, end = -0.42 * x, 0.2 * x
     crook = 0.3 * y

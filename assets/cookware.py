@@ -26,7 +26,7 @@ from thinkblox.assets.shapes import (
 )
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tubes import arc, tube
-from thinkblox.assets.vessels import hollow
+from thinkblox.assets.vessels import bottom, hollow
 
 
 def pan(spec: Spec) -> Build:
@@ -207,7 +207,8 @@ def bucket(spec: Spec) -> Build:
     body = hollow(shell, (0, 0), 0.96 * radius, 0.98 * z, 0.74, 0.02 * radius)
     bail = arc((0.0, 0.0, 0.86 * z), (radius, radius), (0.0, 180.0), axis=2, steps=10)
     drop = [(u, v, 0.86 * z + 0.12 * z * (1 if 1 < k < 9 else 0.0)) for k, (u, v, _) in enumerate(bail)]
-    return Build(body=body + tube(STEEL, drop, 0.015 * radius, sides=6))
+    floor = bottom(0.96 * radius, 0.98 * z, 0.74, 0.02 * radius)
+    return Build(body=body + tube(STEEL, drop, 0.015 * radius, sides=6), surfaces=[floor])
 
 
 def mop_bucket(spec: Spec) -> Build:

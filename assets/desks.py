@@ -13,7 +13,7 @@ def desk(spec: Spec) -> Build:
         return corner_desk(spec)
     x, y, z = spec.size
     build = _topped(spec, spec.wood)
-    if y >= 1.15 and not spec.has("simple", "small"):
+    if y >= 1.15 and not spec.has("simple", "small", "open"):
         _drawers(build, spec, (-y / 2 + 0.02, -y / 2 + 0.4), z - 0.028)
         build.body += _legs(spec, spec.wood if spec.rng.random() < 0.5 else spec.style.metal, (1,))
     else:
@@ -89,9 +89,12 @@ def school_desk(spec: Spec) -> Build:
 
 
 def teacher_desk(spec: Spec) -> Build:
-    """Return a desk with drawers on its right and a panel that hides the knees."""
+    """Return a desk with drawers on its right and a panel that hides the knees; four legs when "open"."""
     x, y, z = spec.size
     build = _topped(spec, spec.wood)
+    if spec.has("open"):
+        build.body += _legs(spec, spec.wood, (1, -1))
+        return build
     _drawers(build, spec, (-y / 2 + 0.02, -y / 2 + 0.42), z - 0.028)
     build.body.append(box(spec.wood, (-x / 2 + 0.03, x / 2 - 0.04), (y / 2 - 0.045, y / 2 - 0.02), (0, z - 0.028)))
     build.body.append(box(spec.wood, (-x / 2 + 0.05, -x / 2 + 0.07), (-y / 2 + 0.42, y / 2 - 0.045), (0.25, z - 0.028)))
@@ -151,7 +154,7 @@ def reception_desk(spec: Spec) -> Build:
 
 
 def easel(spec: Spec) -> Build:
-    """Return a painter's tripod that holds a canvas."""
+    """Return a painter's tripod that holds a canvas; a "bare" one has a ledge for whatever is put on it."""
     x, y, z = spec.size
     canvas = box(WHITE_PAINT, (x / 2 - 0.2, x / 2 - 0.18), around(0, 0.8 * y), (0.45 * z, 0.9 * z))
     top = (-0.02, 0.0, z - 0.02)
@@ -159,13 +162,10 @@ def easel(spec: Spec) -> Build:
         rod(spec.wood, (x / 2 - 0.02, s * (y / 2 - 0.02), 0.01), (x / 2 - 0.24, s * 0.06, z), 0.016) for s in (-1, 1)
     ]
     back = rod(spec.wood, (-x / 2 + 0.02, 0, 0.01), (x / 2 - 0.26, 0, z - 0.05), 0.016)
+    head = box(spec.wood, around(x / 2 - 0.25, 0.05), around(top[1], 0.16), (z - 0.12, z - 0.06))
+    if spec.has("bare"):
+        shelf = ((x / 2 - 0.1, x / 2), around(0, 0.95 * y))
+        board = box(spec.wood, (x / 2 - 0.2, x / 2), shelf[1], (0.45 * z - 0.03, 0.45 * z))
+        return Build(body=[*legs, back, board, head], surfaces=[top_surface("ledge", *shelf, 0.45 * z)])
     ledge = box(spec.wood, (x / 2 - 0.22, x / 2 - 0.13), around(0, 0.85 * y), (0.45 * z - 0.03, 0.45 * z))
-    return Build(
-        body=[
-            canvas,
-            *legs,
-            back,
-            ledge,
-            box(spec.wood, around(x / 2 - 0.25, 0.05), around(top[1], 0.16), (z - 0.12, z - 0.06)),
-        ]
-    )
+    return Build(body=[canvas, *legs, back, ledge, head])

@@ -11,6 +11,8 @@ from thinkblox.errors import InputError
 from thinkblox.scene.asset import Gaze
 from thinkblox.value import Vec2
 
+Role = Literal["holds", "carries", "over", "inside", "under"]
+"""What a thing is to another one on, in or under it."""
 _LAST = 10**6
 _RELATIONS: tuple[str, ...] = get_args(RelationKind)
 
@@ -93,6 +95,8 @@ class Facts:
         row: free distances in rows.
         run: what it forms a row along a wall with, side by side; a name that its company shares.
         uses: floor that people need around it, where its clearance does not say enough.
+        forms: words for the variant in which it "holds", "carries" or stands "over" other things, or is itself "inside"
+            or "under" one: an umbrella in a stand is upright, a stand that is told to hold some is empty before.
         gaze: which way one looks who uses it: over its front (a sofa), or over its back (a desk).
     """
 
@@ -114,6 +118,7 @@ class Facts:
     row: RowGaps = RowGaps()
     run: str = ""
     uses: tuple[Use, ...] = ()
+    forms: Mapping[Role, str] = field(default_factory=dict)
     gaze: Gaze = "front"
 
     def __post_init__(self) -> None:

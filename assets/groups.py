@@ -13,6 +13,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "low_tables": "stands before or beside a sofa",
         "meal_tables": "people sit around it to eat or to talk",
         "counters": "one stands or sits at it and is served",
+        "basins": "one washes one's hands at it",
         "worktops": "a kitchen's work is done on it",
         "boards": "many look at what is shown on it",
         "storage": "things are kept in it, and it carries more on top",

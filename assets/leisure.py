@@ -38,7 +38,7 @@ _IVORY = Finish((0.94, 0.93, 0.89), "plastic")
 
 
 def grand_piano(spec: Spec) -> Build:
-    """Return a grand piano with its lid open; the pianist sits at +x, the long string side is on the left."""
+    """Return a grand piano with its lid open, or "closed"; one plays at +x, the long string side is on the left."""
     x, y, z = spec.size
     case = spec.main(spec.choice((Finish((0.06, 0.06, 0.07), "plastic"), EBONY)))
     bed, rim, keys = 0.58 * z, 0.8 * z if not spec.has("closed") else z, x / 2 - 0.24
@@ -65,9 +65,9 @@ def grand_piano(spec: Spec) -> Build:
         ),
         box(case, around(0.34 * x, 0.06), around(0, 0.2 * y), (0.06 * z, 0.1 * z)),
         *(leg(case, (0.34 * x, s * 0.06 * y), (0.34 * x, s * 0.06 * y), (0.08 * z, bed), 0.03, 0.03) for s in (-1, 1)),
-        box(case, (keys - 0.1, keys - 0.08), around(0, 0.5 * y), (rim, rim + 0.16 * z)),
     ]
     if rim < z:
+        body.append(box(case, (keys - 0.1, keys - 0.08), around(0, 0.5 * y), (rim, rim + 0.16 * z)))
         lid = [(u, v, rim + 0.01) for u, v in curve] + [(u, v, rim + 0.03) for u, v in curve]
         opened = turned(hull(case, [(min(u, keys - 0.14), v, w) for u, v, w in lid]), 0, 32.0, (0.0, y / 2, rim))
         lowest = min(p[2] for p in opened.points)

@@ -14,6 +14,7 @@ from msgspec import structs
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.category import Category
 from thinkblox.assets.finish import fitted, links_of
+from thinkblox.assets.levels import found_surfaces
 from thinkblox.assets.masses import mass_of
 from thinkblox.assets.mounting import mount_of
 from thinkblox.assets.palette import style_of
@@ -22,7 +23,7 @@ from thinkblox.assets.sizing import checked_size, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.stand_ins import kind_of
 from thinkblox.errors import InputError
-from thinkblox.scene.asset import Asset
+from thinkblox.scene.asset import Asset, Link, Mount, Surface
 from thinkblox.value import Vec3
 
 _PROVENANCE = re.compile(r"(?P<how>procedural|stand_in):(?P<category>\w+):seed=(?P<seed>\d+)(?::(?P<words>.*))?")
@@ -95,6 +96,8 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     size = size or drawn
     made = category.generator(Spec(name, size, words, style_of(seed), rng))
     build = fitted(made, size)
+    links, mount = links_of(build, size), mount_of(category, words)
+    surfaces = tuple(build.surfaces) or _found(category, mount, links, size)
     asset = Asset(
         id="",
         category=name,
@@ -102,14 +105,21 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
         size=size,
         mass=mass_of(category, size),
         friction=category.friction,
-        mount=mount_of(category, words),
-        links=repainted(links_of(build, size), words),
+        mount=mount,
+        links=repainted(links, words),
         front=build.front or category.front,
         clearance=category.clearance,
-        surfaces=tuple(build.surfaces),
+        surfaces=surfaces,
         attributes=attributes,
         provenance=f"{'procedural' if name in CATALOGUE else 'stand_in'}:{name}:seed={seed}"
         + (f":{','.join(attributes)}" if attributes else ""),
     )
     digest = hashlib.sha256(msgspec.json.encode(asset)).hexdigest()[:8]
     return structs.replace(asset, id=f"{name}-{digest}", gaze=category.gaze)
+
+
+def _found(category: Category, mount: Mount, links: tuple[Link, ...], size: Vec3) -> tuple[Surface, ...]:
+    """Where things can be put on or into what names no place for them; lamps and plants are no tables."""
+    if category.flat or mount == "ceiling" or mount != category.mount or category.is_in("lamps", "plants"):
+        return ()
+    return found_surfaces(links, size, small=mount == "surface")

@@ -121,6 +121,7 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
     "wall-mounted": lambda asset: asset.mount == "wall",
     "hanging": lambda asset: asset.mount in ("ceiling", "wall"),
     "standing": lambda asset: asset.mount == "floor",
+    "propped": lambda asset: asset.mount == "surface",
 }
 
 

@@ -286,9 +286,10 @@ def toy_box(spec: Spec) -> Build:
 
 
 def trunk(spec: Spec) -> Build:
-    """Return a wooden chest with a vaulted lid that opens, and iron bands."""
+    """Return a wooden chest with iron bands and a lid that opens: vaulted, or "flat"."""
     x, y, z = spec.size
-    finish, rim = spec.wood, 0.66 * z
+    flat = spec.has("flat")
+    finish, rim = spec.wood, (z - 0.05 if flat else 0.66 * z)
     build = Build(
         body=[
             box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.02)),
@@ -303,10 +304,12 @@ def trunk(spec: Spec) -> Build:
     vault = [(-x / 2, rim + GAP), (x / 2, rim + GAP)]
     vault += [(0.5 * x * cos(k * pi / 8), rim + GAP + (z - rim - GAP) * sin(k * pi / 8) ** 0.7) for k in range(1, 8)]
     lid: list[Part] = [prism(finish, vault, (-y / 2, y / 2), axis=1, smooth=True)]
-    lid.append(box(IRON, around(x / 2, 0.012), around(0, 0.09), (rim + GAP, rim + 0.06)))
+    if flat:
+        lid = [box(finish, (-x / 2, x / 2), (-y / 2, y / 2), (rim + GAP, z))]
+    lid.append(box(IRON, around(x / 2, 0.012), around(0, 0.09), (rim + GAP, min(z, rim + 0.06))))
     joint = Joint(kind="hinge", axis=(0.0, -1.0, 0.0), anchor=(-x / 2, 0.0, rim + GAP), lower=0.0, upper=80.0)
     build.moving = [MovingParts("lid", tuple(lid), joint)]
-    top = 0.22 * x
+    top = 0.48 * x if flat else 0.22 * x
     build.surfaces = [top_surface("lid", (-top, top), (-y / 2 + 0.02, y / 2 - 0.02), z)]
     return build
 
@@ -338,5 +341,9 @@ def luggage_rack(spec: Spec) -> Build:
 
 
 def safe(spec: Spec) -> Build:
-    """Return a steel safe with a thick door."""
-    return cabinet(spec, [[Cell("door", 1.0, 1)]], finish=spec.main(Finish((0.27, 0.30, 0.32), "metal")))
+    """Return a steel safe with a thick door, which "locked" does not open."""
+    build = cabinet(spec, [[Cell("door", 1.0, 1)]], finish=spec.main(Finish((0.27, 0.30, 0.32), "metal")))
+    if spec.has("locked"):
+        shut = [part for door in build.moving for part in door.parts]
+        return Build(body=build.body + shut, surfaces=[s for s in build.surfaces if not s.within])
+    return build

@@ -108,7 +108,7 @@ def coffee_table(spec: Spec) -> Build:
     build.body = table_top(spec, MARBLE if marble else spec.wood, thickness)
     frame = spec.style.metal if marble or spec.rng.random() < 0.3 else spec.wood
     build.body += corner_legs(spec, frame, z - thickness, spec.choice(("tapered", "splayed", "square")), 0.05)
-    if not is_round(spec) and z > 0.3 and spec.rng.random() < 0.6:
+    if not is_round(spec) and z > 0.3 and spec.rng.random() < 0.6 and not spec.has("open"):
         area = ((-x / 2 + 0.085, x / 2 - 0.085), (-y / 2 + 0.085, y / 2 - 0.085))
         shelf = 0.3 * z
         bars = [
@@ -133,11 +133,13 @@ def side_table(spec: Spec) -> Build:
 
 
 def console_table(spec: Spec) -> Build:
-    """Return a narrow table for a wall, on slim metal or wooden legs with a stretcher."""
+    """Return a narrow table for a wall, on slim metal or wooden legs, with a shelf unless it is "open"."""
     build, (x, y, z) = _top_area(spec), spec.size
     frame = spec.choice((spec.style.metal, spec.style.wood))
     build.body = table_top(spec, spec.wood, 0.03)
     build.body += corner_legs(spec, frame, z - 0.03, "square", 0.03)
+    if spec.has("open"):
+        return build
     shelf = ((-x / 2 + 0.03, x / 2 - 0.03), (-y / 2 + 0.03, y / 2 - 0.03), (0.15, 0.17))
     build.body.append(box(spec.wood, *shelf))
     build.surfaces.append(top_surface("shelf", shelf[0], shelf[1], 0.17, headroom=z - 0.2))
@@ -175,11 +177,12 @@ def conference_table(spec: Spec) -> Build:
 
 
 def display_table(spec: Spec) -> Build:
-    """Return a broad shop table with a shelf near the floor."""
+    """Return a broad shop table with a shelf near the floor, unless it is "open"."""
     build, (x, y, z) = _top_area(spec), spec.size
     build.body = table_top(spec, spec.wood, 0.04) + corner_legs(spec, spec.wood, z - 0.04, "square", 0.04)
     if not is_round(spec):
         build.body += _apron(spec, spec.wood, z - 0.04, 0.06)
+    if not is_round(spec) and not spec.has("open"):
         area = ((-x / 2 + 0.05, x / 2 - 0.05), (-y / 2 + 0.05, y / 2 - 0.05))
         build.body.append(box(spec.wood, *area, (0.16, 0.185)))
         build.surfaces.append(top_surface("shelf", *area, 0.185, headroom=z - 0.185 - 0.04 - APRON))
@@ -228,10 +231,13 @@ def folding_table(spec: Spec) -> Build:
 
 
 def workbench(spec: Spec) -> Build:
-    """Return a heavy bench with a thick top, a shelf and a vice."""
+    """Return a heavy bench with a thick top and, unless it is "open", a shelf."""
     build, (x, y, z) = _top_area(spec), spec.size
     build.body = table_top(spec, spec.wood, 0.06) + corner_legs(spec, spec.wood, z - 0.06, "square", 0.03)
     area = ((-x / 2 + 0.04, x / 2 - 0.04), (-y / 2 + 0.04, y / 2 - 0.04))
-    build.body += [box(spec.wood, *area, (0.2, 0.23)), *_apron(spec, spec.wood, z - 0.06, 0.05)]
+    build.body += _apron(spec, spec.wood, z - 0.06, 0.05)
+    if spec.has("open"):
+        return build
+    build.body.append(box(spec.wood, *area, (0.2, 0.23)))
     build.surfaces.append(top_surface("shelf", *area, 0.23, headroom=z - 0.29 - APRON))
     return build

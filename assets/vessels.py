@@ -184,10 +184,12 @@ def waste_bin(spec: Spec) -> Build:
 
 
 def umbrella_stand(spec: Spec) -> Build:
-    """Return a tall open cylinder with two umbrellas."""
+    """Return a tall open cylinder, with two umbrellas unless it is "empty"."""
     x, y, z = spec.size
-    radius, rim = min(x, y) / 2, 0.68 * z
+    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.68 * z
     body = hollow(spec.main(spec.style.metal), (0, 0), radius, rim, 0.96, 0.008)
+    if spec.has("empty"):
+        return Build(body=body, surfaces=[bottom(radius, rim, 0.96, 0.008)])
     for k, colour in enumerate(((0.20, 0.27, 0.38), (0.66, 0.28, 0.22))):
         at = (0.3 * radius * (1 - 2 * k), 0.25 * radius)
         body += [
@@ -204,7 +206,7 @@ def basket(spec: Spec) -> Build:
     x, y, z = spec.size
     radius, finish = min(x, y) / 2, spec.main(WICKER)
     body = hollow(finish, (0, 0), radius, z, 0.85, 0.014)
-    if spec.category == "laundry_basket":
+    if spec.category == "laundry_basket" and not spec.has("empty"):
         cloth = Finish((0.90, 0.88, 0.84), "fabric")
         body.append(disc(cloth, (0, 0), 0.84 * radius, (0.5 * z, 0.8 * z)))
         body.append(

@@ -34,6 +34,12 @@ def is_object(anchor: str) -> bool:
     return anchor.rpartition("_")[2].isdecimal()
 
 
+def carries(tie: Tie) -> bool:
+    """Whether the tie's anchor carries what has it: on it, inside it, or in the middle of its top."""
+    on_object = tie.kind == "in_centre" and any(map(is_object, tie.anchors))
+    return bool(tie.anchors) and (tie.kind in ("on", "inside") or on_object)
+
+
 class Target(CheckedValue, frozen=True, kw_only=True):
     """One object to place.
 

@@ -113,6 +113,7 @@ def _kind(shape: str, place: str, square: bool) -> Category:
         groups=kept.groups,
         habits=kept.habits,
         hanging=kept.hanging,
+        forms={"over": "open"} if shape == "platform" else {},
     )
     _ = kind.places  # worked out once for all of them
     return kind

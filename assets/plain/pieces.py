@@ -86,7 +86,9 @@ def stand(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def platform(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a solid body with a level top that carries, and a foot of the accent."""
+    """Return a solid body with a level top that carries, and a foot of the accent; on legs when "open"."""
+    if spec.has("open"):
+        return stand(spec, main, accent)
     x, y, z = spec.size
     body: list[Part] = [
         box(accent, around(0, 0.96 * x), around(0, 0.96 * y), (0, 0.12 * z)),

@@ -48,7 +48,7 @@ KEEPING: Mapping[str, Keeping] = {
     "lounge": _small("@low_tables", "@storage", "@shelves", "@tables"),
     "desk": _small("@desks", "@tables", "@shelves"),
     "shelf": _small("@shelves", "@storage", "@tables"),
-    "bath": _small("washbasin", "@worktops", "@shelves", "@storage"),
+    "bath": _small("@basins", "@worktops", "@shelves", "@storage"),
     "night": _small("nightstand", "dresser", "@desks", "@storage"),
     "work": _small("workbench", "@shelves", "@desks", "@tables"),
     "shop": _small("@counters", "display_table", "@shelves"),

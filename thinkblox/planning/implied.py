@@ -5,9 +5,9 @@ from collections.abc import Collection
 from msgspec.structs import replace
 
 from thinkblox.knowledge.habits import Habit, load_habits
-from thinkblox.plan import Tie
+from thinkblox.plan import Tie, carries
 from thinkblox.planning.asked import rows_for, share
-from thinkblox.planning.members import Member, Members, carries
+from thinkblox.planning.members import Member, Members
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
 _WITHOUT_PLACE = ("facing", "opposite")

@@ -6,13 +6,7 @@ from functools import cached_property
 from thinkblox.assets import kind_of
 from thinkblox.assets.mounting import mount_of
 from thinkblox.brief import Brief, Request
-from thinkblox.plan import Tie, is_object
-
-
-def carries(tie: Tie) -> bool:
-    """Whether the tie's anchor carries what has it: on it, inside it, or in the middle of its top."""
-    on_object = tie.kind == "in_centre" and any(map(is_object, tie.anchors))
-    return bool(tie.anchors) and (tie.kind in ("on", "inside") or on_object)
+from thinkblox.plan import Tie, carries
 
 
 @dataclass(eq=False)

@@ -11,6 +11,7 @@ from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
 from thinkblox.planning.groups import count_off, lower
 from thinkblox.planning.implied import imply
+from thinkblox.planning.loads import words_of
 from thinkblox.planning.members import Member, Members
 from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.parts import chosen_walls, free_parts
@@ -66,7 +67,7 @@ def _target(member: Member, members: Members) -> Target:
         category=request.category,
         request=request.key,
         asked=request.asked,
-        attributes=request.attributes,
+        attributes=words_of(member, members),
         index=member.index,
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),

@@ -8,6 +8,7 @@ from thinkblox.assets.make import make_thing
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.planning.loads import height_over, in_it, size_under, top_for_loads, usual_size, words_of
 from thinkblox.planning.members import Member, Members
 
 _PLACE = 0.6
@@ -21,11 +22,15 @@ OPEN: Measures = (None, None, None)
 def size_of(member: Member, members: Members) -> Measures:
     """What the asset of an object must measure [m]."""
     kind = kind_of(member.category)
-    asked = tuple(s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
-    depth, width, height = asked
-    if depth is None and width is None and (across := _for_contents(member, members, kind)):
-        return (across, across, height)
-    return (depth, width or _for_seats(member, members, kind), height)
+    depth, width, height = (s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
+    if depth is None and width is None:
+        if across := _for_contents(member, members, kind):
+            return (*across, height)
+        if height is None and (smaller := size_under(member, members)):
+            return smaller
+        depth, width = top_for_loads(member, members) or (None, None)
+    seats = None if any(member.request.size[:2]) else _for_seats(member, members, kind)
+    return (depth, max(filter(None, (width, seats)), default=None), height or height_over(member, members))
 
 
 def size_note(request: Request) -> str:
@@ -45,25 +50,22 @@ def _fits(size: float | None, kind: Category, axis: int) -> bool:
     return size is not None and least[axis] <= size <= most[axis]
 
 
-def _for_contents(member: Member, members: Members, kind: Category) -> float | None:
-    """Diameter of a basket, bowl or bin in which all that it holds has room side by side."""
-    inside = [m for m in members.all for t in m.ties if t.kind == "inside" and member.id in t.anchors]
+def _for_contents(member: Member, members: Members, kind: Category) -> tuple[float, float] | None:
+    """Depth and width of a basket, crate, bowl or bin in which all that it holds has room side by side."""
+    inside = in_it(member, members)
     if not inside:
         return None
-    words = member.request.attributes
-    bottoms = [s for s in make_thing(kind.name, seed=0, attributes=words).surfaces if s.within and s.round]
-    usual = size_for(kind, frozenset(words), np.random.default_rng(0))[1]
+    words = words_of(member, members)
+    bottoms = [s for s in make_thing(kind.name, seed=0, attributes=words).surfaces if s.within and s.headroom is None]
     if not bottoms:
         return None
-    across = [np.hypot(*_plan(held)) for held in inside]
-    needed = max(across) + _APART if len(across) == 1 else _PACKED * np.sqrt(sum(d * d for d in across))
-    wanted = round(min(usual * float(needed) / bottoms[0].size[0], kind.size_range[1][1]), 3)
-    return wanted if wanted > usual else None
-
-
-def _plan(member: Member) -> tuple[float, float]:
-    depth, width, _ = kind_of(member.category).size
-    return depth, width
+    usual = usual_size(member, members)
+    across = [float(np.hypot(*usual_size(held, members)[:2])) for held in inside]
+    needed = across[0] + _APART if len(across) == 1 else _PACKED * sum(d * d for d in across) ** 0.5
+    bottom = min(bottoms[0].size) if bottoms[0].round or len(across) == 1 else float(np.prod(bottoms[0].size)) ** 0.5
+    most = kind.size_range[1]
+    share = min(needed / bottom, *(high / u for high, u in zip(most[:2], usual[:2], strict=True)))
+    return (round(share * usual[0], 3), round(share * usual[1], 3)) if share > 1.0 else None
 
 
 def _for_seats(member: Member, members: Members, kind: Category) -> float | None:

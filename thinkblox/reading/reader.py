@@ -3,8 +3,8 @@
 import math
 from typing import Literal, get_args
 
-from thinkblox.assets import CATALOGUE, kind_of
-from thinkblox.assets.mounting import HANGING, WALL_MOUNTED, mount_of
+from thinkblox.assets import CATALOGUE, Category, kind_of
+from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
 from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -83,6 +83,10 @@ def _settle_carriers(draft: Draft) -> None:
             bond.kind = "on"
         elif bond.kind == "on" and isinstance(anchor, str) and not bond.negated:
             _hang(bond, anchor)
+        elif bond.kind == "on" and isinstance(anchor, Mention) and not bond.negated:
+            _prop(bond.subject, kind_of(anchor.noun))
+        elif bond.kind == "above" and isinstance(anchor, Mention) and not bond.negated:
+            _hang_over(bond.subject, draft)
 
 
 def _hang(bond: Bond, place: str) -> None:
@@ -99,6 +103,20 @@ def _hang(bond: Bond, place: str) -> None:
         thing.attributes += [word] if word not in thing.attributes else []
     elif mount == "wall" and kind.mount == "floor":
         bond.kind = "against_wall"
+
+
+def _hang_over(thing: Mention, draft: Draft) -> None:
+    """What is above furniture and on nothing hangs on the wall there, where such things can."""
+    carried = any(b.subject is thing and b.kind in ("on", "inside", "in_corner") for b in draft.bonds)
+    kind = kind_of(thing.noun)
+    if not carried and kind.mount in ("floor", "surface") and mount_of(kind, thing.attributes) == kind.mount:
+        thing.attributes += [WALL_MOUNTED] if mount_of(kind, (WALL_MOUNTED,)) == "wall" else []
+
+
+def _prop(thing: Mention, carrier: Category) -> None:
+    """What usually hangs on a wall stands where it is said to be on furniture: a painting on an easel."""
+    if carrier.mount == "floor" and not carrier.flat and mount_of(kind_of(thing.noun), thing.attributes) == "wall":
+        thing.attributes.append(PROPPED)
 
 
 def _drop_impossible_sizes(draft: Draft) -> None:

@@ -4,10 +4,12 @@ import math
 from functools import cached_property
 from typing import Annotated, Literal
 
+import numpy as np
 from msgspec import Meta
 
 from thinkblox.checked import AboveZero, CheckedValue, Coordinate, Extent, NotNegative, Number, Share, is_unit
 from thinkblox.scene.blobs import BlobKind
+from thinkblox.scene.corners import corners_of
 from thinkblox.scene.visuals import MeshVisual
 from thinkblox.value import Value
 
@@ -29,6 +31,10 @@ MAX_CORNERS = 4096
 FRONT_UNKNOWN = "front_unknown"
 """The flag of an asset whose source does not say which of its sides is its front."""
 _THIN = 1e-6
+_GROUND = 0.005
+"""What is lower than this touches what a thing stands on [m]."""
+_MOST = 0.85
+"""Share of its sides from which a foot is about all of the outline."""
 
 
 class Shape(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
@@ -160,6 +166,8 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
     Attributes:
         collides: whether any part of it can be touched; a rug cannot.
         opens: names of its doors and drawers.
+        foot: where it touches what it stands on, x0, y0, x1, y1 in the asset frame [m]; None where that is about all
+            of its outline.
     """
 
     id: str
@@ -174,6 +182,7 @@ class AssetCard(Value, frozen=True, kw_only=True, omit_defaults=True):
     gaze: Gaze = "front"
     collides: bool = True
     opens: tuple[str, ...] = ()
+    foot: tuple[Coordinate, Coordinate, Coordinate, Coordinate] | None = None
 
     @cached_property
     def free(self) -> bool:
@@ -261,7 +270,21 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
             gaze=self.gaze,
             collides=self.collides,
             opens=tuple(link.name for link in self.links if link.joint is not None),
+            foot=self._foot,
         )
+
+    @cached_property
+    def _foot(self) -> tuple[float, float, float, float] | None:
+        """Box of what touches the ground; None where it is nearly the box of the whole."""
+        points = np.vstack(
+            [corners_of(s) for link in self.links for s in link.shapes if s.collide] or [np.zeros((1, 3))]
+        )
+        low = points[points[:, 2] < _GROUND]
+        if not len(low):
+            return None
+        x0, y0, x1, y1 = (round(float(v), 4) for v in (*low[:, :2].min(axis=0), *low[:, :2].max(axis=0)))
+        whole = x1 - x0 > _MOST * self.size[0] and y1 - y0 > _MOST * self.size[1]
+        return None if whole else (x0, y0, x1, y1)
 
     @property
     def blobs(self) -> tuple[tuple[str, BlobKind], ...]:

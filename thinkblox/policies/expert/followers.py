@@ -90,3 +90,18 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
     """A window behind leaves nothing to hang something on."""
     tall = Rects(rects.centre, rects.half + 0.05, rects.yaw, rects.top, rects.top + 1.0)
     return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
+
+
+def costs_below(situation: Situation, rects: Rects) -> Array:
+    """Room on the floor below a hung thing for what is to stand under it."""
+    costs = np.zeros(len(rects))
+    for follower in situation.followers:
+        if any(tie.kind == "under" and situation.target.id in tie.anchors for tie in follower.ties):
+            depth, width, height = situation.kind(follower).size
+            out = depth / 2 - rects.half[:, 0] + 0.02
+            front = np.stack([np.cos(rects.yaw), np.sin(rects.yaw)], axis=-1)
+            half = np.tile([depth / 2, width / 2], (len(rects), 1))
+            low = np.zeros(len(rects))
+            zone = Rects(rects.centre + front * out[:, None], half, rects.yaw, low, low + height)
+            costs += zone_costs(situation, zone, weight=10.0)
+    return costs

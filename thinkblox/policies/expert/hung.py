@@ -5,15 +5,19 @@ from collections.abc import Iterator
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.sizing import SHRINK, scaled
 from thinkblox.policies.expert.walls import named_walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, Wall, turn_between
 from thinkblox.scene.saying import turned
+from thinkblox.value import Vec3
 
 PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
 USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
+BETWEEN = 0.05
+"""Between things that hang side by side [m]."""
 BACK_GAP = 0.002
 """Between a hung thing and its wall [m]: touching, without cutting in."""
 
@@ -73,15 +77,17 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             yield hang(situation, wall, place, z, why=f"it faces {anchor.id}", cost=0.5 * abs(place - along))
 
 
-def hang(situation: Situation, wall: Wall, along: float, z: float, *, why: str, cost: float) -> Idea:
-    """Flat against the wall, its base at height z."""
-    x, y = wall.point(along, situation.size[0] / 2 + BACK_GAP)
+def hang(
+    situation: Situation, wall: Wall, along: float, z: float, *, why: str, cost: float, size: Vec3 | None = None
+) -> Idea:
+    """Flat against the wall, its base at height z; at another size, where one is given [m]."""
+    x, y = wall.point(along, (size or situation.size)[0] / 2 + BACK_GAP)
     words = (
         Constraint(kind="against", anchors=(wall.name,)),
         Constraint(kind="above", anchors=("floor",), values=(round(z, 3),)),
         turned(wall.yaw),
     )
-    return Idea((x, y, z), wall.yaw, words, why, cost, against=(wall.name,))
+    return Idea((x, y, z), wall.yaw, words, why, cost, size=size, against=(wall.name,))
 
 
 def at_windows(situation: Situation) -> Iterator[Idea]:
@@ -113,21 +119,34 @@ def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 
         yield from _pendant(situation, anchor, index=index, count=count)
         return
     gap = situation.facts.hanging.above
+    share, pitch = _pitch(situation, anchor.size[1], count)
+    size = None if share == 1.0 else scaled(situation.size, share)
     top = max(_top(situation, a) for a in anchors)
     eye = situation.facts.hanging.middle - situation.size[2] / 2
     for rank, wall in enumerate(_nearest_walls(situation, anchor)):
         along = sum(wall.coordinates((a.position[0], a.position[1]))[0] for a in anchors) / len(anchors)
         if count > 1:
-            along += ((index + 0.5) / count - 0.5) * anchor.size[1]
+            along += (index - (count - 1) / 2) * pitch * (-1.0 if turn_between(wall.yaw, anchor.yaw) > 90.0 else 1.0)
         for step, lift in enumerate((gap, gap + 0.1, gap + 0.3, gap / 2, 0.05)):
             z = max(top + lift, min(eye, top + lift + 0.35))
             if z + situation.size[2] > situation.room.height - 0.02:
                 continue
-            half = situation.size[1] / 2
+            half = (size or situation.size)[1] / 2
             for shift in (0.0, 0.15, -0.15, 0.3, -0.3):
                 place = min(max(along + shift, half + 0.01), wall.length - half - 0.01)
                 cost = 1.5 * rank + 0.2 * step + 2.0 * abs(place - along)
-                yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost)
+                yield hang(situation, wall, place, z, why=f"it belongs over {anchor.id}", cost=cost, size=size)
+
+
+def _pitch(situation: Situation, width: float, count: int) -> tuple[float, float]:
+    """At which share of their size so many hang side by side over a width, and from middle to middle [m].
+
+    The outermost may reach past the ends by less than half; what has a size of its own keeps that.
+    """
+    own = situation.size[1]
+    shares = SHRINK[:1] if any(situation.target.size) else SHRINK
+    share = next((s for s in shares if (count - 1) * (own * s + BETWEEN) <= 0.95 * width), shares[-1])
+    return share, max(own * share + BETWEEN, width / count)
 
 
 def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: int = 1) -> Iterator[Idea]:

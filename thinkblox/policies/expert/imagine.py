@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Target, Tie, is_object
+from thinkblox.plan import Target, Tie, carries, is_object
 from thinkblox.policies.expert import (
     around,
+    beneath,
     beside,
     hung,
     open_floor,
@@ -46,6 +47,8 @@ UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
 """Relations that decide where those stand who look at each other."""
+PILED = 4.0
+"""Cost of lying on what is inside a container, rather than on its bottom."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
@@ -56,6 +59,8 @@ def from_ties(situation: Situation) -> list[Idea]:
     seated = {tie.anchors for tie in ties if tie.kind in ("at_long_side", "at_short_side")}
     in_rows = any(tie.kind == "in_rows" for tie in ties)
     ties = tuple(tie for tie in ties if tie.kind != "facing" or not (in_rows or tie.anchors in seated))
+    if any(tie.kind == "above" and situation.placed(tie.anchors) for tie in ties):
+        ties = tuple(tie for tie in ties if tie.kind != "on" or tie.anchors not in (("wall",), ("ceiling",)))
     like = {t.id for t in _company(situation)}
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
@@ -115,7 +120,12 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
 
 
 def _any_surface(situation: Situation) -> Iterator[Idea]:
+    """On whatever furniture no other thing is still to come onto."""
+    later = [t for t in situation.observation.plan.targets if t.id not in situation.scene and t != situation.target]
+    promised = {a for t in later for tie in t.ties if carries(tie) for a in tie.anchors}
     for anchor in situation.solid:
+        if anchor.id in promised or situation.scene.asset_of(anchor).mount == "surface":
+            continue
         if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
     for idea in anywhere(situation):
@@ -306,7 +316,7 @@ def _on(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
 
 
 def _carried(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
-    if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
+    if not situation.scene.asset_of(anchor).collides or situation.mount == "floor":
         return _on_rug(situation, anchor, tie)
     return _on_top(situation, anchor, tie)
 
@@ -327,9 +337,13 @@ def _is_looked_from(situation: Situation) -> bool:
 
 
 def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
-    """Within it; where it has no open inside, on it or beside it, which the report says is not inside."""
+    """Within it, on its bottom or on what lies there; where it has no inside, on or beside it, which is not inside."""
     ideas = list(surfaces.on_surfaces(situation, anchor, tie))
     yield from ideas
+    piled = Tie(kind="on", anchors=(anchor.id,))
+    for content in situation.scene.resting_on(anchor.id) if ideas else ():
+        for idea in surfaces.on_surfaces(situation, content, piled):
+            yield _dearer(replace(idea, why=f"it lies on what is in {anchor.id}"), PILED)
     if not ideas:
         yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
         for idea in beside.sides_of(situation, anchor, ("left", "right", "front")):
@@ -337,7 +351,7 @@ def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
 
 
 def _in_middle_of(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
-    if not situation.scene.asset_of(anchor).collides or situation.asset.mount == "floor":
+    if not situation.scene.asset_of(anchor).collides or situation.mount == "floor":
         return _on_rug(situation, anchor, tie)
     return surfaces.on_surfaces(situation, anchor, tie)
 
@@ -363,7 +377,9 @@ def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
 def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if not situation.asset.collides:
         return rugs.under(situation, anchor)
-    return beside.between(situation, (anchor,))
+    if situation.scene.asset_of(anchor).mount == "wall":
+        return beneath.under_hung(situation, anchor)
+    return beneath.under_standing(situation, anchor, tie)
 
 
 def _above(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:

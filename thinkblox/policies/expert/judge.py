@@ -8,10 +8,11 @@ what cannot be.
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thinkblox.observe import Layout
 from thinkblox.plan import Tie, is_object
-from thinkblox.policies.expert.followers import follower_costs
+from thinkblox.policies.expert.followers import costs_below, follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation, is_large
@@ -19,6 +20,7 @@ from thinkblox.policies.expert.ways import imbalance, moment
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
 from thinkblox.scene.relations import measure
+from thinkblox.scene.support import ON_FLOOR
 from thinkblox.value import Vec3
 
 HOPELESS = 50.0
@@ -41,13 +43,16 @@ def ranked(situation: Situation, ideas: Sequence[Idea], rng: np.random.Generator
     """Every idea with its cost, the best first; `rng` breaks near ties, so that seeds differ."""
     if not ideas:
         return []
-    rects = _rects(situation, ideas)
+    rects = boxes(situation, ideas)
     costs = np.array([idea.cost for idea in ideas])
     costs += _impossible(situation, ideas, rects)
     if situation.asset.mount == "floor" and situation.asset.collides:
-        costs += ground_costs(situation, rects) + follower_costs(situation, rects)
+        ground = ground_costs(situation, rects) + follower_costs(situation, rects)
         if is_large(situation.size):
-            costs += imbalance(situation, moment(situation.room, rects))
+            ground += imbalance(situation, moment(situation.room, rects))
+        costs += np.where(_carried(ideas), 0.0, ground)
+    if situation.asset.mount == "wall":
+        costs += costs_below(situation, rects)
     costs += _mood(situation, rects, rng)
     order = np.argsort(costs, kind="stable")
     finalists: list[int] = []
@@ -89,11 +94,12 @@ def placement_of(situation: Situation, idea: Idea) -> Placement:
         position=idea.position,
         yaw=idea.yaw,
         size=idea.size or situation.size,
-        support=idea.ignore[0] if situation.asset.mount == "surface" and idea.ignore else "floor",
+        support=idea.ignore[0] if situation.mount == "surface" and idea.ignore and _carried([idea])[0] else "floor",
     )
 
 
-def _rects(situation: Situation, ideas: Sequence[Idea]) -> Rects:
+def boxes(situation: Situation, ideas: Sequence[Idea]) -> Rects:
+    """The box of each idea."""
     return Rects.of(
         [
             (
@@ -118,17 +124,27 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     costs = np.where(out > 0.0005, HOPELESS + 50.0 * out, 0.0)
     if not situation.asset.collides:
         return costs + 6.0 * _other_rugs(situation, rects)
-    depth = overlap_depth(rects, situation.solids)
     costs += np.where(overlap_depth(rects, situation.kept_free).max(-1, initial=0.0) > TOUCH, KEPT_FREE, 0.0)
-    worst = _except_ignored(depth, ideas, situation.solid).max(-1, initial=0.0)
+    worst = depth_in_others(situation, ideas, rects)
     costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
     if situation.asset.mount == "surface":
         return costs
     swing = overlap_depth(rects, situation.door_zones).max(-1, initial=0.0)
-    costs += np.where(swing > TOUCH, HOPELESS + 20.0 * swing, 0.0)
+    zones = np.where(swing > TOUCH, HOPELESS + 20.0 * swing, 0.0)
     if situation.facts.hanging.windows == "no":
-        costs += _darkens(situation, rects)
-    return costs
+        zones += _darkens(situation, rects)
+    return costs + np.where(_carried(ideas) & (situation.asset.mount == "floor"), 0.0, zones)
+
+
+def _carried(ideas: Sequence[Idea]) -> NDArray[np.bool_]:
+    """Which ideas stand on something that is not the floor."""
+    return np.array([idea.position[2] > ON_FLOOR for idea in ideas])
+
+
+def depth_in_others(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Array:
+    """How deep the box of each idea is in what stands, other than what it may overlap [m]."""
+    depth = overlap_depth(rects, situation.solids)
+    return np.asarray(_except_ignored(depth, ideas, situation.solid).max(-1, initial=0.0))
 
 
 def _except_ignored(depth: Array, ideas: Sequence[Idea], others: Sequence[Placement]) -> Array:

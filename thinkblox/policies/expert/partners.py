@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Target
+from thinkblox.plan import Target, is_object
 from thinkblox.policies.expert.beside import beside_at, sides_of
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import ALL_ROUND, Need

@@ -8,10 +8,11 @@ import numpy as np
 from thinkblox.assets import Facts, facts_of, kind_of, revision
 from thinkblox.assets.sizing import size_for
 from thinkblox.observe import Kind, Layout, Observation
-from thinkblox.plan import Target, Tie, is_object
+from thinkblox.plan import Target, Tie, carries, is_object
 from thinkblox.policies.expert.needs import Need, need, seat_need, uses
+from thinkblox.policies.expert.sizing import SHRINK
 from thinkblox.policies.expert.zones import beside, joined
-from thinkblox.scene.asset import AssetCard
+from thinkblox.scene.asset import AssetCard, Mount
 from thinkblox.scene.free_parts import parts
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
@@ -20,6 +21,9 @@ from thinkblox.value import Vec2, Vec3
 
 WINDOW_DEPTH = 0.3
 """How far into the room a window is kept free of tall furniture [m]."""
+
+WITHIN = 0.01
+"""Depth from which the box of one thing reaches into that of another [m]."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +56,19 @@ class Situation:
     def facts(self) -> Facts:
         """What is known of its kind."""
         return facts_of(self.target.category)
+
+    @cached_property
+    def mount(self) -> Mount:
+        """What it is placed on: another thing, where the plan puts it on or into one that has a place for it."""
+        carriers = (p for tie in self.target.ties if carries(tie) for p in self.placed(tie.anchors))
+        lifted = any(self._has_room(self.scene.asset_of(p)) for p in carriers)
+        return "surface" if self.asset.mount == "floor" and self.asset.collides and lifted else self.asset.mount
+
+    def _has_room(self, carrier: AssetCard) -> bool:
+        """Whether some surface of a carrier is large enough for it, if need be for a smaller one on its foot alone."""
+        x0, y0, x1, y1 = self.asset.foot or (0.0, 0.0, *self.size[:2])
+        short, long = sorted((SHRINK[-1] * (x1 - x0), SHRINK[-1] * (y1 - y0)))
+        return carrier.collides and any(short <= min(s.size) and long <= max(s.size) for s in carrier.surfaces)
 
     @property
     def size(self) -> Vec3:
@@ -185,6 +202,11 @@ class Situation:
                 if target.ties and target.ties[0].kind == "on":
                     ids.add(target.id)
         return tuple(found)
+
+    def enclosing(self, anchor: Placement) -> tuple[str, ...]:
+        """Ids of what the box of a placed thing reaches into: the bed above it, the shelf that it stands in."""
+        depth = overlap_depth(Rects.of_placements((anchor,)), self.solids)[0]
+        return tuple(p.id for p, deep in zip(self.solid, depth, strict=True) if deep > WITHIN and p.id != anchor.id)
 
     def in_run(self, other: Target | Placement) -> bool:
         """Whether the target and another thing form one row along a wall."""

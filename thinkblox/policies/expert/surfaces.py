@@ -3,13 +3,16 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Tie
+from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.judge import TOUCH, boxes, depth_in_others
 from thinkblox.policies.expert.place_settings import by_seats
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.sizing import SHRINK, scaled
 from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.saying import turned
@@ -21,14 +24,20 @@ OVERHANG = 0.02
 """Half of how far a thing may reach over the front edge [m]: feet stand inside its outline."""
 APART = 0.02
 """Left between things side by side [m]."""
-SHRINK = (1.0, 0.85, 0.7, 0.6)
-"""Sizes tried, as shares, for what is too large for every surface of its support."""
+CROWDED, CROWDED_BY_ONES = 0.3, 0.5
+"""Share of a top that things take together, from which each kind of them keeps to its own stretch; one of a kind."""
+CLOSE = 0.004
+"""Left between things in a ring, and to the wall around them [m]."""
+TIGHT = 2.0
+"""Cost of lying so that not all of its kind have room."""
+LONG = 1.8
+"""Times its width from which a thing is long."""
 OFF = 30.0
 """Cost of reaching over the edge of a round surface."""
 ALIKE = 0.01
 """Lengths that differ by less are the same [m]."""
-EYE_LEVEL = 1.5
-"""What is on something stands on its very top rather than on a shelf, if that is no higher [m]."""
+LOWER = 3.0
+"""Cost of a shelf of what has a top, for what is to be on it."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -36,18 +45,34 @@ HEADROOM = 0.02
 def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Places on each surface of the anchor, or inside it, that is large and high enough."""
     surfaces = tuple(s for s in situation.scene.asset_of(anchor).surfaces if _serves(s, tie))
-    low_tops = tuple(s for s in surfaces if s.headroom is None and s.position[2] <= EYE_LEVEL)
-    shelves = facts_of(anchor.category).is_in("shelves")
-    if tie.kind == "on" and not shelves and _room_for_all(low_tops, situation.size, tie):
-        surfaces = low_tops
+    tops = tuple(s for s in surfaces if s.headroom is None)
+    if tie.kind == "inside" or not tops or _is_of_boards(anchor, surfaces):
+        yield from _on_those(situation, anchor, tie, surfaces)
+        return
+    yield from _on_those(situation, anchor, tie, tops)
+    below = tuple(s for s in surfaces if s.headroom is not None)
+    yield from (replace(idea, cost=idea.cost + LOWER) for idea in _on_those(situation, anchor, tie, below))
+
+
+def _is_of_boards(anchor: Placement, surfaces: tuple[Surface, ...]) -> bool:
+    """Whether it is nothing but shelves, of which the topmost is one: things are on any of them."""
+    return facts_of(anchor.category).is_in("shelves") and len(_alike(surfaces)) == len(surfaces)
+
+
+def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple[Surface, ...]) -> Iterator[Idea]:
+    """Places on some surfaces of the anchor, at the largest size that has room there beside what is there already."""
     shares = SHRINK[:1] if any(situation.target.size) else SHRINK
     for step, share in enumerate(shares):
-        size = _scaled(situation.size, share)
+        size = scaled(situation.size, share)
         if share > shares[-1] and not _room_for_all(surfaces, size, tie):
             continue
-        ideas = list(_at_size(situation, anchor, tie, _in_turn(surfaces, size, tie), size))
-        yield from (replace(i, cost=i.cost + step, size=None if share == 1.0 else size) for i in ideas)
-        if ideas:
+        turned = _in_turn(surfaces, size, tie)
+        ideas = list(_at_size(situation, anchor, tie, turned, size))
+        if not ideas and situation.asset.foot is not None:
+            ideas = list(_at_size(situation, anchor, tie, turned, size, foot=_foot(situation.asset.foot, share)))
+        ideas = [replace(i, cost=i.cost + step, size=None if share == 1.0 else size) for i in ideas]
+        yield from ideas
+        if ideas and bool((depth_in_others(situation, ideas, boxes(situation, ideas)) <= TOUCH).any()):
             return
 
 
@@ -62,29 +87,71 @@ def _room_for_all(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> bool:
 
 
 def _fitting(surface: Surface, size: Vec2) -> int:
-    """How many things of a size fit on a surface in lines."""
+    """How many things of a size fit on a surface in lines, or on a round one in a line or a ring."""
+    if surface.round:
+        return max(_in_disc(min(surface.size) / 2, size), 1)
     deep = int((surface.size[0] + 2 * OVERHANG) / size[0])
     return deep * int(surface.size[1] / (size[1] + APART))
 
 
-def _scaled(size: Vec3, share: float) -> Vec3:
-    x, y, z = (round(extent * share, 3) for extent in size)
-    return (x, y, z)
+def _only_turned(surfaces: Sequence[Surface], plan: Vec2, tie: Tie) -> bool:
+    """Whether all that the tie counts have room when turned by 90 degrees, and not as they are."""
+    one, other = sum(_fitting(s, plan) for s in surfaces), sum(_fitting(s, plan[::-1]) for s in surfaces)
+    return one < tie.count <= other
+
+
+def _in_disc(radius: float, size: Vec2) -> int:
+    """How many things of a size fit on a disc, in a line along their depth or in a ring.
+
+    In a ring they are thought of as discs that are as wide as what is about as deep as wide.
+    """
+    half = math.sqrt(max(0.0, radius**2 - (size[1] / 2) ** 2))
+    in_line = int(2 * half / (size[0] + APART))
+    own, reach = max(size) / 2, radius - max(size) / 2 - CLOSE
+    if own + CLOSE >= reach or max(size) >= LONG * min(size):
+        return in_line
+    in_ring = int(math.pi / math.asin((own + CLOSE) / reach))
+    return max(in_line, in_ring + (in_ring > 4 and reach >= 2 * own + CLOSE))
+
+
+class _Foot(NamedTuple):
+    """Where a thing stands: its middle in the thing's frame, and its sides [m]."""
+
+    middle: Vec2
+    size: Vec2
+
+
+def _foot(box: tuple[float, float, float, float], share: float) -> _Foot:
+    x0, y0, x1, y1 = (share * side for side in box)
+    return _Foot(((x0 + x1) / 2, (y0 + y1) / 2), (x1 - x0, y1 - y0))
 
 
 def _at_size(
-    situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple[Surface, ...], size: Vec3
+    situation: Situation,
+    anchor: Placement,
+    tie: Tie,
+    surfaces: tuple[Surface, ...],
+    size: Vec3,
+    *,
+    foot: _Foot | None = None,
 ) -> Iterator[Idea]:
+    """Places for a thing of a size; with a foot, it may reach past the edges with all that is not its foot."""
     shelves = len(_alike(surfaces)) if tie.count > 1 else 1
+    passed = (anchor.id, *situation.seats, *situation.enclosing(anchor))
+    (ox, oy), stands = foot or _Foot((0.0, 0.0), (size[0], size[1]))
     for rank, surface in enumerate(surfaces):
         for turn in _turns(situation, anchor, surface):
-            free = _free_half(size, surface, turn)
+            plan = stands if turn % 180.0 == 0.0 else (stands[1], stands[0])
+            free = _free_half(plan, surface)
             if free is None:
                 continue
-            forward = max(0.0, (size[1 if turn % 180.0 else 0] - surface.size[0]) / 2)
-            for (x, y), cost in _spots(situation, anchor, surface, tie, free, shelves):
-                dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0)
-                idea = _idea(situation, anchor, surface, (x + forward, y), turn, dearer, size)
+            forward = max(0.0, (plan[0] - surface.size[0]) / 2)
+            c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+            crowding = TIGHT if _only_turned(surfaces, plan, tie) else 0.0
+            for (x, y), cost in _spots(situation, anchor, surface, tie, free, shelves, plan):
+                dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0) + crowding
+                spot = (x + forward - (ox * c - oy * s), y - (ox * s + oy * c))
+                idea = _idea(situation, anchor, surface, spot, turn, dearer, size, passed)
                 if tie.kind != "inside" or idea.cost < OFF:
                     yield idea
 
@@ -102,7 +169,7 @@ def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surfa
 
 def _alike(surfaces: Sequence[Surface]) -> list[Surface]:
     """Those as large as the first, as the shelves of a rack are."""
-    return [s for s in surfaces if s.size == surfaces[0].size]
+    return [s for s in surfaces if max(abs(a - b) for a, b in zip(s.size, surfaces[0].size, strict=True)) < ALIKE]
 
 
 def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
@@ -120,12 +187,9 @@ def _against_wall(situation: Situation, anchor: Placement) -> bool:
     return any(abs(wall.coordinates(back)[1]) < 0.4 for wall in situation.room.walls)
 
 
-def _free_half(size: Vec3, surface: Surface, turn: float) -> Vec2 | None:
-    """Half extents over which the centre may move; None when it does not fit at all."""
-    depth, width = size[0], size[1]
-    if turn % 180.0:
-        depth, width = width, depth
-    half = ((surface.size[0] - depth) / 2, (surface.size[1] - width) / 2)
+def _free_half(plan: Vec2, surface: Surface) -> Vec2 | None:
+    """Half extents over which the middle of what is so deep and wide may move; None when it does not fit at all."""
+    half = ((surface.size[0] - plan[0]) / 2, (surface.size[1] - plan[1]) / 2)
     if min(half) < -OVERHANG:
         return None
     margin_x, margin_y = min(EDGE, max(0.0, half[0]) / 2), min(EDGE, max(0.0, half[1]) / 2)
@@ -133,7 +197,7 @@ def _free_half(size: Vec3, surface: Surface, turn: float) -> Vec2 | None:
 
 
 def _spots(
-    situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2, shelves: int
+    situation: Situation, anchor: Placement, surface: Surface, tie: Tie, free: Vec2, shelves: int, plan: Vec2
 ) -> Iterator[tuple[Vec2, float]]:
     if tie.kind == "in_centre":
         yield from _middle(free, anchor)
@@ -142,11 +206,13 @@ def _spots(
     yield from by_seats(situation, anchor, surface, free)
     marked = situation.facts.spots
     if tie.count > 1:
-        marked = _spread(tie, surface, free, shelves)
+        marked = _spread(tie, surface, free, shelves, plan)
+    if tie.kind == "on" and surface.headroom is None:
+        marked = _share_of(situation, anchor, surface, free) or marked
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
-    columns = max(3, min(13, round(free[1] / 0.06)))
-    rows = max(3, min(7, round(free[0] / 0.06)))
+    columns = max(3, min(21, round(free[1] / 0.06)))
+    rows = max(3, min(9, round(free[0] / 0.06)))
     wanted = marked[0] if marked else (0.0, 0.0)
     for i in range(rows):
         for j in range(columns):
@@ -183,21 +249,96 @@ def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:
                 yield (x, y), 0.2 * ring
 
 
-def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int) -> tuple[Vec2, ...]:
-    """Evenly along the longer side for up to six on one of the shelves, in two staggered lines for more."""
+def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int, plan: Vec2) -> tuple[Vec2, ...]:
+    """Evenly along the longer side for up to six on one of the shelves, in two staggered lines for more.
+
+    On a disc, in a ring; what is long lies there side by side.
+    """
     count, index = -(-tie.count // shelves), tie.index // shelves
-    lines = 1 if count <= 6 else 2
+    if surface.round and max(plan) < LONG * min(plan) and (surface.within or count > 3):
+        away = min(side - own for side, own in zip(surface.size, plan, strict=True)) / 2 - CLOSE
+        return _ring(count, index, (away / max(free[0], 1e-9), away / max(free[1], 1e-9)))
+    lengthwise = 1 if (plan[1] <= plan[0] if surface.round else surface.size[1] >= surface.size[0]) else 0
+    lines = _lines(count, plan[lengthwise], surface.size[lengthwise])
     per_line = -(-count // lines)
     line, place = divmod(index, per_line)
-    across = 0.0 if lines == 1 else (0.5 if line else -0.5)
-    lengthwise = 1 if surface.size[1] >= surface.size[0] else 0
-    reach = surface.size[lengthwise] / 2 / max(free[lengthwise], 1e-9)
-    along = min(max((2 * (place + 0.5) / per_line - 1) * reach, -1.0), 1.0)
+    half = surface.size[lengthwise] / 2
+    if surface.round:
+        half = math.sqrt(max(0.0, half**2 - (plan[1 - lengthwise] / 2) ** 2))
+    along = (2 * (place + 0.5) / per_line - 1) * half / max(free[lengthwise], 1e-9)
+    across = (2 * (line + 0.5) / lines - 1) * surface.size[1 - lengthwise] / 2 / max(free[1 - lengthwise], 1e-9)
+    along, across = min(max(along, -1.0), 1.0), min(max(across, -1.0), 1.0)
     return ((across, along),) if lengthwise else ((along, across),)
 
 
+def _lines(count: int, own: float, length: float) -> int:
+    """In how many lines so many stand along a length: in one up to six that have room there, else in two or more."""
+    fewest = 1 if count <= 6 else 2
+    return next((n for n in range(fewest, count) if -(-count // n) * (own + CLOSE) <= length), fewest)
+
+
+def _ring(count: int, index: int, reach: Vec2) -> tuple[Vec2, ...]:
+    """On a ring round the middle of a disc, `reach` away along each axis; of more than five, one in the middle."""
+    around = count - 1 if count > 5 else count
+    if index == around:
+        return ((0.0, 0.0),)
+    angle = 2 * math.pi * index / around
+    return ((reach[0] * math.cos(angle), reach[1] * math.sin(angle)),)
+
+
+def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> tuple[Vec2, ...]:
+    """Where the target stands among the kinds of things that crowd one top: each kind has a stretch of it, in lines.
+
+    Empty where the top is not crowded, or one kind alone is on it.
+    """
+    groups = _kinds_on(situation, anchor)
+    own = next((n for n, group in enumerate(groups) if situation.target in group), None)
+    if own is None or len(groups) < 2:
+        return ()
+    areas = [sum(_area(situation, target) for target in group) for group in groups]
+    least = CROWDED if len(groups[own]) > 1 else CROWDED_BY_ONES
+    if sum(areas) < least * surface.size[0] * surface.size[1]:
+        return ()
+    lengthwise = 1 if surface.size[1] >= surface.size[0] else 0
+    length, depth = surface.size[lengthwise], surface.size[1 - lengthwise]
+    start, share = sum(areas[:own]) / sum(areas), areas[own] / sum(areas)
+    number, count = groups[own].index(situation.target), len(groups[own])
+    x, y = situation.size[lengthwise], situation.size[1 - lengthwise]
+    lines = max(1, min(count, int(depth / (y + APART)), round(math.sqrt(count * depth / (share * length) * x / y))))
+    per_line = -(-count // lines)
+    line, place = divmod(number, per_line)
+    along = (2 * (start + share * (place + 0.5) / per_line) - 1) * length / 2 / max(free[lengthwise], 1e-9)
+    across = (2 * (line + 0.5) / lines - 1) * depth / 2 / max(free[1 - lengthwise], 1e-9)
+    along, across = min(max(along, -1.0), 1.0), min(max(across, -1.0), 1.0)
+    return ((across, along),) if lengthwise else ((along, across),)
+
+
+def _kinds_on(situation: Situation, anchor: Placement) -> list[list[Target]]:
+    """What the plan has on the anchor, by request, in its order."""
+    groups: dict[str, list[Target]] = {}
+    for target in situation.observation.plan.targets:
+        if any(tie.kind == "on" and anchor.id in tie.anchors for tie in target.ties):
+            groups.setdefault(target.request, []).append(target)
+    return list(groups.values())
+
+
+def _area(situation: Situation, target: Target) -> float:
+    if target.id in situation.scene:
+        size: Vec3 = situation.scene[target.id].size
+    else:
+        size = situation.size if target.request == situation.target.request else situation.kind(target).size
+    return (size[0] + APART) * (size[1] + APART)
+
+
 def _idea(
-    situation: Situation, anchor: Placement, surface: Surface, spot: Vec2, turn: float, cost: float, size: Vec3
+    situation: Situation,
+    anchor: Placement,
+    surface: Surface,
+    spot: Vec2,
+    turn: float,
+    cost: float,
+    size: Vec3,
+    passed: tuple[str, ...],
 ) -> Idea:
     local = (surface.position[0] + spot[0], surface.position[1] + spot[1])
     if surface.round:
@@ -210,7 +351,7 @@ def _idea(
         Constraint(kind="offset", anchors=(anchor.id,), values=(round(local[0], 3), round(local[1], 3))),
         turned(yaw),
     )
-    return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, (anchor.id, *situation.seats))
+    return Idea((x, y, z), yaw, words, f"{anchor.id} carries it, within reach", cost, passed)
 
 
 def _off_ellipse(situation: Situation, surface: Surface, spot: Vec2, size: Vec3, turn: float) -> float:

@@ -1,0 +1,181 @@
+"""What the objects of a plan have on, in and under them, and how large and of which form they are to be for that."""
+
+from collections.abc import Sequence
+from math import pi, sqrt
+
+import numpy as np
+
+from thinkblox.assets import facts_of, kind_of, room_under
+from thinkblox.assets.facts import Role
+from thinkblox.assets.make import make_thing
+from thinkblox.assets.sizing import size_for
+from thinkblox.planning.members import Member, Members
+from thinkblox.scene.asset import Asset
+from thinkblox.value import Vec2, Vec3
+
+GROWTH, SLIGHT = (1.25, 1.6), (1.15, 1.3)
+"""How much deeper and wider than usual a top is made at most for what stands on it, and what is no table or case."""
+SMALL = 0.7
+"""What is no longer than this grows as tables do, whatever it is: a stool [m]."""
+MOSTLY_TOP = 0.4
+"""Least share of its outline that the top of a thing takes which grows with it."""
+TOO_LARGE = 1.6
+"""Times the longer side of a top from which a thing is none of those that it is made larger for."""
+RAISED = 1.15
+"""How much higher than usual a thing is made at most for what stands under it."""
+APART = 0.04
+"""Left about a thing on a top [m]."""
+FEW = 4
+"""So many things at most are thought of as standing in one line."""
+PACKED = 1.25
+"""How much larger a top is than the things on it together: they differ, and stand in lines."""
+UNDER = 0.03
+"""Air left above and beside what stands under a thing [m]."""
+_VARIED = 1.06
+"""How much larger than usual a thing may come out."""
+_STEP = 0.02
+"""To which heights are tried [m]."""
+
+
+def on_it(member: Member, members: Members) -> list[Member]:
+    """What is to stand or lie on it."""
+    return _tied(member, members, "on", "in_centre")
+
+
+def in_it(member: Member, members: Members) -> list[Member]:
+    """What is to be inside it."""
+    return _tied(member, members, "inside")
+
+
+def under_it(member: Member, members: Members) -> list[Member]:
+    """What is to stand on the floor under it."""
+    return [m for m in _tied(member, members, "under") if not m.flat and m.mount in ("floor", "surface")]
+
+
+def _tied(member: Member, members: Members, *kinds: str) -> list[Member]:
+    return [m for m in members.all if any(t.kind in kinds and member.id in t.anchors for t in m.ties)]
+
+
+def words_of(member: Member, members: Members) -> tuple[str, ...]:
+    """Its attributes, and the words for the form that suits what it has on, in or under it, or that it is in."""
+    roles: dict[Role, bool] = {
+        "holds": bool(in_it(member, members)),
+        "carries": bool(on_it(member, members)),
+        "over": bool(under_it(member, members)),
+        "inside": any(tie.kind == "inside" for tie in member.ties),
+        "under": any(_stands_over(members.by_id.get(a)) for t in member.ties if t.kind == "under" for a in t.anchors),
+    }
+    forms = facts_of(member.category).forms
+    return tuple(dict.fromkeys((*member.request.attributes, *(forms[r] for r in forms if roles[r]))))
+
+
+def _stands_over(anchor: Member | None) -> bool:
+    """Whether something can be under it on the floor: it stands there itself."""
+    return anchor is not None and anchor.mount == "floor" and not anchor.flat
+
+
+def usual_size(member: Member, members: Members) -> Vec3:
+    """Its size by its words, where the prompt gives no other [m]."""
+    drawn = size_for(kind_of(member.category), frozenset(words_of(member, members)), np.random.default_rng(0))
+    x, y, z = (asked or usual for asked, usual in zip(member.request.size, drawn, strict=True))
+    return (x, y, z)
+
+
+def top_for_loads(member: Member, members: Members) -> Vec2 | None:
+    """Depth and width at which all that is to be on it has room side by side [m]; None where it has that as it is."""
+    loads = on_it(member, members)
+    kind = kind_of(member.category)
+    if not loads or kind.flat or kind.is_in("shelves") or member.mount not in ("floor", "surface"):
+        return None
+    usual = usual_size(member, members)
+    tops = [s for s in _made(member, members, usual).surfaces if s.headroom is None and not s.within]
+    if not tops:
+        return None
+    top = max(tops, key=lambda s: s.size[0] * s.size[1])
+    if top.size[0] * top.size[1] < MOSTLY_TOP * usual[0] * usual[1]:
+        return None
+    sizes = [size for load in loads if min((size := usual_size(load, members))[:2]) < TOO_LARGE * max(top.size)]
+    if not sizes:
+        return None
+    areas = [((x * _VARIED + APART), (y * _VARIED + APART)) for x, y, _ in sizes]
+    long = 1 if usual[1] >= usual[0] or kind.front == "one" else 0
+    even = top.round or usual[0] == usual[1]
+    grows = kind.is_in("surfaces", "tables", "counters", "worktops") or max(usual[:2]) < SMALL
+    growth = GROWTH if grows else SLIGHT
+    factors = (sqrt(growth[0] * growth[1]),) * 2 if even else (growth if long else growth[::-1])
+    rim = (usual[0] - top.size[0], usual[1] - top.size[1])
+    most = [
+        max(side, min(factor * whole, high) - edge)
+        for side, factor, whole, high, edge in zip(top.size, factors, usual, kind.size_range[1], rim, strict=False)
+    ]
+    sides = _grown(top.size, most, areas, long=long, even=even, share=pi / 4 if top.round else 1.0)
+    if all(side <= own + 1e-3 for side, own in zip(sides, top.size, strict=True)):
+        return None
+    return (round(sides[0] + rim[0], 3), round(sides[1] + rim[1], 3))
+
+
+def _grown(top: Vec2, most: Sequence[float], loads: Sequence[Vec2], *, long: int, even: bool, share: float) -> Vec2:
+    """The sides of a top on which things of some depths and widths have room, no longer than `most` [m].
+
+    Args:
+        top: its usual sides [m].
+        most: its longest sides [m].
+        loads: their depths and widths, with air [m].
+        long: which of the sides grows first.
+        even: both sides are equally long.
+        share: of the box round the top that is top.
+    """
+    needed = (PACKED if len(loads) > 1 else 1.0) * sum(x * y for x, y in loads) / share
+    shorts, longs = [min(load) for load in loads], [max(load) for load in loads]
+    if even:
+        side = min(max(*top, sqrt(needed), max(longs)), *most)
+        return (side, side)
+    across = min(max(top[1 - long], max(shorts)), most[1 - long])
+    in_line = sum(shorts if max(longs) <= across else longs) if len(loads) <= FEW else 0.0
+    along = min(max(top[long], needed / across, in_line / max(1, int(across / max(shorts))), max(longs)), most[long])
+    across = min(max(across, needed / along), most[1 - long])
+    return (across, along) if long else (along, across)
+
+
+def _made(member: Member, members: Members, size: Vec3) -> Asset:
+    kind = kind_of(member.category)
+    low, high = kind.size_range
+    x, y, z = (min(max(s, a), b) for s, a, b in zip(size, low, high, strict=True))
+    return make_thing(member.category, seed=0, attributes=words_of(member, members), size=(x, y, z))
+
+
+def height_over(member: Member, members: Members) -> float | None:
+    """The height at which it stands clear over all that is to be under it [m]; None where its own will do."""
+    below = under_it(member, members)
+    if not below:
+        return None
+    usual, most = usual_size(member, members), kind_of(member.category).size_range[1][2]
+    if all(_fits_under(member, members, usual, usual_size(m, members)) for m in below):
+        return None
+    top = min(most, RAISED * usual[2])
+    return round(top, 3) if top > usual[2] else None
+
+
+def size_under(member: Member, members: Members) -> Vec3 | None:
+    """The size, in its own proportions, at which it fits under what it is to be under [m]; None for its own."""
+    over = [members.by_id[a] for t in member.ties if t.kind == "under" for a in t.anchors if a in members.by_id]
+    over = [anchor for anchor in over if anchor.mount == "floor"]
+    if not over or member not in under_it(over[0], members):
+        return None
+    anchor, own = over[0], usual_size(member, members)
+    x, y, z = usual_size(anchor, members)
+    frame = (x, y, anchor.request.size[2] or height_over(anchor, members) or z)
+    least = kind_of(member.category).size_range[0]
+    for share in (1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4):
+        a, b, c = (max(side * share, low) for side, low in zip(own, least, strict=True))
+        if _fits_under(anchor, members, frame, (a, b, c)):
+            return None if share == 1.0 else (round(a, 3), round(b, 3), round(c, 3))
+    return None
+
+
+def _fits_under(anchor: Member, members: Members, frame: Vec3, size: Vec3) -> bool:
+    place = room_under(_made(anchor, members, frame).links, size[2] * _VARIED + UNDER)
+    if place is None:
+        return False
+    (x, y), room = sorted((size[0] + UNDER, size[1] + UNDER)), sorted(place)
+    return x <= room[0] and y <= room[1]
