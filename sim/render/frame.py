@@ -58,7 +58,7 @@ def cast(
     """
     soup = Soup()
     upright = inside_walls(scene.room, camera) if standing is None else standing
-    shell = Shell(upright, accent_wall(scene.room, upright), ground=False)
+    shell = Shell(upright, accent_wall(scene.room, upright))
     add_room(soup, scene.room, palette(scene.seed), shell)
     add_objects(soup, scene, poses)
     tracer = Tracer(soup.triangles())

@@ -4,13 +4,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from shapely import constrained_delaunay_triangles, get_coordinates, orient_polygons
+from shapely import Polygon, constrained_delaunay_triangles, get_coordinates, orient_polygons
 
 from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, TRIM, Colour, Palette, linear
 from thinkblox.sim.render.soup import ROOM, Patch, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
-from thinkblox.value import Vec2, Vec3
+from thinkblox.value import Vec3
 
 THICKNESS = 0.12
 """Thickness of the walls, outside the floor polygon [m]."""
@@ -31,14 +31,14 @@ class Shell:
     Attributes:
         standing: for each wall, whether it is drawn at full height; the others leave a rim.
         accent: index of the wall in the accent colour, or None.
-        ground: whether the ground round the room is drawn.
+        ground: what is drawn of the ground that the room stands on; None for nothing.
         top: height of the standing walls [m], the room's when None.
         cut: colour of the walls' upper faces.
     """
 
     standing: tuple[bool, ...]
     accent: int | None = None
-    ground: bool = True
+    ground: Polygon | None = None
     top: float | None = None
     cut: Colour = CUT
 
@@ -50,9 +50,8 @@ def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
         colour = palette.accent if index == shell.accent and shell.standing[index] else palette.wall
         openings = [o for o in room.openings if o.wall == index]
         _add_wall(_WallFrame(soup, room, index, shell), wall, openings, colour)
-    if shell.ground:
-        width, depth = room.extent
-        add_ground(soup, (width / 2, depth / 2), 12 * math.hypot(width, depth), -SLAB - 0.002)
+    if shell.ground is not None:
+        add_ground(soup, shell.ground, -SLAB - 0.002)
 
 
 def accent_wall(room: Room, standing: tuple[bool, ...]) -> int:
@@ -236,21 +235,24 @@ def add_floor(soup: Soup, room: Room, palette: Palette) -> None:
     """Add the floor, its planks along the longer side."""
     width, depth = room.extent
     turn = np.eye(3) if width >= depth else np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-    corners: list[tuple[float, float]] = []
-    for triangle in constrained_delaunay_triangles(room.polygon).geoms:
-        corners += get_coordinates(orient_polygons(triangle))[:3].tolist()
-    flat = np.array([(x, y, 0.0) for x, y in corners]) @ turn
+    flat = _flat(room.polygon, 0.0) @ turn
     patch = Patch(linear(palette.floor), MATERIALS.index("floor"), ROOM, turn, np.zeros(3), (width, depth, SLAB))
     soup.add(_level(flat), patch)
 
 
-def add_ground(soup: Soup, centre: Vec2, far: float, height: float) -> None:
-    """Add a level square that reaches `far` from its centre [m]; it shows shadows only."""
-    x, y = centre
-    quad = np.array([(x - far, y - far), (x + far, y - far), (x + far, y + far), (x - far, y + far)])
-    flat = np.concatenate([quad[[0, 1, 2, 0, 2, 3]], np.full((6, 1), height)], 1)
-    patch = Patch(linear(GROUND), MATERIALS.index("ground"), ROOM, np.eye(3), np.zeros(3), (far, far, SLAB))
-    soup.add(_level(flat), patch)
+def add_ground(soup: Soup, outline: Polygon, height: float) -> None:
+    """Add level ground of some outline at a height [m]; it shows shadows only."""
+    x0, y0, x1, y1 = outline.bounds
+    size = (x1 - x0, y1 - y0, SLAB)
+    patch = Patch(linear(GROUND), MATERIALS.index("ground"), ROOM, np.eye(3), np.zeros(3), size)
+    soup.add(_level(_flat(outline, height)), patch)
+
+
+def _flat(outline: Polygon, height: float) -> np.ndarray:
+    """Corners (3 n, 3) of the triangles that fill a polygon at a height [m], counter-clockwise."""
+    triangles = constrained_delaunay_triangles(outline).geoms
+    corners = np.concatenate([get_coordinates(orient_polygons(triangle))[:3] for triangle in triangles])
+    return np.pad(corners, ((0, 0), (0, 1)), constant_values=height)
 
 
 def _level(corners: np.ndarray) -> Mesh:

@@ -80,7 +80,7 @@ def plan_labels(scene: Scene, camera: Camera, size: int, reserved: Sequence[Box]
 def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] | None) -> NDArray[np.uint8]:
     soup = Soup()
     standing = (True,) * len(scene.room.walls)
-    shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=_CUT, ground=False)
+    shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=_CUT)
     add_room(soup, scene.room, palette(scene.seed), shell)
     add_objects(soup, scene, poses, hidden={p.id for p in overhead(scene)})
     tracer = Tracer(soup.triangles())

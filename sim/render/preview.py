@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from shapely import contains_xy
+from shapely import Polygon, contains_xy
+from shapely.affinity import translate
 
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
@@ -28,6 +29,8 @@ ELEVATION = 40.0
 """How steeply the camera looks down [degrees]."""
 
 
+_SPARE = 1.0
+"""How far from the room its walls darken the ground that lies in the sun [m]."""
 MARGIN = 0.045
 """Share of the picture left free round the room."""
 
@@ -127,9 +130,17 @@ def _worth(scene: Scene, placement: Placement, azimuth: float) -> float:
 
 def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:
     soup = Soup()
-    add_room(soup, scene.room, palette(scene.seed), Shell(view.standing, accent_wall(scene.room, view.standing)))
+    shell = Shell(view.standing, accent_wall(scene.room, view.standing), _shadowed(scene.room, _sun(view.azimuth)))
+    add_room(soup, scene.room, palette(scene.seed), shell)
     add_objects(soup, scene, poses, hidden=_hidden(scene, view.standing))
     return soup
+
+
+def _shadowed(room: Room, sun: Floats) -> Polygon:
+    """The ground that a room takes light from, with some to spare; beyond, it is as bright as its backdrop."""
+    far = room.height / float(sun[2])
+    falls = translate(room.polygon.buffer(_SPARE / 2), -far * float(sun[0]), -far * float(sun[1]))
+    return Polygon(room.polygon.buffer(_SPARE).union(falls).convex_hull)
 
 
 def _hidden(scene: Scene, standing: tuple[bool, ...]) -> set[str]:

@@ -174,7 +174,7 @@ def from_above(scenery: Scenery) -> Sight:
     soup, scene = Soup(), scenery.scene
     if scene is not None:
         standing = (True,) * len(scene.room.walls)
-        shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=CUT_THROUGH, ground=False)
+        shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=CUT_THROUGH)
         add_room(soup, scene.room, palette(scene.seed), shell)
         above = {p.id for p in overhead(scene)}
         _add(soup, scenery, {n for n, body in enumerate(scenery.bodies) if body.id in above})
@@ -188,7 +188,7 @@ def _of_scene(scenery: Scenery, scene: Scene, wanted: Collection[str]) -> Sight:
     cut = {wall.name for wall, stands in zip(scene.room.walls, view.standing, strict=True) if not stands}
     mounted = {p.id for p in scene.placements if scene.asset_of(p).mount == "wall" and p.support in cut}
     soup = Soup()
-    shell = Shell(view.standing, accent_wall(scene.room, view.standing), ground=False)
+    shell = Shell(view.standing, accent_wall(scene.room, view.standing))
     add_room(soup, scene.room, palette(scene.seed), shell)
     _add(soup, scenery, {n for n, b in enumerate(scenery.bodies) if b.id in mounted and b.id not in wanted})
     points = np.concatenate([_outline(scene.room, view.standing), *(body.points for body in scenery.in_sight)])
