@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from shapely import Polygon, contains_xy
+from shapely import Polygon, contains_xy, get_coordinates
 from shapely.affinity import translate
 
 from thinkblox.scene.placement import Placement
@@ -140,7 +140,7 @@ def _shadowed(room: Room, sun: Floats) -> Polygon:
     """The ground that a room takes light from, with some to spare; beyond, it is as bright as its backdrop."""
     far = room.height / float(sun[2])
     falls = translate(room.polygon.buffer(_SPARE / 2), -far * float(sun[0]), -far * float(sun[1]))
-    return Polygon(room.polygon.buffer(_SPARE).union(falls).convex_hull)
+    return Polygon(get_coordinates(room.polygon.buffer(_SPARE).union(falls).convex_hull))
 
 
 def _hidden(scene: Scene, standing: tuple[bool, ...]) -> set[str]:
