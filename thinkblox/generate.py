@@ -17,7 +17,7 @@ from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import ExpertPlanner
+from thinkblox.planning import ExpertPlanner, with_surfaces
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import GrammarBriefer
@@ -92,7 +92,7 @@ def generate_room(
     Args:
         prompt: what the room should be, in a sentence or more.
         seed: every random choice follows from it; the same prompt and seed give the same scene.
-        room: a room to furnish; made from the prompt when not given.
+        room: a room to furnish; made from the prompt when not given. Its surfaces are chosen where it has none.
         policy: who proposes; the embedded expert when not given.
         briefer: who understands the prompt; the grammar when not given.
         planner: who decides on the room and the order of its objects; the embedded expert when not given.
@@ -110,6 +110,7 @@ def generate_room(
     _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
     brief = _made("briefer", (briefer or GrammarBriefer()).brief(prompt), Brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
+    room = with_surfaces(room, brief, seed)
     return furnish(
         _made("planner", planner.plan(brief, room), Plan),
         Scene(prompt=prompt, seed=seed, room=room),

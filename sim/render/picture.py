@@ -60,9 +60,9 @@ class _Window:
         return x.astype(np.float32), y.astype(np.float32)
 
 
-def _window(tracer: Tracer, camera: Camera, size: int, unit: int) -> _Window:
-    """What the triangles fill of a picture, widened to whole units; all of it where some are beside the eye."""
-    points = tracer.triangles.vertices.astype(np.float64)
+def _window(vertices: Floats, camera: Camera, size: int, unit: int) -> _Window:
+    """What points (n, 3) fill of a picture, widened to whole units; all of it where some are beside the eye."""
+    points = vertices.astype(np.float64)
     if not len(points) or (camera.perspective and ((points - camera.position) @ camera.forward).min() < 1e-3):
         return _Window(0, 0, size, size)
     places = camera.project(points, size)
@@ -107,10 +107,13 @@ def _pixel(camera: Camera, size: int) -> float:
     return 0.0 if camera.perspective else 2 * camera.reach / size
 
 
-def paint(tracer: Tracer, camera: Camera, size: int, lights: Lights, settings: Settings) -> NDArray[np.uint8]:
-    """An sRGB picture (size, size, 3)."""
+def paint(
+    tracer: Tracer, camera: Camera, size: int, lights: Lights, settings: Settings, *, within: Floats | None = None
+) -> NDArray[np.uint8]:
+    """An sRGB picture (size, size, 3); only the part that points (n, 3) of the room fill, the rest empty, if given."""
     shader = Shader(tracer.triangles, lights, _pixel(camera, size))
-    window = _window(tracer, camera, size, 4 * settings.coarse)
+    filled = tracer.triangles.vertices if within is None else within
+    window = _window(filled, camera, size, 4 * settings.coarse)
     job = _Job(tracer, camera, size, window, lights, settings, bounce_table(tracer, lights), shader)
     middle = np.arange(size, dtype=np.float32) + np.float32(0.5)
     down, across = (middle[part] for part in window.part)

@@ -14,7 +14,7 @@ from thinkblox.sim.render.camera import Camera, plan_camera
 from thinkblox.sim.render.interior import THICKNESS, Shell, add_room
 from thinkblox.sim.render.labels import Box, Label, Labelled, laid_out, names_of
 from thinkblox.sim.render.lighting import lights
-from thinkblox.sim.render.materials import linear, palette
+from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.plan_marks import INK, Marks, mark_measures, mark_north, mark_openings, mark_scale
 from thinkblox.sim.render.rays import Tracer
@@ -81,7 +81,7 @@ def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] 
     soup = Soup()
     standing = (True,) * len(scene.room.walls)
     shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=_CUT)
-    add_room(soup, scene.room, palette(scene.seed), shell)
+    add_room(soup, scene.room, scene.surfaces, shell)
     add_objects(soup, scene, poses, hidden={p.id for p in overhead(scene)})
     tracer = Tracer(soup.triangles())
     light = lights(tracer, np.array([-0.30, 0.34, 1.0], np.float32), gather=8, sun_rays=4, spread=6.0, strength=0.75)

@@ -2,13 +2,17 @@
 
 import numpy as np
 
+from thinkblox.sim.render.layings import colours as laid_colours
 from thinkblox.sim.render.lighting import Irradiance, Lights
 from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats, Ints
-from thinkblox.sim.render.textures import planks, weave, wood
+from thinkblox.sim.render.textures import weave, wood
 from thinkblox.sim.render.vectors import dot, largest
+
+_SHADE = np.array([1.0, 0.86, 0.62], np.float32)
+"""The colour of a lamp's light as it comes through its shade, linear RGB."""
 
 
 class Shader:
@@ -30,6 +34,9 @@ class Shader:
             name: np.array([float(getattr(finish, name)) for finish in finishes], np.float32)
             for name in ("diffuse", "mirror", "gloss", "tinted", "sheen", "glow")
         }
+        self._planes = list(dict.fromkeys(p.plane for p in patches if p.plane is not None))
+        numbers = {plane: number + 1 for number, plane in enumerate(self._planes)}
+        self._plane_of = np.array([0 if p.plane is None else numbers[p.plane] for p in patches], np.int64)
         self._density = np.array([p.density for p in patches], np.float32)
         self._textured = np.array([p.texture is not None for p in patches], bool)
 
@@ -69,7 +76,8 @@ class Shader:
         lit = np.flatnonzero(glow > 0)
         if len(lit):
             glow = glow[lit] * (np.float32(0.45) + np.float32(0.55) * cosine[lit])
-            colour[lit] += base[lit] * glow[:, None]
+            shade = (material[lit] == MATERIALS.index("light"))[:, None]
+            colour[lit] += base[lit] * np.where(shade, _SHADE, np.float32(1)) * glow[:, None]
         shiny = np.flatnonzero(finish["mirror"].take(patch) > 0)
         if len(shiny):
             turned = cosine.take(shiny)
@@ -92,7 +100,6 @@ class Shader:
     def _base(self, points: Surfels, material: Ints, width: Floats) -> Floats:
         base = self._colour.take(points.patch, 0)
         for name, paint in (
-            ("floor", self._floor),
             ("wood", self._wood),
             ("fabric", self._fabric),
             ("pane", self._pane),
@@ -100,9 +107,21 @@ class Shader:
             mine = np.flatnonzero(material == MATERIALS.index(name))
             if len(mine):
                 base[mine] = paint(points.patch[mine], points.position[mine], base[mine], width[mine])
+        self._paint_planes(points, base, width)
         if points.uv is not None:
             self._paint_textures(points, base, width)
         return base
+
+    def _paint_planes(self, points: Surfels, base: Floats, width: Floats) -> None:
+        """Colour what shows a floor or the inner side of a wall by what it is covered with."""
+        numbers = self._plane_of.take(points.patch)
+        for number in np.flatnonzero(np.bincount(numbers, minlength=len(self._planes) + 1)[1:]):
+            plane = self._planes[number]
+            mine = np.flatnonzero(numbers == number + 1)
+            mine = mine[dot(points.normal.take(mine, 0), plane.facing) > 0.5]
+            offset = points.position.take(mine, 0) - np.array(plane.origin, np.float32)
+            along, across = (dot(offset, np.array(axis, np.float32)) for axis in (plane.along, plane.across))
+            base[mine] = laid_colours(plane.covering, along, across, width.take(mine), floor=plane.floor)
 
     def _paint_textures(self, points: Surfels, base: Floats, width: Floats) -> None:
         """Multiply the colours of textured points by what their textures show there."""
@@ -117,11 +136,6 @@ class Shader:
         """Points in the frames of their patches [m]."""
         offset, turn = position - self._origin.take(patch, 0), self._turn.take(patch, 0)
         return np.stack([dot(offset, turn[:, :, axis]) for axis in range(3)], 1)
-
-    def _floor(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
-        local = self._local(patch, position)
-        tone, warmth = planks(local[:, 0], local[:, 1], width)
-        return base * tone[:, None] * (1 + warmth[:, None] * np.array([1.0, 0.0, -1.0], np.float32))
 
     def _wood(self, patch: Ints, position: Floats, base: Floats, width: Floats) -> Floats:
         local, axis, rows = self._local(patch, position), self._axis[patch], np.arange(len(base))
