@@ -13,6 +13,10 @@ from thinkblox.scene.room import Room
 from thinkblox.scene.surfaces import Covering, Surfaces
 
 T = TypeVar("T")
+_TILES: tuple[Laying, ...] = ("subway", "checker", "stone", "marble", "terrazzo")
+"""What is tiles, said more closely."""
+_LOW: tuple[Laying, ...] = ("panels", "tiles", "subway", "marble")
+"""What also covers the lower part of walls alone."""
 
 
 def with_surfaces(room: Room, brief: Brief, seed: int) -> Room:
@@ -41,7 +45,7 @@ def with_surfaces(room: Room, brief: Brief, seed: int) -> Room:
         door=colour_from(colours.door),
         curtains=colour_from(colours.curtain) if usual.curtains else None,
     )
-    for request in brief.surfaces:
+    for request in _shared_out(brief.surfaces):
         surfaces = _as_asked(surfaces, request, turns, colours)
     if surfaces.accent is None:
         surfaces = replace(surfaces, accent_wall=None)
@@ -105,11 +109,25 @@ class _Turns:
         return Covering(laying=laying, colour=colour, second=other)
 
 
-def _as_asked(surfaces: Surfaces, request: SurfaceRequest, turns: _Turns, palette: Palette) -> Surfaces:
+def _shared_out(requests: Sequence[SurfaceRequest]) -> list[tuple[str, SurfaceRequest]]:
+    """Which request is for which of floor, walls, accent and dado.
+
+    Of two that are made of all walls, panelling or tiles go below, and the other above; else the second has a wall of
+    its own.
+    """
+    whole = [r for r in requests if r.part == "walls"]
+    shared = [("floor" if r.part == "floor" else "accent", r) for r in requests if r.part != "walls"]
+    for at, request in enumerate(whole):
+        low = len(whole) > 1 and request.laying in _LOW and not all(r.laying in _LOW for r in whole)
+        above = [r for r in whole[:at] if r.laying not in _LOW]
+        shared.append(("dado" if low else "accent" if above else "walls", request))
+    return sorted(shared, key=lambda pair: ("floor", "walls", "accent", "dado").index(pair[0]))
+
+
+def _as_asked(surfaces: Surfaces, asked: tuple[str, SurfaceRequest], turns: _Turns, palette: Palette) -> Surfaces:
     """The surfaces with one request met."""
-    part = {"floor": "floor", "walls": "walls", "wall": "accent"}[request.part]
-    old: Covering | None = getattr(surfaces, part)
-    laying = request.laying or (old.laying if old is not None and request.part == "floor" else "paint")
+    part, request = asked
+    laying = request.laying or (surfaces.floor.laying if part == "floor" else "paint")
     made = turns.covering(part, laying, palette)
     if request.colour is not None:
         made = replace(made, colour=request.colour)
@@ -117,16 +135,20 @@ def _as_asked(surfaces: Surfaces, request: SurfaceRequest, turns: _Turns, palett
         made = replace(made, second=request.second)
     if part == "walls":
         return replace(surfaces, walls=made, accent=None, dado=None)
-    return replace(surfaces, floor=made) if part == "floor" else replace(surfaces, accent=made)
+    changed: dict[str, Covering] = {part: made}
+    return replace(surfaces, **changed)
 
 
 def _is_so(surfaces: Surfaces, request: SurfaceRequest) -> bool:
     candidates = {
         "floor": (surfaces.floor,),
-        "walls": (surfaces.walls,),
+        "walls": (surfaces.walls, surfaces.dado, surfaces.accent),
         "wall": (surfaces.accent, surfaces.walls),
     }[request.part]
-    return any(
-        covering is not None and request.laying in (None, covering.laying) and request.colour in (None, covering.colour)
-        for covering in candidates
-    )
+    return any(covering is not None and _looks(covering, request) for covering in candidates)
+
+
+def _looks(covering: Covering, request: SurfaceRequest) -> bool:
+    more_closely = request.laying == "tiles" and covering.laying in _TILES
+    laid = request.laying in (None, covering.laying) or more_closely
+    return laid and request.colour in (None, covering.colour)
