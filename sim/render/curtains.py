@@ -17,7 +17,7 @@ ROD = 0.09
 """Height of the rod above the window [m]."""
 _LONG, _SHORT = 0.02, 0.12
 """Where it ends: above the floor, or below the sill [m]."""
-PLEATS = 5
+FOLDS = 9
 
 
 def curtain_ends(scene: Scene) -> dict[str, float]:

@@ -9,7 +9,7 @@ from shapely import Polygon, constrained_delaunay_triangles, get_coordinates, or
 
 from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.scene.surfaces import Covering, Surfaces
-from thinkblox.sim.render.curtains import PLEATS, sides_of, top_of
+from thinkblox.sim.render.curtains import FOLDS, sides_of, top_of
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, Colour, linear
 from thinkblox.sim.render.soup import ROOM, Patch, Plane, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
@@ -223,11 +223,13 @@ def _add_curtains(frame: _WallFrame, opening: Opening, bottom: float, colour: Co
     top = top_of(opening, frame.room)
     (first, _), (_, last) = sides = sides_of(opening)
     frame.box((first - 0.03, last + 0.03), (0.055, 0.075), (top - 0.01, top + 0.01), _HANDLE, "metal", 0.008)
+    # The folds are of two tones in one plane: their own shadows are finer than the light's grid.
+    red, green, blue = (0.9 * channel for channel in colour)
     for start, end in sides:
-        for pleat in range(PLEATS):
-            low, high = (start + (end - start) * (pleat + part) / PLEATS for part in (0.0, 1.0))
-            near = 0.035 if pleat % 2 else 0.05
-            frame.box((low, high), (near, near + 0.04), (bottom, top - 0.012), colour, "fabric", 0.012)
+        for fold in range(FOLDS):
+            low, high = (start + (end - start) * (fold + part) / FOLDS for part in (0.0, 1.0))
+            tone = (red, green, blue) if fold % 2 else colour
+            frame.box((low, high), (0.04, 0.09), (bottom, top - 0.012), tone, "fabric")
 
 
 def _add_door(frame: _WallFrame, opening: Opening, top: float) -> None:

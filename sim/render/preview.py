@@ -33,8 +33,10 @@ ELEVATION = 40.0
 
 _CLEAR = 0.62
 """How far what stands before the room is seen through."""
-_IN_THE_WAY = 0.0
+_IN_THE_WAY = 0.15
 """What it counts for among what is seen."""
+_LOST = 3.0
+"""What each thing costs that is not seen at all, since its wall is cut away."""
 _ACCENT = 1.1
 """What a wall that stands out adds to all that is seen, as a factor."""
 _SPARE = 1.0
@@ -143,6 +145,7 @@ def _score(scene: Scene, tracer: Tracer, view: View) -> float:
     accent = scene.surfaces.accent_wall
     shown = _ACCENT if accent is not None and view.standing[accent] else 1.0
     seen = (np.sqrt(pixels[1:]) * np.array(worth)).sum() + 4.0 * windows + 0.3 * np.sqrt(pixels[0])
+    seen -= _LOST * len(hidden)
     return float(seen * shown)
 
 

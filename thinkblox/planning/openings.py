@@ -206,8 +206,8 @@ class _Openings:
         )
 
     def _window_width(self, space: float) -> float:
-        """Three to five tenths of a wall, but neither a slit nor a shop front."""
-        usual = float(self.rng.uniform(0.3, 0.48)) * space
+        """A third to a half of a wall, but neither a slit nor a shop front."""
+        usual = float(self.rng.uniform(0.33, 0.5)) * space
         return round(max(0.4, min(max(usual, _NARROWEST), _WIDEST, 0.5 * space)), 2)
 
     def _offset(self, wanted: _Wanted, index: int, width: float) -> float | None:

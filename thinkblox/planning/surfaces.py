@@ -13,6 +13,8 @@ from thinkblox.scene.room import Room
 from thinkblox.scene.surfaces import Covering, Surfaces
 
 T = TypeVar("T")
+_FACING = (0.15, 0.4)
+"""How much more walls in the west and in the north count for, which a camera in the south sees."""
 _TILES: tuple[Laying, ...] = ("subway", "checker", "stone", "marble", "terrazzo")
 """What is tiles, said more closely."""
 _LOW: tuple[Laying, ...] = ("panels", "tiles", "subway", "marble")
@@ -60,11 +62,12 @@ def surface_notes(brief: Brief, room: Room) -> Iterator[str]:
 
 
 def longest_free_wall(room: Room) -> int:
-    """The wall that is the longest after its openings are taken off; of such, one away from the south."""
-    free = [round(wall.length, 3) for wall in room.walls]
+    """The wall that is the longest after its openings are taken off; those count for more that pictures look at."""
+    free = [wall.length for wall in room.walls]
     for opening in room.openings:
-        free[opening.wall] -= 1.2 * opening.width
-    return max(range(len(free)), key=lambda i: (round(free[i], 3), -room.walls[i].inward[1]))
+        free[opening.wall] -= 0.6 * opening.width
+    worth = [1.0 - _FACING[1] * wall.inward[1] + _FACING[0] * wall.inward[0] for wall in room.walls]
+    return max(range(len(free)), key=lambda i: (round(free[i] * worth[i], 3), -i))
 
 
 def _parts(usual: Usual) -> tuple[tuple[str, tuple[Laying, ...]], tuple[str, tuple[Laying, ...]]]:
