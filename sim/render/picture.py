@@ -49,10 +49,20 @@ class _Window:
     width: int
     height: int
 
-    @property
+    @cached_property
     def part(self) -> tuple[slice, slice]:
         """Its lines and columns in the picture."""
         return slice(self.top, self.top + self.height), slice(self.left, self.left + self.width)
+
+    def rest(self, size: int) -> list[tuple[slice, slice]]:
+        """The lines and columns above, below and beside it."""
+        lines, columns = self.part
+        beside = (slice(0, self.left), slice(columns.stop, size))
+        return [
+            (slice(0, self.top), slice(0, size)),
+            (slice(lines.stop, size), slice(0, size)),
+            *((lines, side) for side in beside),
+        ]
 
     def place(self, pixel: NDArray[np.int64]) -> tuple[Floats, Floats]:
         """Where the upper left corners of some pixels are in the picture, across and down."""
@@ -121,10 +131,12 @@ def paint(
     light, colour = _painted(job, points)
     if settings.edge_rays:
         _soften_edges(job, points, light, colour)
-    picture = tone_mapped(settings.background.reshape(-1, 3), settings.exposure).reshape(size, size, 3)
-    picture[window.part] = colour.reshape(window.height, window.width, 3)
-    picture *= np.float32(255)
-    return np.rint(picture, out=picture).astype(np.uint8)
+    behind = settings.background
+    picture = np.empty((size, size, 3), np.uint8)
+    for part in (window.part, *window.rest(size)):
+        seen = colour if part is window.part else tone_mapped(behind[part].reshape(-1, 3), settings.exposure)
+        picture[part] = np.rint(seen * np.float32(255)).reshape(picture[part].shape)
+    return picture
 
 
 def _painted(job: _Job, points: Surfels) -> tuple[Floats, Floats]:
