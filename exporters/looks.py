@@ -5,8 +5,10 @@ import hashlib
 import msgspec
 
 from thinkblox.exporters.inventory import InventoryLook
+from thinkblox.scene.surfaces import Covering
 from thinkblox.scene.visuals import Look
-from thinkblox.sim.render.materials import FINISHES
+from thinkblox.sim.render.layings import MAKES
+from thinkblox.sim.render.materials import FINISHES, Reflectance
 from thinkblox.value import Vec3
 
 OPACITY = {"glass": 0.3}
@@ -14,7 +16,15 @@ OPACITY = {"glass": 0.3}
 
 def finish_look(material: str, colour: Vec3) -> InventoryLook:
     """The look of a shape of some material and colour, called by them, such as "wood_b98a5c"."""
-    finish = FINISHES[material]
+    return _reflecting(material, colour, FINISHES[material])
+
+
+def covering_look(covering: Covering) -> InventoryLook:
+    """The look of a floor or a wall, called by its laying and colour, such as "brick_a5644e"."""
+    return _reflecting(covering.laying, covering.colour, MAKES[covering.laying].reflectance)
+
+
+def _reflecting(material: str, colour: Vec3, finish: Reflectance) -> InventoryLook:
     return InventoryLook(
         name=f"{material}_" + "".join(f"{round(channel * 255):02x}" for channel in colour),
         colour=colour,

@@ -16,13 +16,12 @@ from thinkblox.exporters.inventory import (
     InventoryObject,
     InventoryWall,
 )
-from thinkblox.exporters.looks import finish_look, look_of
+from thinkblox.exporters.looks import covering_look, finish_look, look_of
 from thinkblox.scene.asset import Asset, Link, Shape
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import GROUND, build_spec, compiled
 from thinkblox.sim.geometry.solid import solid_of, weighing
-from thinkblox.sim.render.materials import palette
 from thinkblox.sim.settings import Physics
 from thinkblox.sim.verdict.settle import Pose, SettledState, settle
 from thinkblox.value import Quat, Vec3
@@ -57,14 +56,15 @@ class _Stocktaking:
         return Inventory(self._scene, self._physics, walls, objects, self._looks, self._settled)
 
     def _walls(self) -> Iterator[InventoryWall]:
-        colours, room = palette(self._scene.seed), self._scene.room
+        surfaces, room = self._scene.surfaces, self._scene.room
+        coverings = {GROUND: surfaces.floor} | {w.name: surfaces.of_wall(i) for i, w in enumerate(room.walls)}
         boxes: dict[str, list[InventoryGeom]] = {name: [] for name in (GROUND, *(wall.name for wall in room.walls))}
         for number in range(int(self._model.body_geomnum[0])):
             geom = self._model.geom(number)
             boxes[geom.name.partition("/")[0]].append(self._slab(number))
         for name, geoms in boxes.items():
-            label, colour = ("floor", colours.floor) if name == GROUND else ("wall", colours.wall)
-            yield InventoryWall(name, label, self._known(finish_look(label, colour)), tuple(geoms))
+            label = "floor" if name == GROUND else "wall"
+            yield InventoryWall(name, label, self._known(covering_look(coverings[name])), tuple(geoms))
 
     def _slab(self, number: int) -> InventoryGeom:
         model = self._model

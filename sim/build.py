@@ -13,6 +13,7 @@ from thinkblox.scene.asset import Asset, Joint, Link, Shape
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.surfaces import Surfaces
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.mesh_visuals import add_mesh_visual
@@ -22,8 +23,8 @@ from thinkblox.version import package_version as package_version
 GROUND = "floor"
 """Name of the floor's geom; the walls' geoms are named after the walls."""
 FREE_SUFFIX = "_free"
-FLOOR_COLOUR = (0.72, 0.58, 0.43, 1.0)
-WALL_COLOUR = (0.93, 0.91, 0.87, 0.25)
+WALL_OPACITY = 0.25
+"""Walls are seen through in MJCF, so that viewers look into the room from every side."""
 GEOM_TYPES = {
     "box": mujoco.mjtGeom.mjGEOM_BOX,
     "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
@@ -65,7 +66,7 @@ def build_spec(
     """
     physics = physics or Physics()
     spec = new_spec(physics, visuals=visuals)
-    add_room(spec, scene.room, physics, visuals=visuals)
+    add_room(spec, scene.room, physics, surfaces=scene.surfaces if visuals else None)
     for placement in scene.placements:
         if only is None or placement.id in only:
             add_placement(spec, placement, scene.asset_of(placement), visuals=visuals, asleep=sleeping)
@@ -115,8 +116,8 @@ def _add_looks(spec: mujoco.MjSpec) -> None:
     )  # fmt: skip
 
 
-def add_room(spec: mujoco.MjSpec, room: Room, physics: Physics, *, visuals: bool = False) -> None:
-    """Add the floor and the walls to the world body, all of them boxes.
+def add_room(spec: mujoco.MjSpec, room: Room, physics: Physics, *, surfaces: Surfaces | None = None) -> None:
+    """Add the floor and the walls to the world body, all boxes; lit, and in the colours of `surfaces`, if given.
 
     The floor is no plane: MuJoCo 3.17 throws cylinders up that stand on one upright to within 1e-14 rad, since its
     plane-cylinder collider normalises a difference that is all rounding error.
@@ -128,14 +129,16 @@ def add_room(spec: mujoco.MjSpec, room: Room, physics: Physics, *, visuals: bool
     half, rim = physics.floor_thickness / 2, physics.wall_thickness
     floor.pos = ((x0 + x1) / 2, (y0 + y1) / 2, -half)
     floor.size = ((x1 - x0) / 2 + rim, (y1 - y0) / 2 + rim, half)
-    if visuals:
-        floor.rgba = FLOOR_COLOUR
+    numbers = {wall.name: index for index, wall in enumerate(room.walls)}
+    if surfaces is not None:
+        floor.rgba = (*surfaces.floor.colour, 1.0)
         world.add_light(pos=((x0 + x1) / 2, (y0 + y1) / 2, room.height - 0.1), dir=(0.0, 0.0, -1.0), castshadow=True)
     for slab in wall_slabs(room, physics.wall_thickness):
         geom = world.add_geom(solid, name=slab.name, type=mujoco.mjtGeom.mjGEOM_BOX, friction=friction)
         geom.pos, geom.size, geom.quat = slab.position, np.asarray(slab.size) / 2, yaw_quat(slab.yaw)
-        if visuals:
-            geom.rgba = WALL_COLOUR
+        if surfaces is not None:
+            covering = surfaces.of_wall(numbers[slab.name.partition("/")[0]])
+            geom.rgba = (*covering.colour, WALL_OPACITY)
 
 
 def yaw_quat(yaw: float) -> tuple[float, float, float, float]:

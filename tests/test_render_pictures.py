@@ -1,14 +1,17 @@
 """Pictures: of the right size, the same every time, and showing what is there."""
 
 import math
+from itertools import combinations
 
 import numpy as np
 import pytest
+from msgspec import structs
 
-from thinkblox.scene.asset import Asset, Link, Shape
+from thinkblox.scene.asset import Asset, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.sim.render import (
     NOTHING,
     ROOM,
@@ -21,8 +24,11 @@ from thinkblox.sim.render import (
     render_preview,
     render_top,
 )
+from thinkblox.sim.render.curtains import curtain_ends
+from thinkblox.sim.render.foreground import in_the_way
 from thinkblox.sim.render.labels import Labelled, laid_out, names_of
-from thinkblox.sim.render.plan_view import plan_labels
+from thinkblox.sim.render.legend import MOST_NAMED, legend_of, numbered
+from thinkblox.sim.render.plan_view import plan_labels, plan_numbers, text_size
 from thinkblox.value import Vec3
 
 L_SHAPE = Room(floor=((0.0, 0.0), (5.0, 0.0), (5.0, 2.5), (2.5, 2.5), (2.5, 5.0), (0.0, 5.0)))
@@ -228,3 +234,77 @@ def test_a_target_is_marked_in_another_colour() -> None:
     scene = put(Scene(room=OPEN), BOX, (2.0, 1.5, 0.0))
     plain, target = render_marked(scene, size=128), render_marked(scene, size=128, targets=("box_1",))
     assert plain.tobytes() != target.tobytes()
+
+
+TALL_BOX = asset("wardrobe", (0.6, 1.0, 2.0), front="one")
+LIVED_IN = Surfaces(
+    floor=Covering(laying="planks", colour=(0.7, 0.6, 0.5)),
+    walls=Covering(laying="paint", colour=(0.9, 0.9, 0.9)),
+    curtains=(0.2, 0.3, 0.6),
+)
+
+
+def test_a_tall_piece_on_a_cut_wall_is_seen_through() -> None:
+    for wall in OPEN.walls:
+        x, y = wall.point(wall.length / 2, 0.31)
+        scene = put(Scene(room=OPEN), TALL_BOX, (x, y, 0.0), wall.yaw)
+        view = best_view(scene)
+        cut = not view.standing[OPEN.walls.index(wall)]
+        assert in_the_way(scene, view.standing) == (frozenset({"wardrobe_1"}) if cut else frozenset())
+        solid = cast(scene, view.camera, size=128, standing=view.standing).ids == 0
+        empty, full = (pixels(render_preview(s, size=128))[solid] for s in (scene.without("wardrobe_1"), scene))
+        if best_view(scene.without("wardrobe_1")).azimuth == view.azimuth:
+            assert (np.abs(full - empty).mean() < 45) == cut
+
+
+def test_what_a_tall_piece_on_a_cut_wall_carries_is_seen_through_with_it() -> None:
+    wall = OPEN.walls[0]
+    x, y = wall.point(2.5, 0.31)
+    scene = put(Scene(room=OPEN), TALL_BOX, (x, y, 0.0), wall.yaw)
+    scene = put(scene, asset("vase", (0.1, 0.1, 0.3), mount="surface"), (x, y, 2.0), 0.0, "wardrobe_1")
+    low = put(scene, BOX, (1.8, 0.3, 0.0))
+    assert in_the_way(low, (False, True, True, True)) - {"vase_1"} == {"wardrobe_1"}
+
+
+def test_curtains_hang_where_nothing_stands_in_their_way() -> None:
+    scene = Scene(room=structs.replace(OPEN, surfaces=LIVED_IN))
+    wall, window = OPEN.walls[2], OPEN.openings[1]
+    assert curtain_ends(scene) == {"window_1": pytest.approx(0.02)}
+    x, y = wall.point(window.offset - 0.1, 0.2)
+    assert curtain_ends(put(scene, BOX, (x, y, 0.0), wall.yaw)) == {"window_1": pytest.approx(0.78)}
+    assert curtain_ends(put(scene, TALL_BOX, (x, y, 0.0), wall.yaw)) == {}
+    assert curtain_ends(put(scene, asset("curtain", (0.1, 1.0, 2.0)), (1.0, 1.0, 0.0))) == {}
+    assert curtain_ends(Scene(room=OPEN)) == {}
+    assert difference(render_preview(scene, size=128), render_preview(Scene(room=scene.room), size=128)) == 0
+    bare = Scene(room=structs.replace(OPEN, surfaces=structs.replace(LIVED_IN, curtains=None)))
+    assert difference(render_preview(scene, size=128), render_preview(bare, size=128)) > 0.2
+
+
+def test_a_crowded_plan_has_numbers_and_a_list_of_what_they_mean() -> None:
+    scene = Scene(room=rectangle(8.0, 8.0))
+    for number in range(26):
+        scene = put(scene, BOX, (1.0 + number % 6, 1.0 + number // 6, 0.0))
+    scene = put(scene, TALL_BOX, (7.0, 7.0, 0.0))
+    legend = legend_of(scene.placements, text_size, 1024, 15)
+    assert legend.entries == ("1  box (26)", "2  wardrobe")
+    labels = plan_numbers(scene, plan_of(scene.room), 1024, legend, ())
+    assert sorted(label.text for label in labels) == ["1"] * 26 + ["2"]
+    boxes = [(*label.at, *text_size(label.text, label.font)) for label in labels]
+    assert not any(
+        abs(a[0] - b[0]) < (a[2] + b[2]) / 2 and abs(a[1] - b[1]) < (a[3] + b[3]) / 2 for a, b in combinations(boxes, 2)
+    )
+    assert render_top(scene, size=256).size == (256, 256)
+    assert MOST_NAMED == 25
+
+
+def test_many_small_things_of_a_kind_on_one_share_a_number() -> None:
+    shelf = asset("shelf", (2.0, 1.0, 1.0), surfaces=(Surface(name="top", position=(0.0, 0.0, 1.0), size=(2.0, 1.0)),))
+    scene = put(Scene(room=rectangle(8.0, 8.0)), shelf, (4.0, 4.0, 0.0))
+    for number in range(8):
+        scene = put(scene, asset("jar", (0.1, 0.1, 0.2)), (3.2 + 0.2 * number, 4.0, 1.0), 0.0, "shelf_1")
+    legend = legend_of(scene.placements, text_size, 512, 12)
+    assert sorted(text for text, _ in numbered(scene.placements, legend)) == ["1", "2"]
+
+
+def difference(first: object, second: object) -> float:
+    return float(np.abs(pixels(first) - pixels(second)).mean())

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from msgspec import Meta
 
 from thinkblox.checked import AboveZero, CheckedValue, Extent
+from thinkblox.layings import Colour, Laying
 
 RelationKind = Literal[
     "on",  # rests on the anchor
@@ -136,6 +137,23 @@ class OpeningRequest(CheckedValue, frozen=True, kw_only=True):
     count: Annotated[int, Meta(ge=0, le=200)] = 1
 
 
+class SurfaceRequest(CheckedValue, frozen=True, kw_only=True):
+    """What the prompt says of the floor, of all walls, or of one of them.
+
+    Attributes:
+        laying: what it is made of; None where it only has a colour.
+        colour: sRGB; None where it only has a material.
+        second: the colour of every other tile or stripe.
+        phrase: the words it was read from.
+    """
+
+    part: Literal["floor", "walls", "wall"]
+    laying: Laying | None = None
+    colour: Colour | None = None
+    second: Colour | None = None
+    phrase: str = ""
+
+
 class Brief(CheckedValue, frozen=True, kw_only=True):
     """What the prompt asks for.
 
@@ -146,6 +164,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
         area: of the floor [m2], where the prompt gives that.
         height: of the room [m], where the prompt gives it.
         style: adjectives about the whole ("calm", "cosy").
+        surfaces: what floor and walls are to be like.
         missing: things asked for that are not made, with their count in words.
         beyond: things asked for that are more than one room is given, with their count in words.
         unknown: words that meant nothing to us, or that we can do nothing about, and that name or change a thing.
@@ -167,6 +186,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     requests: tuple[Request, ...] = ()
     relations: tuple[Relation, ...] = ()
     style: tuple[str, ...] = ()
+    surfaces: tuple[SurfaceRequest, ...] = ()
     missing: tuple[str, ...] = ()
     beyond: tuple[str, ...] = ()
     unknown: tuple[str, ...] = ()

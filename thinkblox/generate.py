@@ -17,7 +17,7 @@ from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import ExpertPlanner, is_open, larger
+from thinkblox.planning import ExpertPlanner, is_open, larger, with_surfaces
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import GrammarBriefer
@@ -100,7 +100,7 @@ def generate_room(
     Args:
         prompt: what the room should be, in a sentence or more.
         seed: every random choice follows from it; the same prompt and seed give the same scene.
-        room: a room to furnish; made from the prompt when not given.
+        room: a room to furnish; made from the prompt when not given. Its surfaces are chosen where it has none.
         policy: who proposes; the embedded expert when not given.
         briefer: who understands the prompt; the grammar when not given.
         planner: who decides on the room and the order of its objects; the embedded expert when not given.
@@ -129,7 +129,7 @@ def generate_room(
             on_plan(plan)
         return furnish(
             plan,
-            Scene(prompt=prompt, seed=seed, room=floor),
+            Scene(prompt=prompt, seed=seed, room=with_surfaces(floor, brief, seed)),
             policy=policy or ExpertPolicy(),
             source=source or ProceduralAssets(),
             effort=effort,

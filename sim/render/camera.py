@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.render.tessellate import Floats
+from thinkblox.sim.render.vectors import length
 
 Vector = NDArray[np.float64]
 
@@ -38,7 +39,7 @@ class Camera:
         if not self.perspective:
             return eye + shift, np.ascontiguousarray(np.broadcast_to(forward, shift.shape))
         direction = shift + forward
-        direction /= np.sqrt(np.einsum("ij,ij->i", direction, direction))[:, None]
+        direction /= length(direction)[:, None]
         return np.ascontiguousarray(np.broadcast_to(eye, shift.shape)), direction
 
     def project(self, points: NDArray[np.float64], size: int) -> NDArray[np.float64]:

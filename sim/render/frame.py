@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera
-from thinkblox.sim.render.interior import Shell, accent_wall, add_room
+from thinkblox.sim.render.interior import Shell, add_room
 from thinkblox.sim.render.lighting import Irradiance, lights
-from thinkblox.sim.render.materials import GROUND, linear, palette
+from thinkblox.sim.render.materials import GROUND, linear
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.shading import Shader, tone_mapped
 from thinkblox.sim.render.soup import ROOM, Pose, Soup, add_objects
@@ -58,8 +58,8 @@ def cast(
     """
     soup = Soup()
     upright = inside_walls(scene.room, camera) if standing is None else standing
-    shell = Shell(upright, accent_wall(scene.room, upright), ground=False)
-    add_room(soup, scene.room, palette(scene.seed), shell)
+    shell = Shell(upright)
+    add_room(soup, scene.room, scene.surfaces, shell)
     add_objects(soup, scene, poses)
     tracer = Tracer(soup.triangles())
     y, x = (axis.ravel().astype(np.float32) + np.float32(0.5) for axis in np.mgrid[0:size, 0:size])

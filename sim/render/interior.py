@@ -1,16 +1,19 @@
 """The room itself as triangles: floor, walls with their doors and windows, skirting, and the ground round it."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from shapely import constrained_delaunay_triangles, get_coordinates, orient_polygons
+from shapely import Polygon, constrained_delaunay_triangles, get_coordinates, orient_polygons
 
 from thinkblox.scene.room import Opening, Room, Wall
-from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, TRIM, Colour, Palette, linear
-from thinkblox.sim.render.soup import ROOM, Patch, Soup
+from thinkblox.scene.surfaces import Covering, Surfaces
+from thinkblox.sim.render.curtains import FOLDS, sides_of, top_of
+from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, Colour, linear
+from thinkblox.sim.render.soup import ROOM, Patch, Plane, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
-from thinkblox.value import Vec2, Vec3
+from thinkblox.value import Vec3
 
 THICKNESS = 0.12
 """Thickness of the walls, outside the floor polygon [m]."""
@@ -20,7 +23,6 @@ SLAB = 0.14
 """Thickness of the floor [m]."""
 _SKIRTING = (0.09, 0.014)
 _PANE: Colour = (0.80, 0.90, 1.0)
-_LEAF: Colour = (0.84, 0.81, 0.76)
 _HANDLE: Colour = (0.55, 0.53, 0.50)
 
 
@@ -30,37 +32,27 @@ class Shell:
 
     Attributes:
         standing: for each wall, whether it is drawn at full height; the others leave a rim.
-        accent: index of the wall in the accent colour, or None.
-        ground: whether the ground round the room is drawn.
+        ground: what is drawn of the ground that the room stands on; None for nothing.
         top: height of the standing walls [m], the room's when None.
         cut: colour of the walls' upper faces.
+        curtains: height of the lower edge of curtains [m], by the id of their window.
     """
 
     standing: tuple[bool, ...]
-    accent: int | None = None
-    ground: bool = True
+    ground: Polygon | None = None
     top: float | None = None
     cut: Colour = CUT
+    curtains: Mapping[str, float] = field(default_factory=dict)
 
 
-def add_room(soup: Soup, room: Room, palette: Palette, shell: Shell) -> None:
+def add_room(soup: Soup, room: Room, surfaces: Surfaces, shell: Shell) -> None:
     """Add floor, walls, openings and ground."""
-    add_floor(soup, room, palette)
+    add_floor(soup, room, surfaces)
     for index, wall in enumerate(room.walls):
-        colour = palette.accent if index == shell.accent and shell.standing[index] else palette.wall
         openings = [o for o in room.openings if o.wall == index]
-        _add_wall(_WallFrame(soup, room, index, shell), wall, openings, colour)
-    if shell.ground:
-        width, depth = room.extent
-        add_ground(soup, (width / 2, depth / 2), 12 * math.hypot(width, depth), -SLAB - 0.002)
-
-
-def accent_wall(room: Room, standing: tuple[bool, ...]) -> int:
-    """The wall for the accent colour: of those at full height, the longest one after its openings are taken off."""
-    free = [wall.length if stands else 0.0 for wall, stands in zip(room.walls, standing, strict=True)]
-    for opening in room.openings:
-        free[opening.wall] -= 1.2 * opening.width
-    return int(np.argmax(np.round(free, 6)))
+        _add_wall(_WallFrame(soup, room, index, shell, surfaces), wall, openings)
+    if shell.ground is not None:
+        add_ground(soup, shell.ground, -SLAB - 0.002)
 
 
 @dataclass(frozen=True)
@@ -71,6 +63,7 @@ class _WallFrame:
     room: Room
     index: int
     shell: Shell
+    surfaces: Surfaces
 
     @property
     def wall(self) -> Wall:
@@ -85,6 +78,7 @@ class _WallFrame:
         material: str,
         radius: float = 0.0,
         slant: tuple[float, float] = (0.0, 0.0),
+        covering: Covering | None = None,
     ) -> None:
         """One box from lower to upper bounds; nothing when it has no extent.
 
@@ -94,9 +88,15 @@ class _WallFrame:
         size = np.array([along[1], inward[1], up[1]]) - low
         if size.min() > 1e-6:
             mesh = rounded_box((float(size[0]), float(size[1]), float(size[2])), radius)
-            self.soup.add(
-                _slanted(mesh, slant), self.patch(low + size / 2, (size[0], size[1], size[2]), colour, material)
-            )
+            patch = self.patch(low + size / 2, (size[0], size[1], size[2]), colour, material)
+            if covering is not None:
+                patch = replace(patch, plane=self.plane(covering))
+            self.soup.add(_slanted(mesh, slant), patch)
+
+    def plane(self, covering: Covering) -> Plane:
+        """The wall's inner side, with its pattern beginning at its start on the floor."""
+        (ax, ay), (x, y) = self.wall.along, self.wall.start
+        return Plane(covering, (x, y, 0.0), (-ax, -ay, 0.0), (0.0, 0.0, 1.0), floor=False)
 
     def patch(self, centre: np.ndarray, size: Vec3, colour: Colour, material: str) -> Patch:
         """A patch whose frame is along the wall, into the room, up, centred at a point given in that order."""
@@ -115,14 +115,17 @@ def _slanted(mesh: Mesh, slant: tuple[float, float]) -> Mesh:
     return Mesh(vertices, mesh.normals, mesh.faces)
 
 
-def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening], colour: Colour) -> None:
+def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening]) -> None:
     standing = frame.shell.standing[frame.index]
     top = (frame.shell.top or frame.room.height) if standing else RIM
     low, high = _end(frame, -1), _end(frame, 1)
     first, last = -low.run, wall.length + high.run
     for start, end, bottom, ceiling in _solid_parts(openings, first, last, top):
         slant = (low.slant if start == first else 0.0, high.slant if end == last else 0.0)
-        frame.box((start, end), (-THICKNESS, 0.0), (bottom, ceiling), colour, "wall", slant=slant)
+        for lower, upper, covering in _courses(frame, bottom, ceiling):
+            frame.box(
+                (start, end), (-THICKNESS, 0.0), (lower, upper), covering.colour, "wall", slant=slant, covering=covering
+            )
         if ceiling == top:
             cap = (top, top + 0.004)
             frame.box((start, end), (-THICKNESS, 0.0), cap, frame.shell.cut, "cut", slant=slant)
@@ -130,12 +133,28 @@ def _add_wall(frame: _WallFrame, wall: Wall, openings: list[Opening], colour: Co
         if bare:
             frame.box((at, at + 0.003), (-THICKNESS, 0.0), (-SLAB, top + 0.004), frame.shell.cut, "cut")
     for opening in openings:
-        if opening.kind == "window" and top >= opening.sill + opening.height:
-            _add_window(frame, opening)
-        elif opening.kind == "door":
-            _add_door(frame, opening, top)
+        _add_opening(frame, opening, top)
     if standing:
         _add_skirting(frame, wall, openings)
+
+
+def _add_opening(frame: _WallFrame, opening: Opening, top: float) -> None:
+    if opening.kind == "door":
+        _add_door(frame, opening, top)
+    elif top >= opening.sill + opening.height:
+        _add_window(frame, opening)
+        if opening.id in frame.shell.curtains and frame.surfaces.curtains is not None:
+            _add_curtains(frame, opening, frame.shell.curtains[opening.id], frame.surfaces.curtains)
+
+
+def _courses(frame: _WallFrame, bottom: float, top: float) -> list[tuple[float, float, Covering]]:
+    """The dado and what is above it of a part of a wall, as (bottom, top, covering)."""
+    surfaces, upper = frame.surfaces, frame.surfaces.of_wall(frame.index)
+    if surfaces.dado is None or bottom >= surfaces.dado_height:
+        return [(bottom, top, upper)]
+    if top <= surfaces.dado_height:
+        return [(bottom, top, surfaces.dado)]
+    return [(bottom, surfaces.dado_height, surfaces.dado), (surfaces.dado_height, top, upper)]
 
 
 def _solid_parts(
@@ -186,16 +205,31 @@ def _add_window(frame: _WallFrame, opening: Opening) -> None:
     bottom, top = opening.sill, opening.sill + opening.height
     bar, depth = min(0.05, opening.width / 8), (-0.085, -0.035)
     frame.box((start, end), (-0.075, -0.07), (bottom, top), _PANE, "pane")
-    frame.box((start, start + bar), depth, (bottom, top), TRIM, "trim", 0.003)
-    frame.box((end - bar, end), depth, (bottom, top), TRIM, "trim", 0.003)
-    frame.box((start, end), depth, (bottom, bottom + bar), TRIM, "trim", 0.003)
-    frame.box((start, end), depth, (top - bar, top), TRIM, "trim", 0.003)
+    frame.box((start, start + bar), depth, (bottom, top), frame.surfaces.trim, "trim", 0.003)
+    frame.box((end - bar, end), depth, (bottom, top), frame.surfaces.trim, "trim", 0.003)
+    frame.box((start, end), depth, (bottom, bottom + bar), frame.surfaces.trim, "trim", 0.003)
+    frame.box((start, end), depth, (top - bar, top), frame.surfaces.trim, "trim", 0.003)
     lights = max(round(opening.width / 0.75), 1)
     for i in range(1, lights):
         middle = start + opening.width * i / lights
-        frame.box((middle - bar / 2, middle + bar / 2), depth, (bottom, top), TRIM, "trim", 0.003)
+        frame.box((middle - bar / 2, middle + bar / 2), depth, (bottom, top), frame.surfaces.trim, "trim", 0.003)
     if bottom > 0.15:
-        frame.box((start - 0.04, end + 0.04), (-THICKNESS, 0.05), (bottom - 0.03, bottom + 0.004), TRIM, "trim", 0.003)
+        board = (bottom - 0.03, bottom + 0.004)
+        frame.box((start - 0.04, end + 0.04), (-THICKNESS, 0.05), board, frame.surfaces.trim, "trim", 0.003)
+
+
+def _add_curtains(frame: _WallFrame, opening: Opening, bottom: float, colour: Colour) -> None:
+    """A pleated curtain on either side of a window, on a rod."""
+    top = top_of(opening, frame.room)
+    (first, _), (_, last) = sides = sides_of(opening)
+    frame.box((first - 0.03, last + 0.03), (0.055, 0.075), (top - 0.01, top + 0.01), _HANDLE, "metal", 0.008)
+    # The folds are of two tones in one plane: their own shadows are finer than the light's grid.
+    red, green, blue = (0.9 * channel for channel in colour)
+    for start, end in sides:
+        for fold in range(FOLDS):
+            low, high = (start + (end - start) * (fold + part) / FOLDS for part in (0.0, 1.0))
+            tone = (red, green, blue) if fold % 2 else colour
+            frame.box((low, high), (0.04, 0.09), (bottom, top - 0.012), tone, "fabric")
 
 
 def _add_door(frame: _WallFrame, opening: Opening, top: float) -> None:
@@ -203,10 +237,10 @@ def _add_door(frame: _WallFrame, opening: Opening, top: float) -> None:
     if top < opening.height:
         return
     bar, height = 0.07, opening.height
-    frame.box((start - bar, start), (-0.02, 0.018), (0.0, height + bar), TRIM, "trim", 0.003)
-    frame.box((end, end + bar), (-0.02, 0.018), (0.0, height + bar), TRIM, "trim", 0.003)
-    frame.box((start, end), (-0.02, 0.018), (height, height + bar), TRIM, "trim", 0.003)
-    frame.box((start + 0.004, end - 0.004), (-0.07, -0.03), (0.004, height - 0.004), _LEAF, "trim", 0.002)
+    frame.box((start - bar, start), (-0.02, 0.018), (0.0, height + bar), frame.surfaces.trim, "trim", 0.003)
+    frame.box((end, end + bar), (-0.02, 0.018), (0.0, height + bar), frame.surfaces.trim, "trim", 0.003)
+    frame.box((start, end), (-0.02, 0.018), (height, height + bar), frame.surfaces.trim, "trim", 0.003)
+    frame.box((start + 0.004, end - 0.004), (-0.07, -0.03), (0.004, height - 0.004), frame.surfaces.door, "trim", 0.002)
     _add_panels(frame, opening)
     away = end - 0.09 if opening.hinge == "start" else start + 0.09
     lever = -0.06 if opening.hinge == "start" else 0.06
@@ -220,37 +254,59 @@ def _add_panels(frame: _WallFrame, opening: Opening) -> None:
     """Two raised fields on the door's leaf."""
     start, end = opening.offset + 0.13, opening.offset + opening.width - 0.13
     for bottom, top in ((0.20, 0.88), (1.10, opening.height - 0.15)):
-        frame.box((start, end), (-0.03, -0.022), (bottom, top), _LEAF, "trim", 0.004)
+        frame.box((start, end), (-0.03, -0.022), (bottom, top), frame.surfaces.door, "trim", 0.004)
 
 
 def _add_skirting(frame: _WallFrame, wall: Wall, openings: list[Opening]) -> None:
+    """A skirting along the floor, but for tiles; and a rail along the top of a dado."""
+    surfaces, trim = frame.surfaces, frame.surfaces.trim
+    lowest = surfaces.of_wall(frame.index) if surfaces.dado is None else surfaces.dado
     height, depth = _SKIRTING
-    at = 0.0
-    doors = sorted((o.offset - 0.07, o.offset + o.width + 0.07) for o in openings if o.sill < height)
-    for start, end in [*doors, (wall.length, wall.length)]:
-        frame.box((at, min(start, wall.length)), (0.0, depth), (0.0, height), TRIM, "trim", 0.003)
-        at = max(at, end)
+    if lowest.laying not in ("tiles", "subway", "marble", "stone"):
+        for start, end in _free(wall, openings, 0.0, height):
+            frame.box((start, end), (0.0, depth), (0.0, height), trim, "trim", 0.003)
+    if surfaces.dado is not None and surfaces.dado_height < frame.room.height:
+        top = surfaces.dado_height
+        for start, end in _free(wall, openings, top - 0.02, top + 0.02):
+            frame.box((start, end), (0.0, 0.01), (top - 0.018, top + 0.012), trim, "trim", 0.003)
 
 
-def add_floor(soup: Soup, room: Room, palette: Palette) -> None:
-    """Add the floor, its planks along the longer side."""
+def _free(wall: Wall, openings: list[Opening], bottom: float, top: float) -> list[tuple[float, float]]:
+    """The stretches of a wall that no opening takes between two heights."""
+    frame = 0.07
+    taken = [o for o in openings if o.sill - frame < top and o.sill + o.height + frame > bottom]
+    stretches, at = [], 0.0
+    for opening in sorted(taken, key=lambda o: o.offset):
+        stretches.append((at, opening.offset - frame))
+        at = max(at, opening.offset + opening.width + frame)
+    return [(start, end) for start, end in [*stretches, (at, wall.length)] if end - start > 1e-3]
+
+
+def add_floor(soup: Soup, room: Room, surfaces: Surfaces) -> None:
+    """Add the floor, its pattern along the longer side."""
     width, depth = room.extent
     turn = np.eye(3) if width >= depth else np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-    corners: list[tuple[float, float]] = []
-    for triangle in constrained_delaunay_triangles(room.polygon).geoms:
-        corners += get_coordinates(orient_polygons(triangle))[:3].tolist()
-    flat = np.array([(x, y, 0.0) for x, y in corners]) @ turn
-    patch = Patch(linear(palette.floor), MATERIALS.index("floor"), ROOM, turn, np.zeros(3), (width, depth, SLAB))
-    soup.add(_level(flat), patch)
+    flat = _flat(room.polygon, 0.0) @ turn
+    # The pattern of a floor turned a quarter runs the other way round, so that it is seen from the same side.
+    axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)) if width >= depth else ((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0))
+    plane = Plane(surfaces.floor, (0.0, 0.0, 0.0), *axes, floor=True)
+    colour, material = linear(surfaces.floor.colour), MATERIALS.index("floor")
+    soup.add(_level(flat), Patch(colour, material, ROOM, turn, np.zeros(3), (width, depth, SLAB), plane=plane))
 
 
-def add_ground(soup: Soup, centre: Vec2, far: float, height: float) -> None:
-    """Add a level square that reaches `far` from its centre [m]; it shows shadows only."""
-    x, y = centre
-    quad = np.array([(x - far, y - far), (x + far, y - far), (x + far, y + far), (x - far, y + far)])
-    flat = np.concatenate([quad[[0, 1, 2, 0, 2, 3]], np.full((6, 1), height)], 1)
-    patch = Patch(linear(GROUND), MATERIALS.index("ground"), ROOM, np.eye(3), np.zeros(3), (far, far, SLAB))
-    soup.add(_level(flat), patch)
+def add_ground(soup: Soup, outline: Polygon, height: float) -> None:
+    """Add level ground of some outline at a height [m]; it shows shadows only."""
+    x0, y0, x1, y1 = outline.bounds
+    size = (x1 - x0, y1 - y0, SLAB)
+    patch = Patch(linear(GROUND), MATERIALS.index("ground"), ROOM, np.eye(3), np.zeros(3), size)
+    soup.add(_level(_flat(outline, height)), patch)
+
+
+def _flat(outline: Polygon, height: float) -> np.ndarray:
+    """Corners (3 n, 3) of the triangles that fill a polygon at a height [m], counter-clockwise."""
+    triangles = constrained_delaunay_triangles(outline).geoms
+    corners = np.concatenate([get_coordinates(orient_polygons(triangle))[:3] for triangle in triangles])
+    return np.pad(corners, ((0, 0), (0, 1)), constant_values=height)
 
 
 def _level(corners: np.ndarray) -> Mesh:

@@ -11,6 +11,7 @@ from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.surfels import Surfels
 from thinkblox.sim.render.tessellate import Floats
+from thinkblox.sim.render.vectors import dot
 
 CELLS = 16
 """Points take turns with this many sets of directions, 4 x 4 in the picture; a blur of that width joins them."""
@@ -46,7 +47,7 @@ class Lights:
     horizon: Floats
     below: Floats
     lamps: Floats
-    gather: int = 20
+    gather: int = 12
     sun_rays: int = 6
 
     @cached_property
@@ -65,7 +66,7 @@ def lights(
     tracer: Tracer,
     towards_sun: Floats,
     *,
-    gather: int = 20,
+    gather: int = 12,
     sun_rays: int = 6,
     spread: float = 4.0,
     strength: float = 1.0,
@@ -142,28 +143,43 @@ def irradiance(
 def _gathered(
     tracer: Tracer, lights: Lights, bounce: Floats, points: Surfels, origin: Floats, cell: NDArray[np.int64]
 ) -> Floats:
-    rays = _ball(lights.gather)[cell] + points.normal[:, None, :] * np.float32(1.002)
-    inside = np.einsum("nkc,nc->nk", rays, points.facing) > 0
-    flat = rays.reshape(-1, 3)
-    flat /= np.sqrt(np.einsum("ij,ij->i", flat, flat))[:, None]
-    hits = tracer.solid(np.repeat(origin, lights.gather, axis=0), flat)
+    rays, inside = _fans(_ball(lights.gather).take(cell, 0), points)
+    hits = tracer.solid(_repeated(origin, lights.gather), rays)
     missed = hits.face < 0
-    sky = (flat[:, 2] * np.float32(SKY_STEPS / 2 - 0.5) + np.float32(SKY_STEPS / 2)).astype(np.int32)
-    light = bounce[np.where(missed, sky, hits.face + np.int32(SKY_STEPS))].reshape(*rays.shape)
+    sky = (rays[:, 2] * np.float32(SKY_STEPS / 2 - 0.5) + np.float32(SKY_STEPS / 2)).astype(np.intp)
+    light = bounce.take(np.where(missed, sky, hits.face + np.intp(SKY_STEPS)), 0).reshape(*inside.shape, 3)
     near = np.float32(0.35) + np.float32(0.65) * np.minimum(hits.distance, np.float32(1.0))
     weight = np.where(missed, np.float32(1), near).reshape(inside.shape) * inside
-    total: Floats = np.einsum("nkc,nk->nc", light, weight)
+    total: Floats = (weight[:, None, :] @ light)[:, 0]
     return total * np.float32(1 / lights.gather)
 
 
+def _fans(ball: Floats, points: Surfels) -> tuple[Floats, NDArray[np.bool_]]:
+    """Unit vectors (n k, 3) round the normals, from vectors of a ball (n, k, 3), and which leave the face (n, k)."""
+    columns = [ball[..., axis] + points.normal[:, axis, None] * np.float32(1.002) for axis in range(3)]
+    x, y, z = columns
+    facing = points.facing[:, :, None]
+    inside = x * facing[:, 0] + y * facing[:, 1] + z * facing[:, 2] > 0
+    shrink = np.reciprocal(np.sqrt(x * x + y * y + z * z))
+    rays = np.empty((inside.size, 3), np.float32)
+    for axis, column in enumerate(columns):
+        rays[:, axis] = (column * shrink).ravel()
+    return rays, inside
+
+
+def _repeated(rows: Floats, times: int) -> Floats:
+    """Each row (n, 3) so many times over."""
+    return np.ascontiguousarray(np.broadcast_to(rows[:, None], (len(rows), times, 3))).reshape(-1, 3)
+
+
 def _sunlit(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats, cell: NDArray[np.int64]) -> Floats:
-    cosine = np.maximum(points.normal @ lights.sun, np.float32(0))
-    lit = np.flatnonzero((cosine > 0) & (points.facing @ lights.sun > -0.05))
+    cosine = np.maximum(dot(points.normal, lights.sun), np.float32(0))
+    lit = np.flatnonzero((cosine > 0) & (dot(points.facing, lights.sun) > -0.05))
     result = np.zeros(len(origin), np.float32)
     if not len(lit):
         return result
-    rays = _sun_directions(lights)[cell[lit]].reshape(-1, 3)
-    hidden = tracer.blocked(np.repeat(origin[lit], lights.sun_rays, axis=0), rays)
+    rays = _sun_directions(lights).take(cell[lit], 0).reshape(-1, 3)
+    hidden = tracer.blocked(_repeated(origin.take(lit, 0), lights.sun_rays), rays)
     result[lit] = cosine[lit] * (1 - hidden.reshape(-1, lights.sun_rays).mean(1, dtype=np.float32))
     return result
 
@@ -174,8 +190,8 @@ def _lamp_light(tracer: Tracer, lights: Lights, points: Surfels, origin: Floats,
     jitter = _ball(4)[cell, 0]
     for lamp in lights.lamps:
         way = lamp[:3] + jitter * lamp[3] - origin
-        square = np.einsum("ij,ij->i", way, way)
-        cosine = np.einsum("ij,ij->i", way, points.normal) / np.sqrt(square + np.float32(1e-9))
+        square = dot(way, way)
+        cosine = dot(way, points.normal) / np.sqrt(square + np.float32(1e-9))
         near = np.flatnonzero((square < LAMP_REACH**2) & (cosine > 0))
         if not len(near):
             continue

@@ -1,9 +1,7 @@
-"""How each material answers to light, and the wall and floor colours that a seed chooses."""
+"""How each material answers to light, and the colours round a room."""
 
 from dataclasses import dataclass
 from typing import get_args
-
-import numpy as np
 
 from thinkblox.scene.asset import Material
 from thinkblox.scene.visuals import Look
@@ -46,7 +44,7 @@ FINISHES: dict[str, Reflectance] = {
     "paper": Reflectance(),
     "leaf": Reflectance(mirror=0.02, gloss=14.0, sheen=0.08),
     "stone": Reflectance(mirror=0.03, gloss=30.0),
-    "light": Reflectance(diffuse=0.25, glow=1.15),
+    "light": Reflectance(diffuse=0.25, glow=1.6),
     "screen": Reflectance(diffuse=0.8, mirror=0.06, gloss=160.0),
     "wall": Reflectance(),
     "floor": Reflectance(mirror=0.028, gloss=36.0),
@@ -56,45 +54,8 @@ FINISHES: dict[str, Reflectance] = {
     "ground": Reflectance(),
 }
 
-WALLS: tuple[Colour, ...] = (
-    (0.925, 0.910, 0.880),
-    (0.930, 0.920, 0.900),
-    (0.925, 0.900, 0.860),
-    (0.905, 0.905, 0.890),
-)
-ACCENTS: tuple[Colour, ...] = (
-    (0.660, 0.725, 0.655),
-    (0.625, 0.705, 0.745),
-    (0.840, 0.690, 0.590),
-    (0.830, 0.770, 0.650),
-    (0.760, 0.695, 0.690),
-)
-FLOORS: tuple[Colour, ...] = (
-    (0.760, 0.650, 0.520),
-    (0.715, 0.590, 0.455),
-    (0.800, 0.710, 0.590),
-    (0.640, 0.510, 0.385),
-)
-TRIM: Colour = (0.945, 0.935, 0.915)
 CUT: Colour = (0.80, 0.775, 0.735)
 GROUND: Colour = (0.875, 0.855, 0.825)
-
-
-@dataclass(frozen=True)
-class Palette:
-    """sRGB colours of a room's floor, walls and accent wall."""
-
-    floor: Colour
-    wall: Colour
-    accent: Colour
-
-
-def palette(seed: int) -> Palette:
-    """The colours of a room by its seed: the same seed, the same colours."""
-    draw = np.random.default_rng([seed % 2**32, 7]).integers(0, 1 << 16, 3)
-    return Palette(
-        FLOORS[int(draw[0]) % len(FLOORS)], WALLS[int(draw[1]) % len(WALLS)], ACCENTS[int(draw[2]) % len(ACCENTS)]
-    )
 
 
 def linear(colour: Colour) -> Colour:

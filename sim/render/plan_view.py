@@ -13,8 +13,9 @@ from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, plan_camera
 from thinkblox.sim.render.interior import THICKNESS, Shell, add_room
 from thinkblox.sim.render.labels import Box, Label, Labelled, laid_out, names_of
+from thinkblox.sim.render.legend import MOST_NAMED, Legend, legend_of, numbered
 from thinkblox.sim.render.lighting import lights
-from thinkblox.sim.render.materials import linear, palette
+from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.plan_marks import INK, Marks, mark_measures, mark_north, mark_openings, mark_scale
 from thinkblox.sim.render.rays import Tracer
@@ -36,13 +37,30 @@ _HALO = (252, 250, 246)
 def render_top(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] | None = None) -> "Image":
     """The plan, north up: objects with their names, door swings, windows, measures, a scale.
 
-    What hangs from the ceiling is outlined only, so that it hides nothing.
+    What hangs from the ceiling is outlined only, so that it hides nothing. Many objects have numbers in place of names,
+    and a list below the plan says what they mean.
 
     Args:
         scene: what to show.
         size: width and height [pixels].
         poses: poses of asset origins that go before those in the scene, by placement id, as after settling.
     """
+    from PIL import Image, ImageDraw
+
+    if len(scene.placements) <= MOST_NAMED:
+        return _plan(scene, size, poses, None)
+    legend = legend_of(scene.placements, text_size, size, _font_size(size, 15))
+    small = _plan(scene, size - legend.height, poses, legend)
+    paper = tuple(int(c) for c in np.asarray(small)[0, 0])
+    whole = Image.new("RGB", (size, size), paper)
+    whole.paste(small, ((size - small.width) // 2, 0))
+    draw = ImageDraw.Draw(whole)
+    for text, (x, y) in legend.places(size):
+        _write(draw, text, (x, small.height + y), legend.font, anchor="lm")
+    return whole
+
+
+def _plan(scene: Scene, size: int, poses: Mapping[str, Pose] | None, legend: Legend | None) -> "Image":
     from PIL import Image, ImageDraw
 
     camera = plan_of(scene.room)
@@ -57,7 +75,8 @@ def render_top(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] | No
     for text, at in notes:
         _write(draw, text, _pixel(camera, at, size), _font_size(size, 15))
     reserved = [_text_box(text, _pixel(camera, at, size), _font_size(size, 15)) for text, at in notes]
-    for label in plan_labels(scene, camera, size, reserved):
+    named = None if legend is None else plan_numbers(scene, camera, size, legend, reserved)
+    for label in plan_labels(scene, camera, size, reserved) if named is None else named:
         _write_label(draw, label, size)
     return picture
 
@@ -77,11 +96,21 @@ def plan_labels(scene: Scene, camera: Camera, size: int, reserved: Sequence[Box]
     return laid_out(things, text_size, size=size, fonts=fonts, reserved=reserved)
 
 
+def plan_numbers(scene: Scene, camera: Camera, size: int, legend: Legend, reserved: Sequence[Box]) -> tuple[Label, ...]:
+    """One number for each object, or for all of a kind on one thing."""
+    things = []
+    for number, members in numbered(scene.placements, legend):
+        boxes = np.array([pixel_box(camera, member, size) for member in members])
+        (left, top), (right, bottom) = boxes[:, :2].min(0), boxes[:, 2:].max(0)
+        things.append(Labelled(members[0].id, (number,), (float(left), float(top), float(right), float(bottom))))
+    return laid_out(things, text_size, size=size, fonts=[_font_size(size, 14), _font_size(size, 11)], reserved=reserved)
+
+
 def _painted(scene: Scene, camera: Camera, size: int, poses: Mapping[str, Pose] | None) -> NDArray[np.uint8]:
     soup = Soup()
     standing = (True,) * len(scene.room.walls)
-    shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=_CUT, ground=False)
-    add_room(soup, scene.room, palette(scene.seed), shell)
+    shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=_CUT)
+    add_room(soup, scene.room, scene.surfaces, shell)
     add_objects(soup, scene, poses, hidden={p.id for p in overhead(scene)})
     tracer = Tracer(soup.triangles())
     light = lights(tracer, np.array([-0.30, 0.34, 1.0], np.float32), gather=8, sun_rays=4, spread=6.0, strength=0.75)
@@ -159,11 +188,11 @@ def _write_label(draw: "ImageDraw", label: Label, size: int) -> None:
     _write(draw, label.text, label.at, label.font)
 
 
-def _write(draw: "ImageDraw", text: str, at: tuple[float, float], font: int) -> None:
+def _write(draw: "ImageDraw", text: str, at: tuple[float, float], font: int, *, anchor: str = "mm") -> None:
     from PIL import ImageFont
 
     face = ImageFont.load_default(font)
     halo = max(round(font / 6), 1)
     draw.multiline_text(
-        at, text, fill=INK, font=face, anchor="mm", align="center", spacing=1, stroke_width=halo, stroke_fill=_HALO
+        at, text, fill=INK, font=face, anchor=anchor, align="center", spacing=1, stroke_width=halo, stroke_fill=_HALO
     )

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from shapely import box
 
 from thinkblox.scene.asset import Asset
 from thinkblox.sim.render.camera import framed
@@ -36,7 +37,8 @@ def render_asset(asset: Asset, *, size: int = 256) -> "Image":
     soup.add_asset(asset, pose_of((0.0, 0.0, 0.0), 0.0), 0)
     points = np.concatenate([mesh.vertices for mesh in soup.meshes]).astype(np.float64)
     camera = framed(points, azimuth=AZIMUTH, elevation=ELEVATION, field=24.0, margin=0.09)
-    add_ground(soup, (0.0, 0.0), 12 * max(asset.size), -0.001)
+    far = 12 * max(asset.size)
+    add_ground(soup, box(-far, -far, far, far), -0.001)
     tracer = Tracer(soup.triangles())
     light = lights(tracer, np.array([0.62, -0.38, 0.95], np.float32), gather=24, sun_rays=8)
     paper = np.broadcast_to(np.array(linear(_PAPER), np.float32), (size, size, 3))

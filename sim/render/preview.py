@@ -1,20 +1,23 @@
 """The three-quarter picture of a room, opened like a dolls' house."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from shapely import contains_xy
+from shapely import Polygon, contains_xy, get_coordinates
+from shapely.affinity import translate
 
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, Vector, framed
+from thinkblox.sim.render.curtains import curtain_ends
+from thinkblox.sim.render.foreground import coverage, in_the_way
 from thinkblox.sim.render.frame import inside_walls
-from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_floor, add_room
+from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, add_floor, add_room
 from thinkblox.sim.render.lighting import lights
-from thinkblox.sim.render.materials import GROUND, linear, palette
+from thinkblox.sim.render.materials import GROUND, linear
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.soup import Pose, Soup, add_objects
@@ -28,6 +31,16 @@ ELEVATION = 40.0
 """How steeply the camera looks down [degrees]."""
 
 
+_CLEAR = 0.62
+"""How far what stands before the room is seen through."""
+_IN_THE_WAY = 0.15
+"""What it counts for among what is seen."""
+_LOST = 3.0
+"""What each thing costs that is not seen at all, since its wall is cut away."""
+_ACCENT = 1.1
+"""What a wall that stands out adds to all that is seen, as a factor."""
+_SPARE = 1.0
+"""How far from the room its walls darken the ground that lies in the sun [m]."""
 MARGIN = 0.045
 """Share of the picture left free round the room."""
 
@@ -42,7 +55,7 @@ class View:
 
 
 def render_preview(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] | None = None) -> "Image":
-    """A picture of the room from above one corner, its near walls cut away.
+    """A picture of the room from above one corner, its near walls cut away, and what stands on them seen through.
 
     Args:
         scene: what to show.
@@ -52,15 +65,26 @@ def render_preview(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] 
     from PIL import Image
 
     view = best_view(scene, poses)
-    tracer = Tracer(_soup(scene, view, poses).triangles())
+    hidden = _hidden(scene, view.standing)
+    tracer = Tracer(_soup(scene, view, poses, hidden).triangles())
+    settings = Settings(1.0, _backdrop(size))
     light = lights(tracer, _sun(view.azimuth))
-    return Image.fromarray(paint(tracer, view.camera, size, light, Settings(1.0, _backdrop(size))))
+    picture = paint(tracer, view.camera, size, light, settings)
+    faded = in_the_way(scene, view.standing) - hidden
+    if faded:
+        owners = [number for number, placement in enumerate(scene.placements) if placement.id in faded]
+        share, corners = coverage(tracer, view.camera, size, owners)
+        behind = Tracer(_soup(scene, view, poses, hidden | faded).triangles())
+        cleared = paint(behind, view.camera, size, light, settings, within=corners)
+        share = np.float32(_CLEAR) * share[..., None]
+        picture = np.rint(picture * (1 - share) + cleared * share).astype(np.uint8)
+    return Image.fromarray(picture)
 
 
 def best_view(scene: Scene, poses: Mapping[str, Pose] | None = None) -> View:
     """The corner from which most of the room is seen."""
     soup = Soup()
-    add_floor(soup, scene.room, palette(scene.seed))
+    add_floor(soup, scene.room, scene.surfaces)
     add_objects(soup, scene, poses)
     tracer = Tracer(soup.triangles())
     views = [_view(scene.room, azimuth) for azimuth in (225.0, 315.0, 135.0, 45.0)]
@@ -112,9 +136,17 @@ def _score(scene: Scene, tracer: Tracer, view: View) -> float:
     owners = np.array([patch.owner for patch in tracer.triangles.patches])[front[front >= 0]]
     pixels = np.bincount(owners + 1, minlength=len(scene.placements) + 1)
     hidden = _hidden(scene, view.standing)
-    worth = [(p.id not in hidden) * _worth(scene, p, view.azimuth) for p in scene.placements]
+    before = in_the_way(scene, view.standing)
+    worth = [
+        _IN_THE_WAY if p.id in before else (p.id not in hidden) * _worth(scene, p, view.azimuth)
+        for p in scene.placements
+    ]
     windows = sum(o.width * o.height for o in scene.room.openings if o.kind == "window" and view.standing[o.wall])
-    return float((np.sqrt(pixels[1:]) * np.array(worth)).sum() + 4.0 * windows + 0.3 * np.sqrt(pixels[0]))
+    accent = scene.surfaces.accent_wall
+    shown = _ACCENT if accent is not None and view.standing[accent] else 1.0
+    seen = (np.sqrt(pixels[1:]) * np.array(worth)).sum() + 4.0 * windows + 0.3 * np.sqrt(pixels[0])
+    seen -= _LOST * len(hidden)
+    return float(seen * shown)
 
 
 def _worth(scene: Scene, placement: Placement, azimuth: float) -> float:
@@ -125,11 +157,19 @@ def _worth(scene: Scene, placement: Placement, azimuth: float) -> float:
     return float(0.55 + 0.45 * np.cos(away))
 
 
-def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None) -> Soup:
+def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None, hidden: Collection[str]) -> Soup:
     soup = Soup()
-    add_room(soup, scene.room, palette(scene.seed), Shell(view.standing, accent_wall(scene.room, view.standing)))
-    add_objects(soup, scene, poses, hidden=_hidden(scene, view.standing))
+    shell = Shell(view.standing, _shadowed(scene.room, _sun(view.azimuth)), curtains=curtain_ends(scene))
+    add_room(soup, scene.room, scene.surfaces, shell)
+    add_objects(soup, scene, poses, hidden=hidden)
     return soup
+
+
+def _shadowed(room: Room, sun: Floats) -> Polygon:
+    """The ground that a room takes light from, with some to spare; beyond, it is as bright as its backdrop."""
+    far = room.height / float(sun[2])
+    falls = translate(room.polygon.buffer(_SPARE / 2), -far * float(sun[0]), -far * float(sun[1]))
+    return Polygon(get_coordinates(room.polygon.buffer(_SPARE).union(falls).convex_hull))
 
 
 def _hidden(scene: Scene, standing: tuple[bool, ...]) -> set[str]:

@@ -88,8 +88,8 @@ def _first(scene: Any, faces: Ints, origins: Floats, directions: Floats) -> Hits
         none = np.zeros(len(origins), np.float32)
         return Hits(np.full(len(origins), -1, np.int32), none + FAR, none, none)
     out = scene.run(origins, directions, query="INTERSECT", output=True)
-    hit = out["primID"]
-    return Hits(np.where(hit < 0, np.int32(-1), faces[np.maximum(hit, 0)]), out["tfar"], out["u"], out["v"])
+    # The last entry stands for the hit number -1, of what meets nothing.
+    return Hits(np.append(faces, np.int32(-1)).take(out["primID"]), out["tfar"], out["u"], out["v"])
 
 
 def in_parallel(work: Callable[[int], T], items: Iterable[int]) -> list[T]:

@@ -13,8 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import Camera, framed, plan_camera
-from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, accent_wall, add_room
-from thinkblox.sim.render.materials import palette
+from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, add_room
 from thinkblox.sim.render.model_soup import add_model
 from thinkblox.sim.render.open_room import Bounds, bounds_of, opened
 from thinkblox.sim.render.plan_view import CUT_HEIGHT, overhead
@@ -174,8 +173,8 @@ def from_above(scenery: Scenery) -> Sight:
     soup, scene = Soup(), scenery.scene
     if scene is not None:
         standing = (True,) * len(scene.room.walls)
-        shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=CUT_THROUGH, ground=False)
-        add_room(soup, scene.room, palette(scene.seed), shell)
+        shell = Shell(standing, top=min(CUT_HEIGHT, scene.room.height), cut=CUT_THROUGH)
+        add_room(soup, scene.room, scene.surfaces, shell)
         above = {p.id for p in overhead(scene)}
         _add(soup, scenery, {n for n, body in enumerate(scenery.bodies) if body.id in above})
     else:
@@ -188,8 +187,8 @@ def _of_scene(scenery: Scenery, scene: Scene, wanted: Collection[str]) -> Sight:
     cut = {wall.name for wall, stands in zip(scene.room.walls, view.standing, strict=True) if not stands}
     mounted = {p.id for p in scene.placements if scene.asset_of(p).mount == "wall" and p.support in cut}
     soup = Soup()
-    shell = Shell(view.standing, accent_wall(scene.room, view.standing), ground=False)
-    add_room(soup, scene.room, palette(scene.seed), shell)
+    shell = Shell(view.standing)
+    add_room(soup, scene.room, scene.surfaces, shell)
     _add(soup, scenery, {n for n, b in enumerate(scenery.bodies) if b.id in mounted and b.id not in wanted})
     points = np.concatenate([_outline(scene.room, view.standing), *(body.points for body in scenery.in_sight)])
     camera = framed(points, azimuth=view.azimuth, elevation=ELEVATION, margin=MARGIN)

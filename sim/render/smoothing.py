@@ -43,16 +43,6 @@ class Rows:
     width: int
 
 
-def rows_of(grid: Grid) -> Rows:
-    """A grid by rows, for looking up single points."""
-
-    def rows(planes: Floats) -> Floats:
-        return np.ascontiguousarray(planes.reshape(len(planes), -1).T)
-
-    seen, spacing = grid.seen.ravel(), grid.spacing.ravel()
-    return Rows(rows(grid.light), rows(grid.position), rows(grid.normal), seen, spacing, grid.seen.shape[1])
-
-
 def smoothed(grid: Grid, *, radius: int, step: int = 1) -> Grid:
     """The grid with its light averaged over (2 radius + 1) squared neighbours, `step` apart, of the same surface."""
     reach = radius * step
@@ -60,6 +50,75 @@ def smoothed(grid: Grid, *, radius: int, step: int = 1) -> Grid:
     pads = _padded(grid, reach)
     bands = in_parallel(lambda top: _band(pads, top, min(top + _ROWS, height), radius, step), range(0, height, _ROWS))
     return Grid(np.concatenate(bands, 1), grid.position, grid.normal, grid.seen, grid.spacing)
+
+
+@dataclass(frozen=True)
+class Lattice:
+    """Light on a coarse grid, ready to be spread over the pixels between its points, which are `step` pixels apart.
+
+    Its planes are those of a grid, with one line more at the lower and right ends; `tight` [1/m] says how far from the
+    plane of a point its light still counts.
+    """
+
+    planes: Floats
+    tight: Floats
+    step: int
+
+
+def lattice_of(grid: Grid, step: int) -> Lattice:
+    """A grid whose points are `step` pixels apart."""
+    stack = np.concatenate([grid.position, grid.normal, grid.seen[None], grid.light])
+    spacing = np.pad(grid.spacing, ((0, 1), (0, 1)), mode="edge")
+    planes = np.pad(stack, ((0, 0), (0, 1), (0, 1)), mode="edge")
+    return Lattice(planes, np.reciprocal(np.float32(1.5) * spacing + np.float32(1e-4)), step)
+
+
+def spread(lattice: Lattice, top: int, position: Floats, normal: Floats) -> tuple[Floats, Floats]:
+    """Light for whole lines of pixels, each from the four nearest points of the grid on the same surface.
+
+    A pixel none of whose neighbours is on its surface takes their plain mean.
+
+    Args:
+        lattice: the light.
+        top: the first line of pixels, a multiple of the lattice's step.
+        position: what the pixels show (lines, width, 3) [m].
+        normal: the normals there (lines, width, 3).
+
+    Returns:
+        the light (lines, width, channels), and how far it is the pixels' own, 0 and up (lines, width).
+    """
+    step, (lines, width) = lattice.step, position.shape[:2]
+    light = np.empty((lines, width, len(lattice.planes) - 7), np.float32)
+    weights = np.empty((lines, width), np.float32)
+    for row in range(min(step, lines)):
+        for column in range(min(step, width)):
+            mine = (slice(row, None, step), slice(column, None, step))
+            here, facing = (np.ascontiguousarray(v[mine].transpose(2, 0, 1)) for v in (position, normal))
+            found, total = _between(lattice, top // step, (row / step, column / step), here, facing)
+            light[mine], weights[mine] = found.transpose(1, 2, 0), total
+    return light, weights
+
+
+def _between(
+    lattice: Lattice, top: int, at: tuple[float, float], position: Floats, normal: Floats
+) -> tuple[Floats, Floats]:
+    """Light (channels, h, w) and weights of the pixels that lie `at` the same place between four points of the grid."""
+    (fy, fx), (height, width) = at, position.shape[1:]
+    total = np.zeros((len(lattice.planes) - 7, height, width), np.float32)
+    weights = np.zeros((height, width), np.float32)
+    for down in (0, 1):
+        for across in (0, 1):
+            there = (slice(top + down, top + down + height), slice(across, across + width))
+            planes, tight = lattice.planes[:, *there], lattice.tight[there]
+            share = np.float32((fx if across else 1 - fx) * (fy if down else 1 - fy) + 0.02)
+            weight = _alike(position, normal, tight, planes[:3], planes[3:6])
+            weight += np.float32(1e-4)
+            weight *= planes[6] * share
+            weights += weight
+            for channel, light in zip(total, planes[7:], strict=True):
+                channel += light * weight
+    total /= np.maximum(weights, np.float32(1e-9))
+    return total, weights
 
 
 def _padded(grid: Grid, reach: int) -> Floats:
@@ -137,11 +196,11 @@ def sampled(
         line = np.clip(y0.astype(np.int32) + down, 0, last) * rows.width
         for across in (0, 1):
             index = line + np.clip(x0.astype(np.int32) + across, 0, rows.width - 1)
-            tight = np.reciprocal(np.float32(1.5) * rows.spacing[index] + np.float32(1e-4))
+            tight = np.reciprocal(np.float32(1.5) * rows.spacing.take(index) + np.float32(1e-4))
             share = (fx if across else 1 - fx) * (fy if down else 1 - fy) + np.float32(0.02)
-            alike = _alike(position.T, normal.T, tight, rows.position[index].T, rows.normal[index].T)
-            weight = share * rows.seen[index] * (alike + np.float32(1e-4))
+            alike = _alike(position.T, normal.T, tight, rows.position.take(index, 0).T, rows.normal.take(index, 0).T)
+            weight = share * rows.seen.take(index) * (alike + np.float32(1e-4))
             weights += weight
-            total += rows.light[index] * weight[:, None]
+            total += rows.light.take(index, 0) * weight[:, None]
     light = total / np.maximum(weights, np.float32(1e-9))[:, None]
     return np.asarray(light, np.float32), weights > least

@@ -8,8 +8,10 @@ from numpy.typing import NDArray
 
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.surfaces import Covering
 from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
 from thinkblox.scene.visuals import Look, MeshVisual
+from thinkblox.sim.render.layings import MAKES, mean_colour
 from thinkblox.sim.render.materials import FINISHES, MATERIALS, Colour, Reflectance, linear, reflectance_of
 from thinkblox.sim.render.tessellate import Floats, Ints, Mesh, tessellate
 from thinkblox.sim.render.texture_map import TextureMap, stretch, texture_map
@@ -19,6 +21,29 @@ Pose = tuple[Vec3, Quat]
 """Position of an asset's origin in the room [m] and its orientation (wxyz)."""
 ROOM = -1
 """The object number of floor, walls, windows and doors."""
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A floor or a wall that is covered as one, however many shapes it is drawn with.
+
+    Attributes:
+        covering: what it is covered with.
+        origin: a point of it, at which its pattern begins [m].
+        along, across: unit vectors of its pattern.
+        floor: whether it is a floor.
+    """
+
+    covering: Covering
+    origin: Vec3
+    along: Vec3
+    across: Vec3
+    floor: bool
+
+    @property
+    def facing(self) -> NDArray[np.float32]:
+        """The side of it that is covered: its unit normal."""
+        return np.cross(self.along, self.across).astype(np.float32)
 
 
 @dataclass(frozen=True)
@@ -33,6 +58,7 @@ class Patch:
         size: full extents in that frame [m].
         look: what it is made of, where it is a mesh with a look of its own; its colour and material are the nearest.
         density: how much of the look's texture a metre shows, as a share of the texture's side [1/m].
+        plane: what covers it, where it is a floor or a wall of the room.
     """
 
     colour: Colour
@@ -43,10 +69,13 @@ class Patch:
     size: Vec3
     look: Look | None = None
     density: float = 0.0
+    plane: Plane | None = None
 
     @property
     def reflectance(self) -> Reflectance:
         """How it answers to light."""
+        if self.plane is not None:
+            return MAKES[self.plane.covering.laying].reflectance
         return FINISHES[MATERIALS[self.material]] if self.look is None else reflectance_of(self.look)
 
     @property
@@ -57,6 +86,8 @@ class Patch:
     @property
     def mean_colour(self) -> Colour:
         """Linear RGB of the whole of it."""
+        if self.plane is not None:
+            return mean_colour(self.plane.covering)
         if self.texture is None:
             return self.colour
         red, green, blue = (own * float(seen) for own, seen in zip(self.colour, self.texture.mean, strict=True))

@@ -11,6 +11,7 @@ from thinkblox.sim.render.materials import MATERIALS
 from thinkblox.sim.render.rays import FAR, Tracer, in_parallel
 from thinkblox.sim.render.soup import SoupTriangles
 from thinkblox.sim.render.tessellate import Floats, Ints
+from thinkblox.sim.render.vectors import dot, length
 
 BAND = 1 << 15
 """Rays that are handled at a time, so that their arrays stay in the cache."""
@@ -43,7 +44,9 @@ class Surfels:
 
     def __getitem__(self, pick: NDArray[np.int64] | NDArray[np.bool_] | slice) -> "Surfels":
         """Some of the points."""
-        return Surfels(**{name: values[pick] for name, values in _columns(self)})
+        if isinstance(pick, slice) or pick.dtype == bool:
+            return Surfels(**{name: values[pick] for name, values in _columns(self)})
+        return Surfels(**{name: values.take(pick, 0) for name, values in _columns(self)})
 
 
 def see(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) -> Surfels:
@@ -72,10 +75,10 @@ def see_part(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) ->
     origins, directions = camera.rays(x, y, size)
     hits = tracer.solid(origins, directions)
     missed = hits.face < 0
-    face = np.maximum(hits.face, 0)
+    face = np.maximum(hits.face, 0).astype(np.int64)
     distance = np.where(missed, FAR, hits.distance)
     normal, facing = _normals(tracer, face, hits.u, hits.v, directions)
-    patch = np.where(missed, np.int32(-1), tracer.triangles.patch[face])
+    patch = np.where(missed, np.int32(-1), tracer.triangles.patch.take(face))
     position = origins + directions * np.where(missed, np.float32(0), hits.distance)[:, None]
     front, clear, shine = patch, None, None
     if tracer.has_glass:
@@ -84,31 +87,26 @@ def see_part(tracer: Tracer, camera: Camera, x: Floats, y: Floats, size: int) ->
     return Surfels(patch, position, normal, facing, directions, distance, front, clear, shine, uv)
 
 
-def _uv(triangles: SoupTriangles, face: Ints, u: Floats, v: Floats) -> Floats | None:
+def _uv(triangles: SoupTriangles, face: NDArray[np.int64], u: Floats, v: Floats) -> Floats | None:
     if triangles.uv is None:
         return None
-    corners = triangles.uv[triangles.faces[face]]
+    corners = triangles.uv.take(triangles.faces.take(face, 0), 0)
     found: Floats = corners[:, 0] * (1 - u - v)[:, None] + corners[:, 1] * u[:, None] + corners[:, 2] * v[:, None]
     return found
 
 
-def _normals(tracer: Tracer, face: Ints, u: Floats, v: Floats, view: Floats) -> tuple[Floats, Floats]:
-    corners = tracer.corner_normals[face]
-    normal = corners[:, 0] * (1 - u - v)[:, None] + corners[:, 1] * u[:, None] + corners[:, 2] * v[:, None]
-    facing = tracer.face_normals[face]
-    facing *= _towards(facing, view)[:, None]
-    normal *= np.where(np.einsum("ij,ij->i", normal, facing) < 0, np.float32(-1), np.float32(1))[:, None]
-    return _normalised(normal), facing
-
-
-def _towards(vectors: Floats, view: Floats) -> Floats:
-    return np.where(np.einsum("ij,ij->i", vectors, view) > 0, np.float32(-1), np.float32(1))
-
-
-def _normalised(vectors: Floats) -> Floats:
-    length = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
-    result: Floats = vectors / np.maximum(length, np.float32(1e-20))[:, None]
-    return result
+def _normals(
+    tracer: Tracer, face: Ints | NDArray[np.int64], u: Floats, v: Floats, view: Floats
+) -> tuple[Floats, Floats]:
+    corners = tracer.corner_normals.take(face, 0)
+    facing = tracer.face_normals.take(face, 0)
+    facing *= np.where(dot(facing, view) > 0, np.float32(-1), np.float32(1))[:, None]
+    w, normal = 1 - u - v, np.empty_like(facing)
+    for axis in range(3):
+        normal[:, axis] = corners[:, 0, axis] * w + corners[:, 1, axis] * u + corners[:, 2, axis] * v
+    side = np.where(dot(normal, facing) < 0, np.float32(-1), np.float32(1))
+    normal *= (side / np.maximum(length(normal), np.float32(1e-20)))[:, None]
+    return normal, facing
 
 
 def _through_glass(
@@ -129,7 +127,7 @@ def _through_glass(
         todo, face = todo[seen], hits.face[seen]
         number = tracer.triangles.patch[face]
         normal, _ = _normals(tracer, face, hits.u[seen], hits.v[seen], directions[todo])
-        cosine = np.abs(np.einsum("ij,ij->i", normal, directions[todo]))
+        cosine = np.abs(dot(normal, directions[todo]))
         edge = np.float32(0.05) + np.float32(0.95) * (1 - cosine) ** 5
         clear[todo] *= (1 - edge)[:, None] * (np.float32(0.62) + np.float32(0.36) * colours[number])
         shine[todo] += edge * (1 + normal[:, 2]) * np.float32(0.45) * (1.0 if layer == 0 else 0.5)

@@ -31,12 +31,12 @@ def noise(x: Floats, y: Floats) -> Floats:
     """Smooth noise, mean 0 and deviation 1, at coordinates in cells of its grid, which repeats every 256."""
     x0, y0 = np.floor(x), np.floor(y)
     fx, fy = x - x0, y - y0
-    i, j = x0.astype(np.int32) & (_SIZE - 1), y0.astype(np.int32) & (_SIZE - 1)
+    i, j = x0.astype(np.int64) & (_SIZE - 1), y0.astype(np.int64) & (_SIZE - 1)
     field = _noise().ravel()
     i1, j1 = (i + 1) & (_SIZE - 1), ((j + 1) & (_SIZE - 1)) * _SIZE
     j = j * _SIZE
-    low = field[j + i] * (1 - fx) + field[j + i1] * fx
-    high = field[j1 + i] * (1 - fx) + field[j1 + i1] * fx
+    low = field.take(j + i) * (1 - fx) + field.take(j + i1) * fx
+    high = field.take(j1 + i) * (1 - fx) + field.take(j1 + i1) * fx
     return np.asarray(low * (1 - fy) + high * fy, np.float32)
 
 
@@ -48,20 +48,20 @@ def fade(footprint: Floats, detail: float) -> Floats:
 def planks(along: Floats, across: Floats, footprint: Floats) -> tuple[Floats, Floats]:
     """Tone (a factor near 1) and warmth (near 0) of a plank floor at points given in metres."""
     row = np.floor(across / np.float32(PLANK))
-    shifted = along / np.float32(_PLANK_LENGTH) + _hash(row) * np.float32(3.7)
+    shifted = along / np.float32(_PLANK_LENGTH) + hashed(row) * np.float32(3.7)
     board = np.floor(shifted)
     key = row * np.float32(57.0) + board * np.float32(131.0)
-    tint, lean = _hash(key) - np.float32(0.5), _hash(key + np.float32(911.0)) - np.float32(0.5)
-    skew = _hash(key + np.float32(77.0)) * np.float32(200.0)
+    tint, lean = hashed(key) - np.float32(0.5), hashed(key + np.float32(911.0)) - np.float32(0.5)
+    skew = hashed(key + np.float32(77.0)) * np.float32(200.0)
     grain = noise(along * np.float32(9) + skew, across * np.float32(260) + skew) * fade(footprint, 0.009)
     figure = noise(along * np.float32(4) + skew, across * np.float32(55) + skew * np.float32(1.7))
-    side = _line(across / np.float32(PLANK) - row, footprint, PLANK)
-    end = _line(shifted - board, footprint, _PLANK_LENGTH)
+    side = joint(across / np.float32(PLANK) - row, footprint, PLANK)
+    end = joint(shifted - board, footprint, _PLANK_LENGTH)
     tone = 1 + np.float32(0.13) * tint + np.float32(0.030) * grain + np.float32(0.045) * figure
     return tone * (1 - np.float32(0.50) * np.maximum(side, end)), lean * np.float32(0.06)
 
 
-def _line(share: Floats, footprint: Floats, width: float, gap: float = 0.0022) -> Floats:
+def joint(share: Floats, footprint: Floats, width: float, gap: float = 0.0022) -> Floats:
     """Coverage of a pixel by the gap at the ends of a board, for a place given as a share of the board."""
     distance = np.minimum(share, 1 - share) * np.float32(width)
     pixel = np.maximum(footprint, np.float32(0.001))
@@ -70,8 +70,9 @@ def _line(share: Floats, footprint: Floats, width: float, gap: float = 0.0022) -
     return np.asarray(np.clip(covered, 0, 1) * most, np.float32)
 
 
-def _hash(key: Floats) -> Floats:
-    return np.asarray(_dice()[(key.astype(np.int64) * 2654435761 >> 7) & 4095], np.float32)
+def hashed(key: Floats) -> Floats:
+    """A number from 0 to 1 for each key, as by the throw of dice."""
+    return _dice().take((key.astype(np.int64) * 2654435761 >> 7) & 4095)
 
 
 def wood(along: Floats, across: Floats, footprint: Floats, key: Floats) -> Floats:

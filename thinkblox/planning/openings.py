@@ -14,6 +14,10 @@ from thinkblox.scene.room import Opening, Room, Wall
 DOOR = (0.9, 2.1)
 """Width and height of a door [m]."""
 _WINDOW_HEIGHT, _SILL = 1.2, 0.9
+_USUAL_HEIGHT = 2.6
+"""Height of a room whose windows are as high as that [m]."""
+_NARROWEST, _WIDEST = 1.0, 2.6
+"""Widths of a window in a wall that has room for either [m]."""
 _CORNER = 0.2
 """Least distance of an opening to a corner [m]."""
 _FILLED_CORNER = 0.9
@@ -190,7 +194,7 @@ class _Openings:
                 hinge=hinge,
             )
         sill = min(_SILL, top - 0.5)
-        height = min(_WINDOW_HEIGHT, top - sill)
+        height = min(_WINDOW_HEIGHT * max(1.0, self.room.height / _USUAL_HEIGHT), top - sill)
         return Opening(
             id=f"window_{number}",
             kind="window",
@@ -202,8 +206,9 @@ class _Openings:
         )
 
     def _window_width(self, space: float) -> float:
-        usual = float(self.rng.uniform(1.2, 2.0))
-        return round(max(0.4, min(usual, 0.5 * space)), 2)
+        """A third to a half of a wall, but neither a slit nor a shop front."""
+        usual = float(self.rng.uniform(0.33, 0.5)) * space
+        return round(max(0.4, min(max(usual, _NARROWEST), _WIDEST, 0.5 * space)), 2)
 
     def _offset(self, wanted: _Wanted, index: int, width: float) -> float | None:
         """Near a corner for a door, in the middle of its share of the wall for a window [m]."""

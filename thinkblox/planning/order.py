@@ -16,6 +16,7 @@ from thinkblox.planning.members import Member, Members
 from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.parts import chosen_walls, free_parts
 from thinkblox.planning.sizes import size_note, size_of
+from thinkblox.planning.surfaces import surface_notes
 from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
 
@@ -43,7 +44,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     count_off(members)
     targets = tuple(_target(member, members) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
-    notes = (*filter(None, sizes), *opening_notes(brief, room))
+    notes = (*filter(None, sizes), *opening_notes(brief, room), *surface_notes(brief, room))
     return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
 
 

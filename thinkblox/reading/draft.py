@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from thinkblox.brief import RelationKind, Word
+from thinkblox.brief import RelationKind, SurfaceRequest, Word
 from thinkblox.reading.sizes import Size
 
 MISSING = "missing"
@@ -99,6 +99,7 @@ class Draft:
     empty: bool = False
     free: list[str] = field(default_factory=list)
     rooms: list[str] = field(default_factory=list)
+    surfaces: list[SurfaceRequest] = field(default_factory=list)
     account: tuple[Word, ...] = ()
 
     def bonds_of(self, thing: Mention) -> list[Bond]:

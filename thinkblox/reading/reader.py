@@ -5,9 +5,10 @@ from typing import Literal, get_args
 
 from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
-from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request
+from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request, SurfaceRequest
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.surfaces import surface_words
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import assume, stock
 from thinkblox.reading.chunker import Chunker
@@ -151,7 +152,13 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
     others = [a for a in draft.room_attributes if a in _OTHER_SHAPES]
     sizes = [a for a in draft.room_attributes if a in _ROOM_SIZES]
-    looks = [a for a in draft.room_attributes if a not in (*others, *sizes, *_SHAPES)]
+    colours = surface_words().colours
+    looks = [a for a in draft.room_attributes if a not in (*others, *sizes, *_SHAPES, *colours)]
+    tinted = [
+        SurfaceRequest(part="walls", colour=colours[a], phrase=f"{a} room")
+        for a in draft.room_attributes
+        if a in colours
+    ]
     return Brief(
         prompt=prompt,
         language=code,
@@ -165,6 +172,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         requests=tuple(_request(thing, keys) for thing in draft.things),
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
+        surfaces=_surfaces([*draft.surfaces, *tinted]),
         missing=tuple(dict.fromkeys(draft.missing)),
         beyond=tuple(dict.fromkeys(draft.beyond)),
         unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *looks)), *draft.unknown])),
@@ -215,6 +223,14 @@ def _relation(bond: Bond, keys: dict[int, str]) -> Relation:
         spread=bond.spread,
         negated=bond.negated,
     )
+
+
+def _surfaces(asked: list[SurfaceRequest]) -> tuple[SurfaceRequest, ...]:
+    """Each once, what is said of all walls first, and nothing of one wall that is said of all."""
+    whole = {(r.laying, r.colour) for r in asked if r.part == "walls"}
+    kept = [r for r in asked if r.part != "wall" or (r.laying, r.colour) not in whole]
+    looks = {(r.part, r.laying, r.colour, r.second): r for r in kept}
+    return tuple(sorted(looks.values(), key=lambda r: ("floor", "walls", "wall").index(r.part)))
 
 
 def _openings(gaps: list[Gap]) -> tuple[OpeningRequest, ...]:

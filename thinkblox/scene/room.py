@@ -11,6 +11,7 @@ from shapely.validation import explain_validity
 
 from thinkblox.checked import CheckedValue, Coordinate
 from thinkblox.errors import InputError
+from thinkblox.scene.surfaces import Surfaces
 from thinkblox.value import Value, Vec2
 
 MIN_EXTENT = 0.5
@@ -97,15 +98,18 @@ class Wall(Value, frozen=True, kw_only=True):
 class Room(CheckedValue, frozen=True, kw_only=True, cache_hash=True):
     """Floor polygon (simple, counter-clockwise, its bounding box starting at the origin), height [m] and openings.
 
+    `surfaces` says what it is finished with; None leaves that open.
+
     Raises:
         InputError: fewer than three corners, crossing or coinciding edges, clockwise order, an extent outside
             MIN_EXTENT to MAX_EXTENT, a height out of range, an opening that its wall cannot hold or that is called as a
-            part of the room is, or two openings that overlap or share an id.
+            part of the room is, two openings that overlap or share an id, or an accent on a wall that does not exist.
     """
 
     floor: tuple[tuple[Coordinate, Coordinate], ...]
     height: Annotated[float, Meta(ge=1.5, le=MAX_HEIGHT)] = 2.6
     openings: tuple[Opening, ...] = ()
+    surfaces: Surfaces | None = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -118,6 +122,9 @@ class Room(CheckedValue, frozen=True, kw_only=True, cache_hash=True):
                 raise InputError(f"an opening is called {opening.id!r}, which is the name of a part of the room")
             _check_opening(self, opening)
         _check_apart(self.openings)
+        accent = None if self.surfaces is None else self.surfaces.accent_wall
+        if accent is not None and accent >= len(self.floor):
+            raise InputError(f"room.surfaces.accent_wall is {accent}; walls are 0 to {len(self.floor) - 1}")
 
     @property
     def polygon(self) -> Polygon:

@@ -13,6 +13,7 @@ from thinkblox.scene.asset_files import read_asset_files
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.support import Supported, supported
+from thinkblox.scene.surfaces import Surfaces, plain_surfaces
 from thinkblox.value import Vec3, read_json
 
 SCENE_VERSION = 1
@@ -56,6 +57,11 @@ class Scene(Arrangement, frozen=True, kw_only=True):
                 raise InputError(f"placement {placement.id!r}: the scene holds no asset {placement.asset!r}")
         _check_amount(self.placements, self.assets)
         structs.force_setattr(self, "placements", supported(self, self.room, self.assets))
+
+    @property
+    def surfaces(self) -> Surfaces:
+        """What the room is finished with: as it says, or plainly, by the seed."""
+        return self.room.surfaces or plain_surfaces(self.seed)
 
     def asset_of(self, placement: Placement) -> Asset:
         """The asset that a placement shows."""

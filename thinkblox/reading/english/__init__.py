@@ -25,7 +25,9 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     tokens = _spelt_out(lexicon.tokens(text))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word or token.text) for token, word in zip(tokens, meant, strict=True)]
-    draft = Clauses(tokens, cut(lexicon, tokens)).read()
+    chunks, noted = cut(lexicon, tokens)
+    draft = Clauses(tokens, chunks).read()
+    draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft
 

@@ -3,9 +3,11 @@
 from collections.abc import Sequence
 from functools import cached_property
 
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
+from thinkblox.brief import SurfaceRequest
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray, Surface
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
+from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -50,6 +52,7 @@ class Cutter:
         self.tokens = list(tokens)
         self.at = 0
         self.made: list[Chunk] = []
+        self.noted: list[SurfaceRequest] = []
 
     @cached_property
     def _phrases(self) -> PhraseReader:
@@ -70,9 +73,8 @@ class Cutter:
         token = self.tokens[self.at]
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
-        if (unread := unread_at(self.tokens, self.at)) and not self._is_said_of_it():
-            text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
-            return Stray(self.at, self.at + unread, text)
+        if (whole := self._surface() or self._unread()) is not None:
+            return whole
         if self._is_decade():
             return Connector("fillers", "words", self.at, self.at + 2, token.shown)
         if token.kind == "mark":
@@ -99,6 +101,34 @@ class Cutter:
         """Whether what comes is to be left as it is: "leave the door open"."""
         last = self.made[-1] if self.made else None
         return isinstance(last, Connector) and last.value == "leave"
+
+    def _unread(self) -> Stray | None:
+        unread = unread_at(self.tokens, self.at)
+        if not unread or self._is_said_of_it():
+            return None
+        text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
+        return Stray(self.at, self.at + unread, text)
+
+    def _surface(self) -> Surface | None:
+        """Read what floor or walls are like; where they are a place for something, that is noted and they stay one."""
+        found = surface_at(self.tokens, self.at, self._is_room_at)
+        if found is None:
+            return None
+        if not self._is_of_place():
+            return Surface(self.at, found.end, found.request)
+        self.noted.append(found.request)
+        return None
+
+    def _is_room_at(self, at: int) -> bool:
+        noun = self._phrases.read(at) if at < len(self.tokens) else None
+        return noun is not None and (noun.kind == "room" or noun.room != "")
+
+    def _is_of_place(self) -> bool:
+        """Whether a floor or wall that comes next is where something is: "on the white wall"."""
+        last = self.made[-1] if self.made else None
+        if not isinstance(last, Connector):
+            return False
+        return last.sort in ("prepositions", "inverses", "participles") and last.value not in ("with", "of", "as")
 
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""
@@ -215,9 +245,10 @@ class Cutter:
         return bool(self.made) and isinstance(self.made[-1], Noun)
 
 
-def cut(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Chunk]:
-    """The chunks of a text."""
-    return Cutter(lexicon, tokens).chunks()
+def cut(lexicon: Lexicon, tokens: Sequence[Token]) -> tuple[list[Chunk], list[SurfaceRequest]]:
+    """The chunks of a text, and what it says besides of floors and walls that it names as places."""
+    cutter = Cutter(lexicon, tokens)
+    return cutter.chunks(), cutter.noted
 
 
 __all__ = ["Adjective", "cut"]

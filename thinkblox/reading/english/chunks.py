@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from thinkblox.assets.plurals import singular
-from thinkblox.brief import Fate
+from thinkblox.brief import Fate, SurfaceRequest
 from thinkblox.reading.sizes import Size
 
 NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number"]
@@ -135,4 +135,13 @@ class Stray:
     text: str
 
 
-Chunk = Noun | Connector | Adjective | Measured | Stray
+@dataclass
+class Surface:
+    """What floor or walls are to be like."""
+
+    start: int
+    end: int
+    request: SurfaceRequest
+
+
+Chunk = Noun | Connector | Adjective | Measured | Stray | Surface
