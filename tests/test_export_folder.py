@@ -3,6 +3,7 @@
 import os
 import signal
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import pytest
 
 from tests.export_rooms import Result, Trace, report_on, result
 from tests.textured import crate, crate_scene
+from thinkblox import workplace
 from thinkblox.errors import InputError
 from thinkblox.exporters import ExportFormat, register
 from thinkblox.exporters.folder import _put_in_place, check_folder, whole_folder
@@ -18,7 +20,7 @@ from thinkblox.exporters.formats import _FORMATS
 from thinkblox.exporters.inventory import Inventory
 from thinkblox.exporters.manifest import MANIFEST, PICTURES, Manifest
 from thinkblox.exporters.saving import save_pictures, save_scene
-from thinkblox.holding import placed
+from thinkblox.holding import placed, signals_held
 from thinkblox.renaming import exchange
 from thinkblox.saving import save_room
 from thinkblox.scene.scene import load_scene
@@ -329,3 +331,20 @@ def test_a_name_may_be_as_long_as_names_can_be(tmp_path: Path, name: str) -> Non
     with pytest.raises(InputError, match="too long"):
         check_folder(tmp_path / "none" / f"{name}xx" / "room")
     assert names(tmp_path) == [name]
+
+
+def test_a_stop_just_before_signals_are_held_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    held, calls = signals_held, list[int]()
+
+    @contextmanager
+    def late() -> Iterator[None]:
+        calls.append(0)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        with held():
+            yield
+
+    monkeypatch.setattr(workplace, "signals_held", late)
+    with pytest.raises(KeyboardInterrupt), workplace.workplace(tmp_path / "out"):
+        assert list(tmp_path.iterdir())
+    assert not list(tmp_path.iterdir())

@@ -69,7 +69,7 @@ CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 POST = asset("post", (0.06, 0.06, 1.2), mass=3.0)
 FLUNG = 0.05
 """What is deeper than this in another thing or a wall is flung out, and hits what is metres away [m]."""
-MOST_CALM = 4
+MOST_CALM = 3
 """Things in a calm room: among more, what floats falls on what balances, and chance says whose fault that is."""
 SPOTS = 6
 """Draws of a place for a thing, before it is left out."""

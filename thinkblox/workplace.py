@@ -66,9 +66,14 @@ def _is_locked(folder: Path, lock: int) -> bool:
 
 
 def _given_up(folder: Path, lock: int) -> None:
-    with signals_held():
-        shutil.rmtree(folder, ignore_errors=True)
-        os.close(lock)
+    try:
+        with signals_held():
+            shutil.rmtree(folder, ignore_errors=True)
+            os.close(lock)
+    except KeyboardInterrupt:  # it may have come before anything was held
+        with signals_held():
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
 
 
 @contextmanager
