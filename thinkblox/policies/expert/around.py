@@ -24,6 +24,8 @@ USUAL_TUCKS = (0.15, 0.05, -0.05)
 """How far a seat goes under the table, the best first, unless its category says otherwise [m]."""
 ROUND_TUCKS = (0.05, -0.05)
 """The same at a round table: its legs stand between the seats."""
+UNTUCKED = (0.0, -0.05, -0.1)
+"""The same for what nobody sits on."""
 SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
 """Outward direction of each side in the table's own frame [degrees]."""
 SAME_SEAT = 0.15
@@ -86,7 +88,7 @@ def seats(
     """At one place, drawn up as far as those that stand there, or more or less."""
     surfaces = situation.scene.asset_of(anchor).surfaces
     plain = ROUND_TUCKS if surfaces and surfaces[0].round else USUAL_TUCKS
-    usual = situation.facts.tucks or plain
+    usual = (situation.facts.tucks or plain) if is_seat(situation.target.category) else UNTUCKED
     for step, tuck in enumerate(sorted(usual, key=lambda t: min((round(abs(t - k), 2) for k in tucks), default=0.0))):
         yield beside_at(
             situation,
@@ -150,7 +152,8 @@ def _spoilt(situation: Situation, anchor: Placement, places: list[Place]) -> lis
 
 def _companies(situation: Situation, anchor: Placement, count: int) -> list[list[Place]]:
     surfaces = situation.scene.asset_of(anchor).surfaces
-    wide = _circles(anchor, count, situation.size[1])
+    tucked = max(situation.facts.tucks or USUAL_TUCKS) if is_seat(situation.target.category) else 0.0
+    wide = _circles(anchor, count, situation.size[1], tucked)
     if surfaces and surfaces[0].round:
         return [*wide, *(_ring(anchor, count, phase / 8) for phase in (0, 4, 2, 6))]
     crowded = count > 1 and situation.size[1] > max(anchor.size[:2])
@@ -159,13 +162,14 @@ def _companies(situation: Situation, anchor: Placement, count: int) -> list[list
     return _rectangles(anchor, count, place=max(PLACE_WIDTH, situation.size[1] + 0.05))
 
 
-def _circles(anchor: Placement, count: int, width: float) -> list[list[Place]]:
+def _circles(anchor: Placement, count: int, width: float, tucked: float) -> list[list[Place]]:
     """Circles about what is too small for the company to sit at its edge: as wide as they need side by side."""
     if count < 3:
         return []
     needed = (width + BETWEEN) / 2 / math.tan(math.pi / count)
     if needed <= max(anchor.size[:2]) / 2:
         return []
+    needed += tucked
     turns = [[360.0 * (k + phase) / count % 360.0 for k in range(count)] for phase in (0.0, 0.5)]
     return [
         [Place((needed * math.cos(math.radians(t)), needed * math.sin(math.radians(t))), round(t, 2)) for t in each]

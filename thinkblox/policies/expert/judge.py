@@ -206,5 +206,6 @@ def _holds_with_another(situation: Situation, scene: Layout, tie: Tie) -> bool:
     """Whether it is next to another of the anchor's request, which is what was asked for too."""
     if tie.kind not in ("next_to", "near") or len(tie.anchors) != 1:
         return False
-    others = tuple(p.id for p in situation.alike(tie.anchors[0]))
+    own = {anchor for each in situation.target.ties for anchor in each.anchors}
+    others = tuple(p.id for p in situation.alike(tie.anchors[0]) if p.id not in own)
     return bool(others) and measure(scene, tie.kind, situation.target.id, others).holds

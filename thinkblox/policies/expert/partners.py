@@ -1,19 +1,16 @@
 """Two things with a third between them: the second leaves just the room beside the first that the third needs."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, is_object
 from thinkblox.policies.expert.beside import beside_at, sides_of
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.needs import ALL_ROUND, Need
+from thinkblox.policies.expert.needs import Need
 from thinkblox.policies.expert.situation import Situation, is_seat
 from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec3
 
-LENGTHWISE = 0.6
-"""Cost of things without a front end to end, rather than side by side."""
 AIRS = (0.08, 0.15, 0.25)
 """Left on either side of what comes between, the best first [m]."""
 
@@ -29,9 +26,6 @@ def partner_ideas(situation: Situation) -> Iterator[Idea]:
             gaps = tuple(round(size[1] + 2 * air, 3) for air in AIRS)
             why = f"{later.id} comes between it and {partner.id}"
             yield from sides_of(situation, partner, ("left", "right"), gaps=gaps, why=why)
-            if situation.asset.front == "two":
-                for idea in sides_of(situation, partner, ("front", "back"), gaps=gaps, why=why):
-                    yield replace(idea, cost=idea.cost + LENGTHWISE)
 
 
 def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None:
@@ -44,8 +38,7 @@ def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None
             return None
         if own.id in _looked_at(other) or other.id in _looked_at(own):
             return Need(("front",), max(size[:2]) + 2 * AIRS[1] + situation.kind(other).size[0], None, 1, 4.0)
-        sides = ALL_ROUND if situation.asset.front == "two" else ALL_ROUND[2:]
-        return Need(sides, size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, 4.0)
+        return Need(("left", "right"), size[1] + 2 * AIRS[0] + situation.kind(other).size[1], None, 1, 4.0)
     return None
 
 
