@@ -265,3 +265,10 @@ def test_raised_bed_has_room_for_case() -> None:
 def test_towels_pile_in_basket() -> None:
     done = room("A laundry room with a laundry basket with five towels in it.")
     assert sum(r.holds for r in done.report.relations if r.kind == "inside") >= 4
+
+
+def test_cake_stays_amid_crowd() -> None:
+    done = room(
+        "A party room with a table with a cake in the middle of the table, and ten plates and ten cups on the table."
+    )
+    assert holds(done, "in_centre")

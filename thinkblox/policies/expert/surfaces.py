@@ -299,7 +299,8 @@ def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: V
     """
     groups = _kinds_on(situation, anchor)
     own = next((n for n, group in enumerate(groups) if situation.target in group), None)
-    if own is None or len(groups) < 2:
+    central = any(tie.kind == "in_centre" and anchor.id in tie.anchors for tie in situation.target.ties)
+    if own is None or len(groups) < 2 or central:
         return ()
     areas = [sum(_area(situation, target) for target in group) for group in groups]
     least = CROWDED if len(groups[own]) > 1 else CROWDED_BY_ONES
