@@ -8,12 +8,16 @@ from thinkblox.scene.asset import Surface
 
 
 def bed(spec: Spec) -> Build:
-    """Return a bed with a wooden or upholstered head; two pillows when 1.2 m or wider."""
+    """Return a bed with a wooden or upholstered head; two pillows when 1.2 m or wider.
+
+    A "raised" one is of wood, on higher legs with room for a case below.
+    """
     x, y, z = spec.size
-    posts = spec.has("four-poster", "canopy")
+    posts, raised = spec.has("four-poster", "canopy"), spec.has("raised")
     z = min(z, 0.95) if posts else z
-    soft = not posts and (spec.has("upholstered") or (spec.rng.random() < 0.4 and not spec.has("wooden")))
-    top = min(0.56, 0.62 * z)
+    wooden = posts or raised or spec.has("wooden")
+    soft = spec.has("upholstered") and not (posts or raised) or (spec.rng.random() < 0.4 and not wooden)
+    top = 0.64 * z if raised else min(0.56, 0.62 * z)
     build = Build()
     if soft:
         cover = spec.fabric
@@ -21,9 +25,9 @@ def bed(spec: Spec) -> Build:
         build.body.append(cushion(cover, (-x / 2 + 0.1, x / 2), (-y / 2, y / 2), (0.1, top - 0.2), radius=0.03))
     else:
         build.body = [cushion(spec.wood, (-x / 2, -x / 2 + 0.04), (-y / 2, y / 2), (0.22, z), radius=0.012)]
-        build.body += _rails(spec, top - 0.2)
+        build.body += _rails(spec, top - 0.2, 0.06 if raised else 0.12)
     feet = [(sx, sy * (y / 2 - 0.06)) for sx in (-x / 2 + 0.05, x / 2 - 0.06) for sy in (-1, 1)]
-    build.body += [leg(spec.style.wood, at, at, (0, 0.24 if not soft else 0.1), 0.03, 0.05) for at in feet]
+    build.body += [leg(spec.style.wood, at, at, (0, 0.1 if soft else max(0.24, top - 0.26)), 0.03, 0.05) for at in feet]
     if posts:
         build.body += _posts(spec)
     margin = 0.1 if soft else 0.045
@@ -44,9 +48,9 @@ def _posts(spec: Spec) -> list[Part]:
     ]
 
 
-def _rails(spec: Spec, top: float) -> list[Part]:
+def _rails(spec: Spec, top: float, deep: float) -> list[Part]:
     x, y, _ = spec.size
-    zs = (top - 0.12, top + 0.02)
+    zs = (top - deep, top + 0.02)
     sides = [box(spec.wood, (-x / 2 + 0.04, x / 2), (s * (y / 2 - 0.025), s * y / 2), zs) for s in (-1, 1)]
     inner = (-y / 2 + 0.025, y / 2 - 0.025)
     return [

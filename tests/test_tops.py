@@ -253,3 +253,22 @@ def test_on_desk_under_bed() -> None:
 def test_no_stealing() -> None:
     done = room("A bathroom with a stool and two towels on the stool, and a cloche on a tray on the floor.")
     assert {p.support for p in of(done, "towels")} == {"stool_1"}
+
+
+def test_raised_bed_has_room_for_case() -> None:
+    case = make_asset("suitcase", seed=0, attributes=("lying",))
+    for seed in range(4):
+        bed = make_asset("bed", seed=seed, attributes=("raised",))
+        assert room_under(bed.links, case.size[2] + 0.02) is not None
+
+
+def test_towels_pile_in_basket() -> None:
+    done = room("A laundry room with a laundry basket with five towels in it.")
+    assert sum(r.holds for r in done.report.relations if r.kind == "inside") >= 4
+
+
+def test_cake_stays_amid_crowd() -> None:
+    done = room(
+        "A party room with a table with a cake in the middle of the table, and ten plates and ten cups on the table."
+    )
+    assert holds(done, "in_centre")

@@ -14,6 +14,8 @@ from thinkblox.planning.members import Member, Members
 _PLACE = 0.6
 """Width of a place at a counter [m]."""
 _AXES = ("depth", "width", "height")
+_WIDER = 2.0
+"""How much wider than usual a basket, crate or bowl is made at most: more lies on what is in it."""
 _APART, _PACKED = 0.02, 1.3
 """Left about a thing in a basket [m], and how much wider than their areas together several are packed."""
 OPEN: Measures = (None, None, None)
@@ -64,7 +66,7 @@ def _for_contents(member: Member, members: Members, kind: Category) -> tuple[flo
     needed = across[0] + _APART if len(across) == 1 else _PACKED * sum(d * d for d in across) ** 0.5
     bottom = min(bottoms[0].size) if bottoms[0].round or len(across) == 1 else float(np.prod(bottoms[0].size)) ** 0.5
     most = kind.size_range[1]
-    share = min(needed / bottom, *(high / u for high, u in zip(most[:2], usual[:2], strict=True)))
+    share = min(needed / bottom, _WIDER, *(high / u for high, u in zip(most[:2], usual[:2], strict=True)))
     return (round(share * usual[0], 3), round(share * usual[1], 3)) if share > 1.0 else None
 
 

@@ -341,7 +341,7 @@ def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     ideas = list(surfaces.on_surfaces(situation, anchor, tie))
     yield from ideas
     piled = Tie(kind="on", anchors=(anchor.id,))
-    for content in situation.scene.resting_on(anchor.id) if ideas else ():
+    for content in situation.inside(anchor) if ideas else ():
         for idea in surfaces.on_surfaces(situation, content, piled):
             yield _dearer(replace(idea, why=f"it lies on what is in {anchor.id}"), PILED)
     if not ideas:

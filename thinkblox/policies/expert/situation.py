@@ -208,6 +208,16 @@ class Situation:
         depth = overlap_depth(Rects.of_placements((anchor,)), self.solids)[0]
         return tuple(p.id for p, deep in zip(self.solid, depth, strict=True) if deep > WITHIN and p.id != anchor.id)
 
+    def inside(self, anchor: Placement) -> tuple[Placement, ...]:
+        """What is within the box of a placed thing: its middle over the other's outline, its base below its top."""
+        found = []
+        for p in self.solid:
+            x, y = anchor.to_local((p.position[0], p.position[1]))
+            within = abs(x) < anchor.size[0] / 2 and abs(y) < anchor.size[1] / 2
+            if p.id != anchor.id and within and anchor.position[2] < p.position[2] < anchor.top:
+                found.append(p)
+        return tuple(found)
+
     def in_run(self, other: Target | Placement) -> bool:
         """Whether the target and another thing form one row along a wall."""
         return self.facts.runs_with(facts_of(other.category))

@@ -103,15 +103,21 @@ def _only_turned(surfaces: Sequence[Surface], plan: Vec2, tie: Tie) -> bool:
 def _in_disc(radius: float, size: Vec2) -> int:
     """How many things of a size fit on a disc, in a line along their depth or in a ring.
 
-    In a ring they are thought of as discs that are as wide as what is about as deep as wide.
+    In a ring they are thought of as discs.
     """
     half = math.sqrt(max(0.0, radius**2 - (size[1] / 2) ** 2))
     in_line = int(2 * half / (size[0] + APART))
-    own, reach = max(size) / 2, radius - max(size) / 2 - CLOSE
+    own = _round_own(size)
+    reach = radius - own - CLOSE
     if own + CLOSE >= reach or max(size) >= LONG * min(size):
         return in_line
     in_ring = int(math.pi / math.asin((own + CLOSE) / reach))
     return max(in_line, in_ring + (in_ring > 4 and reach >= 2 * own + CLOSE))
+
+
+def _round_own(plan: Vec2) -> float:
+    """Radius of the disc that stands for a thing: of what is as deep as wide its half, of others about all of it."""
+    return max(plan) / 2 if abs(plan[0] - plan[1]) < ALIKE else math.hypot(*plan) / 2
 
 
 class _Foot(NamedTuple):
@@ -256,7 +262,7 @@ def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int, plan: Vec2) ->
     """
     count, index = -(-tie.count // shelves), tie.index // shelves
     if surface.round and max(plan) < LONG * min(plan) and (surface.within or count > 3):
-        away = min(side - own for side, own in zip(surface.size, plan, strict=True)) / 2 - CLOSE
+        away = max(0.0, min(surface.size) / 2 - _round_own(plan) - CLOSE)
         return _ring(count, index, (away / max(free[0], 1e-9), away / max(free[1], 1e-9)))
     lengthwise = 1 if (plan[1] <= plan[0] if surface.round else surface.size[1] >= surface.size[0]) else 0
     lines = _lines(count, plan[lengthwise], surface.size[lengthwise])
@@ -293,7 +299,8 @@ def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: V
     """
     groups = _kinds_on(situation, anchor)
     own = next((n for n, group in enumerate(groups) if situation.target in group), None)
-    if own is None or len(groups) < 2:
+    central = any(tie.kind == "in_centre" and anchor.id in tie.anchors for tie in situation.target.ties)
+    if own is None or len(groups) < 2 or central:
         return ()
     areas = [sum(_area(situation, target) for target in group) for group in groups]
     least = CROWDED if len(groups[own]) > 1 else CROWDED_BY_ONES
