@@ -16,7 +16,7 @@ def bed(spec: Spec) -> Build:
     posts, raised = spec.has("four-poster", "canopy"), spec.has("raised")
     z = min(z, 0.95) if posts else z
     wooden = posts or raised or spec.has("wooden")
-    soft = spec.has("upholstered") and not (posts or raised) or (spec.rng.random() < 0.4 and not wooden)
+    soft = (spec.has("upholstered") and not (posts or raised)) or (spec.rng.random() < 0.4 and not wooden)
     top = 0.64 * z if raised else min(0.56, 0.62 * z)
     build = Build()
     if soft:
