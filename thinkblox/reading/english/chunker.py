@@ -83,7 +83,7 @@ class Cutter:
         if token.shown == "w" and self.at + 1 < len(self.tokens) and self.tokens[self.at + 1].text == "/":
             return Connector("prepositions", "with", self.at, self.at + 2, "w/")
         about = grammar().at(self.tokens, self.at, "quantifiers")
-        if about is not None and about.value == "about":
+        if about is not None:
             found = self._phrases.size_at(self.at + about.length)
             if found is not None:
                 return Measured(found[0], self.at, found[1])
@@ -178,6 +178,7 @@ class Cutter:
         if not found:
             return None
         found = [function for function in found if not self._takes_bound(function)] or found
+        found = [function for function in found if not self._takes_all(function)] or found
         longest = [function for function in found if function.length == found[0].length]
         return min(longest, key=lambda function: _LINKS.index(function.sort))
 
@@ -186,6 +187,12 @@ class Cutter:
         end = self.at + function.length
         bound = self._text_at(end) in ("more", "fewer", "less") and self._text_at(end + 1) == "than"
         return bound and function.length > 1 and self._text_at(end - 1) in ("no", "not")
+
+    def _takes_all(self, function: Function) -> bool:
+        """Whether "in all" is cut from "in all four corners"."""
+        end = self.at + function.length
+        cut = function.sort == "fillers" and function.length > 1 and self._text_at(end - 1) == "all"
+        return cut and end < len(self.tokens) and self.tokens[end].kind != "mark"
 
     def _is_noun(self, noun: Noun, link: Function) -> bool:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""

@@ -101,6 +101,8 @@ class Descriptions(Rooms):
             and following.value in ("from", "far", "away")
         ):
             self._lose(measured.start, following.end)
+            if single and following.value == "from":
+                self.chunks[self.at] = replace(following, value=_about_so_far(size.lengths[0].metres))
         elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
             following.size = size
         elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things or thing is None or ceiling:
@@ -111,3 +113,8 @@ class Descriptions(Rooms):
             thing.size = thing.size or size
         else:
             self.draft.sizes.append(size)
+
+
+def _about_so_far(metres: float) -> str:
+    """The relation that a distance comes nearest to [m]; how far exactly is not kept."""
+    return "next_to" if metres <= 0.5 else "near" if metres <= 1.5 else "far"
