@@ -7,7 +7,10 @@ from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.rooms import Rooms
+from thinkblox.reading.sizes import Size
 
+_BESIDE, _NEAR = 0.5, 1.5
+"""How far things beside, and near, each other are at most [m]."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
@@ -95,14 +98,9 @@ class Descriptions(Rooms):
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         if roomy and not self.draft.sizes:
             self.draft.sizes.append(size)
-        elif (
-            isinstance(following, Connector)
-            and following.sort == "prepositions"
-            and following.value in ("from", "far", "away")
-        ):
+        elif isinstance(following, Connector) and self._is_link(following, "prepositions", "from", "far", "away"):
             self._lose(measured.start, following.end)
-            if single and following.value == "from":
-                self.chunks[self.at] = replace(following, value=_about_so_far(size.lengths[0].metres))
+            self._stand_off(following, size)
         elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
             following.size = size
         elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things or thing is None or ceiling:
@@ -114,7 +112,9 @@ class Descriptions(Rooms):
         else:
             self.draft.sizes.append(size)
 
-
-def _about_so_far(metres: float) -> str:
-    """The relation that a distance comes nearest to [m]; how far exactly is not kept."""
-    return "next_to" if metres <= 0.5 else "near" if metres <= 1.5 else "far"
+    def _stand_off(self, following: Connector, size: Size) -> None:
+        """Take "3 m from" for the relation that it comes nearest to; how far exactly is not kept."""
+        if len(size.lengths) == 1 and size.area is None and following.value == "from":
+            metres = size.lengths[0].metres
+            word = "next_to" if metres <= _BESIDE else "near" if metres <= _NEAR else "far"
+            self.chunks[self.at] = replace(following, value=word)
