@@ -28,11 +28,17 @@ def in_the_way(scene: Scene, standing: Sequence[bool]) -> frozenset[str]:
     for placement in sorted(scene.placements, key=lambda p: p.position[2]):
         if placement.support in found:
             found.add(placement.id)
-        elif placement.size[2] > TALL and scene.asset_of(placement).mount == "floor":
+        elif _hides(scene, placement):
             near = [w for w in cut if LineString([w.start, w.end]).distance(placement.footprint) < _NEAR]
             if any(_backs(scene, placement, wall.yaw) for wall in near):
                 found.add(placement.id)
     return frozenset(found)
+
+
+def _hides(scene: Scene, placement: Placement) -> bool:
+    """Whether what stands behind a piece is not seen past it, as past a lamp or a plant."""
+    asset = scene.asset_of(placement)
+    return placement.size[2] > TALL and asset.mount == "floor" and asset.front != "any"
 
 
 def _backs(scene: Scene, placement: Placement, yaw: float) -> bool:

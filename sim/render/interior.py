@@ -11,7 +11,7 @@ from thinkblox.scene.room import Opening, Room, Wall
 from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.sim.render.curtains import FOLDS, sides_of, top_of
 from thinkblox.sim.render.materials import CUT, GROUND, MATERIALS, Colour, linear
-from thinkblox.sim.render.soup import ROOM, Patch, Plane, Soup
+from thinkblox.sim.render.soup import ROOM, CoveredPlane, Patch, Soup
 from thinkblox.sim.render.tessellate import Floats, Mesh, rounded_box
 from thinkblox.value import Vec3
 
@@ -93,10 +93,10 @@ class _WallFrame:
                 patch = replace(patch, plane=self.plane(covering))
             self.soup.add(_slanted(mesh, slant), patch)
 
-    def plane(self, covering: Covering) -> Plane:
+    def plane(self, covering: Covering) -> CoveredPlane:
         """The wall's inner side, with its pattern beginning at its start on the floor."""
         (ax, ay), (x, y) = self.wall.along, self.wall.start
-        return Plane(covering, (x, y, 0.0), (-ax, -ay, 0.0), (0.0, 0.0, 1.0), floor=False)
+        return CoveredPlane(covering, (x, y, 0.0), (-ax, -ay, 0.0), (0.0, 0.0, 1.0), floor=False)
 
     def patch(self, centre: np.ndarray, size: Vec3, colour: Colour, material: str) -> Patch:
         """A patch whose frame is along the wall, into the room, up, centred at a point given in that order."""
@@ -289,7 +289,7 @@ def add_floor(soup: Soup, room: Room, surfaces: Surfaces) -> None:
     flat = _flat(room.polygon, 0.0) @ turn
     # The pattern of a floor turned a quarter runs the other way round, so that it is seen from the same side.
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)) if width >= depth else ((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0))
-    plane = Plane(surfaces.floor, (0.0, 0.0, 0.0), *axes, floor=True)
+    plane = CoveredPlane(surfaces.floor, (0.0, 0.0, 0.0), *axes, floor=True)
     colour, material = linear(surfaces.floor.colour), MATERIALS.index("floor")
     soup.add(_level(flat), Patch(colour, material, ROOM, turn, np.zeros(3), (width, depth, SLAB), plane=plane))
 

@@ -39,8 +39,8 @@ _LOST = 3.0
 """What each thing costs that is not seen at all, since its wall is cut away."""
 _ACCENT = 1.1
 """What a wall that stands out adds to all that is seen, as a factor."""
-_SPARE = 1.0
-"""How far from the room its walls darken the ground that lies in the sun [m]."""
+_SPARE = 0.8
+"""How far from the room its walls darken the ground that lies in the sun, in heights of the room."""
 MARGIN = 0.045
 """Share of the picture left free round the room."""
 
@@ -167,9 +167,9 @@ def _soup(scene: Scene, view: View, poses: Mapping[str, Pose] | None, hidden: Co
 
 def _shadowed(room: Room, sun: Floats) -> Polygon:
     """The ground that a room takes light from, with some to spare; beyond, it is as bright as its backdrop."""
-    far = room.height / float(sun[2])
-    falls = translate(room.polygon.buffer(_SPARE / 2), -far * float(sun[0]), -far * float(sun[1]))
-    return Polygon(get_coordinates(room.polygon.buffer(_SPARE).union(falls).convex_hull))
+    far, spare = room.height / float(sun[2]), _SPARE * room.height
+    falls = translate(room.polygon.buffer(spare / 2), -far * float(sun[0]), -far * float(sun[1]))
+    return Polygon(get_coordinates(room.polygon.buffer(spare).union(falls).convex_hull))
 
 
 def _hidden(scene: Scene, standing: tuple[bool, ...]) -> set[str]:

@@ -24,7 +24,7 @@ ROOM = -1
 
 
 @dataclass(frozen=True)
-class Plane:
+class CoveredPlane:
     """A floor or a wall that is covered as one, however many shapes it is drawn with.
 
     Attributes:
@@ -69,7 +69,7 @@ class Patch:
     size: Vec3
     look: Look | None = None
     density: float = 0.0
-    plane: Plane | None = None
+    plane: CoveredPlane | None = None
 
     @property
     def reflectance(self) -> Reflectance:

@@ -45,7 +45,7 @@ class Dress(Value, frozen=True, kw_only=True, rename={"companion": "with"}):
     seconds: tuple[str, ...] = ()
 
 
-class Usual(Value, frozen=True, kw_only=True):
+class UsualFinish(Value, frozen=True, kw_only=True):
     """What a type of room is finished with, or what a style changes of that: choices in turn; empty for no change."""
 
     floor: tuple[Laying, ...] = ()
@@ -61,8 +61,8 @@ class Finishes(Value, frozen=True, kw_only=True):
 
     palettes: dict[str, Palette]
     layings: dict[Laying, Dress]
-    rooms: dict[str, Usual]
-    styles: dict[str, Usual]
+    rooms: dict[str, UsualFinish]
+    styles: dict[str, UsualFinish]
 
 
 @dataclass(frozen=True)

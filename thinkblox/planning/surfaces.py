@@ -7,7 +7,7 @@ from typing import TypeVar
 from msgspec.structs import replace
 
 from thinkblox.brief import Brief, SurfaceRequest
-from thinkblox.knowledge.surfaces import Palette, Usual, blended, colour_from, finishes
+from thinkblox.knowledge.surfaces import Palette, UsualFinish, blended, colour_from, finishes
 from thinkblox.layings import Laying
 from thinkblox.scene.room import Room
 from thinkblox.scene.surfaces import Covering, Surfaces
@@ -70,11 +70,11 @@ def longest_free_wall(room: Room) -> int:
     return max(range(len(free)), key=lambda i: (round(free[i] * worth[i], 3), -i))
 
 
-def _parts(usual: Usual) -> tuple[tuple[str, tuple[Laying, ...]], tuple[str, tuple[Laying, ...]]]:
+def _parts(usual: UsualFinish) -> tuple[tuple[str, tuple[Laying, ...]], tuple[str, tuple[Laying, ...]]]:
     return ("floor", usual.floor), ("walls", usual.walls)
 
 
-def _usual(brief: Brief) -> Usual:
+def _usual(brief: Brief) -> UsualFinish:
     """What such a room is finished with, changed by the words for its style; what is wet keeps its tiles."""
     known = finishes()
     usual = known.rooms.get(brief.room_type, known.rooms["room"])

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from thinkblox.brief import Fate, Word
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, NounKind, Stray, Surface
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.tokens import Token
 
 _LINKS: dict[str, Fate] = {
@@ -76,7 +76,7 @@ def _usual(chunk: Chunk) -> Fate:
             return "requested" if said else "style" if chunk.styles else "filler"
         case Measured():
             return "constraint"
-        case Surface():
+        case SaidSurface():
             return "requested"
         case Stray():
             return "not_understood"

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from thinkblox.brief import SurfaceRequest
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray, Surface
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.surfaces import surface_at
@@ -109,13 +109,13 @@ class Cutter:
         text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
         return Stray(self.at, self.at + unread, text)
 
-    def _surface(self) -> Surface | None:
+    def _surface(self) -> SaidSurface | None:
         """Read what floor or walls are like; where they are a place for something, that is noted and they stay one."""
         found = surface_at(self.tokens, self.at, self._is_room_at)
         if found is None:
             return None
         if not self._is_of_place():
-            return Surface(self.at, found.end, found.request)
+            return SaidSurface(self.at, found.end, found.request)
         self.noted.append(found.request)
         return None
 

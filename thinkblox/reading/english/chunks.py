@@ -136,7 +136,7 @@ class Stray:
 
 
 @dataclass
-class Surface:
+class SaidSurface:
     """What floor or walls are to be like."""
 
     start: int
@@ -144,4 +144,4 @@ class Surface:
     request: SurfaceRequest
 
 
-Chunk = Noun | Connector | Adjective | Measured | Stray | Surface
+Chunk = Noun | Connector | Adjective | Measured | Stray | SaidSurface

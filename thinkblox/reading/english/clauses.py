@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 
 from thinkblox.reading.draft import Draft
-from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, Stray, Surface
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.pronouns import Pronouns
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -33,7 +33,7 @@ class Clauses(Pronouns):
                     self._measured(chunk)
                 case Stray():
                     self._stray(chunk)
-                case Surface():
+                case SaidSurface():
                     self.draft.surfaces.append(chunk.request)
         self._begin()
         self._drop_groups()

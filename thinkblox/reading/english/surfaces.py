@@ -83,14 +83,14 @@ class _Look:
 
 
 @dataclass(frozen=True)
-class Finding:
+class SurfaceFinding:
     """A request, and before which token its words end."""
 
     end: int
     request: SurfaceRequest
 
 
-def surface_at(tokens: Sequence[Token], at: int, is_room: Callable[[int], bool]) -> Finding | None:
+def surface_at(tokens: Sequence[Token], at: int, is_room: Callable[[int], bool]) -> SurfaceFinding | None:
     """What is asked of a floor or of walls by words that begin at `at`; None where they ask for something else.
 
     `is_room` says whether the name of a room begins at a token.
@@ -105,7 +105,7 @@ def surface_at(tokens: Sequence[Token], at: int, is_room: Callable[[int], bool])
     return _said_of_room(tokens, start, is_room)
 
 
-def _said_before(tokens: Sequence[Token], at: int, start: int) -> Finding | None:
+def _said_before(tokens: Sequence[Token], at: int, start: int) -> SurfaceFinding | None:
     """Read "white walls", "a dark oak floor", "tiles on the floor"."""
     for part in ("walls", "floor"):
         look = _look(tokens, start, part)
@@ -123,11 +123,11 @@ def _said_before(tokens: Sequence[Token], at: int, start: int) -> Finding | None
             one = head == "wall" and _text(tokens, at) != "all"
             request = look.request(part, one=one, phrase=_shown(tokens, start, end))
             if request is not None:
-                return Finding(end, request)
+                return SurfaceFinding(end, request)
     return None
 
 
-def _said_after(tokens: Sequence[Token], at: int, start: int) -> Finding | None:
+def _said_after(tokens: Sequence[Token], at: int, start: int) -> SurfaceFinding | None:
     """Read "the walls are painted green", "floor covered in grey linoleum", "walls of brick"."""
     head = _text(tokens, start)
     part = _HEADS.get(head)
@@ -150,15 +150,15 @@ def _said_after(tokens: Sequence[Token], at: int, start: int) -> Finding | None:
         return None
     look.layings += [own] if own else []
     request = look.request(part, one=head == "wall", phrase=_shown(tokens, start, look.end))
-    return None if request is None else Finding(look.end, request)
+    return None if request is None else SurfaceFinding(look.end, request)
 
 
-def _said_by_itself(tokens: Sequence[Token], at: int, start: int) -> Finding | None:
+def _said_by_itself(tokens: Sequence[Token], at: int, start: int) -> SurfaceFinding | None:
     """Read "striped wallpaper", "oak parquet", "white wall tiles", "wall-to-wall carpet"."""
     if [_text(tokens, start + n) for n in range(3)] == ["wall", "to", "wall"]:
         look = _look(tokens, start + 3, "floor")
         request = look.request("floor", one=False, phrase=_shown(tokens, start, look.end))
-        return Finding(look.end, request) if request is not None and "carpet" in look.layings else None
+        return SurfaceFinding(look.end, request) if request is not None and "carpet" in look.layings else None
     for part in ("walls", "floor"):
         look = _look(tokens, start, part)
         end = look.end
@@ -170,11 +170,11 @@ def _said_by_itself(tokens: Sequence[Token], at: int, start: int) -> Finding | N
         if found and _is_over(tokens, end):
             request = look.request(part, one=False, phrase=_shown(tokens, start, end))
             if request is not None:
-                return Finding(end, request)
+                return SurfaceFinding(end, request)
     return None
 
 
-def _said_of_room(tokens: Sequence[Token], start: int, is_room: Callable[[int], bool]) -> Finding | None:
+def _said_of_room(tokens: Sequence[Token], start: int, is_room: Callable[[int], bool]) -> SurfaceFinding | None:
     """Read "carpeted" in "a carpeted office", "brick-walled" in "a brick-walled cafe"; the room itself is left."""
     end = next((n for n in range(start, min(start + 3, len(tokens))) if _text(tokens, n) in _FINISHED), None)
     if end is None or not is_room(end + 1):
@@ -185,7 +185,7 @@ def _said_of_room(tokens: Sequence[Token], start: int, is_room: Callable[[int], 
     if look.end != (end if said in ("walled", "floored") else end + 1):
         return None
     request = look.request(part, one=False, phrase=_shown(tokens, start, end + 1))
-    return None if request is None else Finding(end + 1, request)
+    return None if request is None else SurfaceFinding(end + 1, request)
 
 
 def _look(tokens: Sequence[Token], start: int, part: Part) -> _Look:
