@@ -2,7 +2,7 @@
 
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import Usual, room_type
+from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -47,10 +47,15 @@ def _is_bare(draft: Draft) -> bool:
 
 
 def _is_sketched(draft: Draft) -> bool:
-    """Whether the prompt names the room and a few things, rather than all that it is to hold."""
+    """Whether the prompt names the room and a few things, rather than all that it is to hold.
+
+    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for.
+    """
     if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= _SKETCHED:
         return False
-    return not any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+    arranged = any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+    essentials = [usual.category for usual in room_type(draft.room).expected]
+    return not (arranged and any(are_alike(e, thing.noun) for e in essentials for thing in draft.things))
 
 
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
@@ -69,16 +74,29 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
 
 
 def _scale(draft: Draft) -> None:
-    """As many seats, desks or beds as the people the room is for; two share a double bed."""
-    share = draft.room == "bedroom" and draft.people == 2
+    """As many seats, desks or beds as the people the room is for, with what belongs to each; two share a double bed."""
+    share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2
     if not draft.people or share:
         return
     habits, room = load_habits(), room_type(draft.room)
     for thing in [t for t in draft.things if not t.asked]:
         bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
         place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
-        if bed or (place and thing.many):
-            thing.count = draft.people
+        if bed or thing.noun == room.place or (place and thing.many):
+            _multiply(draft, thing, draft.people)
+
+
+def _multiply(draft: Draft, thing: Mention, count: int) -> None:
+    """Give an assumed thing another count, and what is assumed for each of it, or to stand at, as many times more."""
+    before, thing.count = thing.count or 1, count
+    for bond in draft.bonds:
+        if bond.asked or not bond.each or bond.subject.asked:
+            continue
+        if thing in bond.anchors and (bond.subject.count or 1) % before == 0 and bond.subject.count != count:
+            _multiply(draft, bond.subject, (bond.subject.count or 1) * count // before)
+        for anchor in bond.anchors if bond.subject is thing else ():
+            if isinstance(anchor, Mention) and not anchor.asked and anchor.count == before != count:
+                _multiply(draft, anchor, count)
 
 
 def _seat(draft: Draft) -> None:

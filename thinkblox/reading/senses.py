@@ -1,5 +1,6 @@
 """Chooses what a general word means from its company: a "lamp" on a nightstand is a table lamp."""
 
+from thinkblox.knowledge.rooms import kinds_of_room
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
 
@@ -23,7 +24,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     hung = any(b.anchors == ("ceiling",) for b in bonds if b.subject is thing)
     facts = {
         "attr": {*thing.attributes, *(["hanging"] if hung else [])},
-        "room": {room},
+        "room": set(kinds_of_room(room)),
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
