@@ -60,12 +60,12 @@ class RoomType(Value, frozen=True, kw_only=True):
     @property
     def usual(self) -> tuple[Usual, ...]:
         """Its contents, read."""
-        return _read(self.contents)
+        return read_usual(self.contents)
 
     @property
     def expected(self) -> tuple[Usual, ...]:
         """Its essentials, read."""
-        return _read(self.essentials)
+        return read_usual(self.essentials)
 
 
 UNKNOWN_ROOM = "room"
@@ -121,7 +121,8 @@ def _added(room: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=256)
-def _read(contents: tuple[str, ...]) -> tuple[Usual, ...]:
+def read_usual(contents: tuple[str, ...]) -> tuple[Usual, ...]:
+    """Read lines such as "2 table_lamp : on nightstand each"."""
     return tuple(_usual(line) for line in contents)
 
 

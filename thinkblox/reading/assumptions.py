@@ -1,16 +1,18 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
+from collections.abc import Mapping
+
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
-from thinkblox.knowledge.things import are_alike
+from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
+from thinkblox.reading.moods import FEW
 
-_PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
+_PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
-_SKETCHED = 5
-"""A prompt with so many kinds of things says what it wants; with fewer, the essentials of its room are assumed."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -18,13 +20,26 @@ _MOST_FILLED = 6
 def assume(draft: Draft) -> None:
     """Add what the prompt takes for granted, marked as not asked for."""
     if not draft.empty:
-        if _FURNISH in draft.style or _is_bare(draft):
+        bare = _FURNISH in draft.style or _is_bare(draft)
+        sketched = _is_sketched(draft)
+        if bare:
             _fill(draft, room_type(draft.room).usual)
         _seat(draft)
-        if _is_sketched(draft):
+        if sketched:
             _fill(draft, room_type(draft.room).expected)
+        if bare or sketched:
+            for theme in draft.themes:
+                _fill(draft, theme.expected(draft.room))
         _staff(draft)
         _carry(draft)
+
+
+def anticipated(draft: Draft) -> frozenset[str]:
+    """What will be assumed to be there for the room and the themes of a prompt that leaves much unsaid."""
+    if draft.empty or not (_is_bare(draft) or _is_sketched(draft)):
+        return frozenset()
+    themes = (usual for theme in draft.themes for usual in theme.expected(draft.room))
+    return frozenset(usual.category for usual in (*room_type(draft.room).expected, *themes))
 
 
 def stock(draft: Draft) -> None:
@@ -51,7 +66,7 @@ def _is_sketched(draft: Draft) -> bool:
 
     Who says how things stand to each other has the room before their eyes, unless none of them is what it is for.
     """
-    if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= _SKETCHED:
+    if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
     arranged = any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
     essentials = [usual.category for usual in room_type(draft.room).expected]
@@ -61,16 +76,29 @@ def _is_sketched(draft: Draft) -> bool:
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     present = {thing.noun for thing in draft.things}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
+    unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
-        if any(are_alike(usual.category, noun) for noun in present | draft.excluded):
+        there = any(_is_one(noun, usual.category) for noun in present | draft.excluded)
+        if there or usual.category in unlikely:
             continue
-        if any(anchor not in made and anchor not in _PLACES and anchor for _, anchor, _ in usual.relations):
+        places = [_place(anchor, made) for _, anchor, _ in usual.relations]
+        if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
             continue
         thing = made[usual.category] = _add(draft, usual.category, usual.count)
-        for kind, anchor, each in usual.relations:
-            anchors = (made.get(anchor, anchor),) if anchor else ()
+        for (kind, _, each), place in zip(usual.relations, places, strict=True):
+            anchors = (made.get(place, place),) if place else ()
             draft.bonds.append(Bond(relation_kind(kind), thing, anchors, each=each, asked=False))
     _scale(draft)
+
+
+def _place(anchors: str, made: Mapping[str, Mention]) -> str:
+    """The first of "a|b" that is there: a thing, or a place of the room; empty where none is."""
+    return next((anchor for anchor in anchors.split("|") if anchor in made or anchor in _PLACES), "")
+
+
+def _is_one(noun: str, category: str) -> bool:
+    """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
+    return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
 
 
 def _scale(draft: Draft) -> None:
@@ -82,6 +110,9 @@ def _scale(draft: Draft) -> None:
     for thing in [t for t in draft.things if not t.asked]:
         bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
         place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
+        several = any(isinstance(a, Mention) and (a.count or 1) > 1 for b in draft.bonds_of(thing) for a in b.anchors)
+        if several and thing.noun != room.place and draft.people < (thing.count or 1):
+            continue
         if bed or thing.noun == room.place or (place and thing.many):
             _multiply(draft, thing, draft.people)
 

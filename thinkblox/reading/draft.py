@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from thinkblox.brief import RelationKind, Word
+from thinkblox.knowledge.themes import Theme
 from thinkblox.reading.sizes import Size
 
 MISSING = "missing"
@@ -99,6 +100,7 @@ class Draft:
     free: list[str] = field(default_factory=list)
     rooms: list[str] = field(default_factory=list)
     account: tuple[Word, ...] = ()
+    themes: list[Theme] = field(default_factory=list)
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""

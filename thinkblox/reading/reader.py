@@ -10,7 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_types
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import assume, stock
+from thinkblox.reading.assumptions import anticipated, assume, stock
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
@@ -19,6 +19,7 @@ from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
+from thinkblox.reading.moods import emphasise, read_moods
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
 
@@ -64,7 +65,9 @@ def _finish(draft: Draft) -> None:
     _drop_impossible_sizes(draft)
     limit_things(draft)
     _drop_general(draft)
-    choose_senses(draft)
+    read_moods(draft)
+    choose_senses(draft, anticipated(draft))
+    emphasise(draft)
     _settle_carriers(draft)
     assume(draft)
     settle_counts(draft)

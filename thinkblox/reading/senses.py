@@ -1,5 +1,7 @@
 """Chooses what a general word means from its company: a "lamp" on a nightstand is a table lamp."""
 
+from collections.abc import Collection
+
 from thinkblox.knowledge.rooms import kinds_of_room
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -7,10 +9,15 @@ from thinkblox.reading.draft import Bond, Draft, Mention
 _ROUNDS = 2
 
 
-def choose_senses(draft: Draft) -> None:
-    """Give every thing a category. Twice over, as the sense of one word can hang on that of another."""
+def choose_senses(draft: Draft, expected: Collection[str] = ()) -> None:
+    """Give every thing a category. Twice over, as the sense of one word can hang on that of another.
+
+    Args:
+        draft: what was read.
+        expected: categories that will be in its company, though the prompt does not name them.
+    """
     for _ in range(_ROUNDS):
-        company = {thing.noun for thing in draft.things}
+        company = {thing.noun for thing in draft.things} | set(expected)
         bonds: dict[int, list[Bond]] = {}
         for bond in draft.bonds:
             for thing in {bond.subject, *(a for a in bond.anchors if isinstance(a, Mention))}:
