@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from thinkblox.assets.stand_ins import stand_in
-from thinkblox.brief import RelationKind
+from thinkblox.brief import Fill, RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike, counts_as
@@ -17,9 +17,11 @@ _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
 
-def assume(draft: Draft) -> None:
-    """Add what the prompt takes for granted, marked as not asked for."""
-    if not draft.empty:
+def assume(draft: Draft, fill: Fill) -> None:
+    """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
+    if fill == "named" and not draft.empty:
+        _carry(draft)
+    elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
         sketched = _is_sketched(draft)
         if bare:
