@@ -5,6 +5,7 @@ from typing import get_args
 import pytest
 
 from thinkblox.assets import CATALOGUE, GENERAL_WORDS
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Brief, Place
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import room_types
@@ -147,8 +148,8 @@ OWN = {
         "chair around dining_table, menu_board behind counter",
     ),
     "A library with a reading table with eight chairs around it, and a globe on the table.": (
-        "1 dining_table, 8 chair, 1 globe",
-        "chair around dining_table, globe on dining_table",
+        "1 dining_table, 8 chair, 1 globe, 3 bookcase",
+        "chair around dining_table, globe on dining_table, bookcase against_wall wall",
     ),
     "A bathroom with a toilet, a sink with a mirror above it, and a towel rack.": (
         "1 toilet, 1 washbasin, 1 mirror, 1 towel_rail",
@@ -362,10 +363,23 @@ def test_too_many_are_listed_not_lost() -> None:
 def test_every_category_is_in_the_catalogue() -> None:
     habits = load_habits()
     nouns = {e.value for code in LANGUAGES for es in load(code).phrases.values() for e in es if e.sort == "object"}
-    nouns |= {usual.category for kind in room_types().values() for usual in kind.usual}
     nouns |= {anchor for noun in habits.known() for habit in habits.of(noun) for anchor in habit.anchors}
     nouns |= set(habits.known()) | {sense.category for noun in things() for sense in senses_of(noun)}
     assert nouns - PLACES - set(GENERAL_WORDS) <= set(CATALOGUE)
+
+
+def test_rooms_hold_only_things_with_a_shape_of_their_own() -> None:
+    usual = {u.category for kind in room_types().values() for u in (*kind.usual, *kind.expected)}
+    assert {noun for noun in usual if stand_in(noun).how not in ("catalogue", "table")} == set()
+
+
+def test_what_a_room_holds_is_tied_to_what_it_holds_before() -> None:
+    for name, kind in room_types().items():
+        for listed in (kind.usual, kind.expected):
+            known = {*PLACES, ""}
+            for usual in listed:
+                assert {anchor for _, anchor, _ in usual.relations} <= known, (name, usual)
+                known.add(usual.category)
 
 
 def test_every_room_type_is_known() -> None:

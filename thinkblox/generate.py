@@ -9,7 +9,8 @@ import numpy as np
 from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
-from thinkblox.brief import Brief
+from thinkblox.brief import FILLS, Brief, Fill
+from thinkblox.dressing import dress, undress
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError
 from thinkblox.headline import UNKNOWN
@@ -33,6 +34,8 @@ from thinkblox.verdict import Absence, Report
 M = TypeVar("M")
 GROWTH = (1.35, 1.8)
 """By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
+_UNDRESSINGS = 3
+"""How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
 
@@ -92,6 +95,7 @@ def generate_room(
     effort: Effort | None = None,
     tolerances: Tolerances | None = None,
     requirements: Sequence[Requirement] = (),
+    fill: Fill = "essentials",
     on_plan: Callable[[Plan], None] | None = None,
     on_object: Callable[[Progress], None] | None = None,
 ) -> Generation:
@@ -108,6 +112,9 @@ def generate_room(
         effort: how hard to try.
         tolerances: what counts as valid.
         requirements: what you require of every placement besides; the loop looks for places that meet it.
+        fill: what stands in the room besides what the prompt names: nothing but what has to carry that ("named"), what
+            makes such a room and its mood ("essentials"), or, besides, all that lies about where people live
+            ("lived-in"). What is read by a `briefer` of yours is for it to fill; "lived-in" dresses its rooms too.
         on_plan: called with what is to be placed, before anything is.
         on_object: called after each object.
 
@@ -117,7 +124,9 @@ def generate_room(
     _check_arguments(prompt, seed, room)
     planner = planner or ExpertPlanner()
     _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
-    brief = _made("briefer", (briefer or GrammarBriefer()).brief(prompt), Brief)
+    if fill not in FILLS:
+        raise InputError(f"fill is {fill!r}; it must be one of {', '.join(FILLS)}")
+    brief = _made("briefer", (briefer or GrammarBriefer(fill)).brief(prompt), Brief)
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
     effort = effort or Effort()
@@ -135,6 +144,7 @@ def generate_room(
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
+            lived_in=fill == "lived-in",
             first=first,
             until=until,
         )
@@ -210,13 +220,14 @@ def furnish(
     effort: Effort,
     judged: Judged,
     on_object: Callable[[Progress], None],
+    lived_in: bool,
     first: int,
     until: float,
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
 
     Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
-    is over [s].
+    is over [s]. With `lived_in` the room is dressed after that.
     """
     makeable, refused = _makeable(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
@@ -227,12 +238,14 @@ def furnish(
         if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
     best = min(made, key=lambda attempt: _faults(attempt.report))
+    if lived_in:
+        makeable = best.dress(loop, judged, on_object, len(made) - 1)
     episode = Episode(
         prompt=scene.prompt,
         seed=scene.seed,
         room=scene.room,
         plan=makeable,
-        kinds=loop.kinds,
+        kinds=kinds_of(makeable, source),
         assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
         rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
     )
@@ -279,7 +292,8 @@ class _Attempt:
         self.world = World(scene, tolerances=judged.tolerances, requirements=judged.requirements)
         self.rounds: list[Round] = []
         self.assets: dict[str, Asset] = {}
-        absent = list(refused)
+        self.number = number
+        absent = self.absent = list(refused)
         total = len(loop.plan.targets)
         for count, target in enumerate(loop.plan.targets, 1):
             why = loop.over or self._place(loop, target, number, np.random.default_rng((scene.seed, number, count)))
@@ -293,6 +307,35 @@ class _Attempt:
             tolerances=judged.tolerances,
             requirements=judged.requirements,
         )
+
+    def dress(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None], last: int) -> Plan:
+        """Add what makes it look lived in, as far as everything stays valid; returns the plan with that."""
+        before, count = len(loop.plan.targets), 0
+
+        def told(target: Target, placed: bool) -> None:
+            nonlocal count
+            count += 1
+            on_object(Progress(target, placed, before + count, before + count, last))
+
+        done = dress(self.world, loop, attempt=self.number, on_object=told)
+        valid = self.report.valid
+        added = {target.id for target in done.loop.plan.targets[before:]}
+        for _ in range(_UNDRESSINGS):
+            self.report = report_on(
+                done.world.scene,
+                done.loop.plan,
+                absent=[*self.absent, *done.absent],
+                tolerances=judged.tolerances,
+                requirements=judged.requirements,
+            )
+            faulty = [v.id for v in self.report.objects if not v.valid and v.id in added]
+            if self.report.valid or not faulty or not valid:
+                break
+            undress(done, faulty, tolerances=judged.tolerances, requirements=judged.requirements)
+        self.world = done.world
+        self.rounds += done.rounds
+        self.assets |= done.assets
+        return done.loop.plan
 
     def _place(self, loop: Loop, target: Target, number: int, rng: np.random.Generator) -> str:
         """Place one object; says why when it could not be placed."""

@@ -49,6 +49,7 @@ class Effort:
         repairs: poses measured around its best try after that.
         revisions: places measured for a neighbour that is in the way, after that.
         restarts: how often a room that is not all as asked is begun anew; the best one is kept.
+        resort: whether a walkable way or a window is given up rather than an object.
         seconds: the budget: how long objects are placed [s]. What is not placed by then is absent, and says so. One
             proposal or one measurement is finished when it is over, and the report on the whole room comes after. The
             same seed gives the same room as long as the budget is not used up.
@@ -62,6 +63,7 @@ class Effort:
     repairs: int = 40
     revisions: int = 16
     restarts: int = 2
+    resort: bool = True
     seconds: float = BUDGET
 
     def __post_init__(self) -> None:
@@ -307,6 +309,8 @@ class Placing:
 
     def _last_resort(self) -> World | None:
         """Give up a walkable way or a window rather than the object: the least bad of all that was measured."""
+        if not self.loop.effort.resort:
+            return None
         soft = [(p, v) for p, v in self.failed if set(v.reasons) <= SOFT and p.placement is not None]
         if not soft:
             return None

@@ -80,7 +80,7 @@ class FreeFloor:
         x0, y0, x1, y1 = shapely.bounds(obstacle)
         wide = reach + 2 * BRIM
         window = (x0 - wide, y0 - wide, x1 + wide, y1 + wide)
-        left = shapely.difference(shapely.clip_by_rect(main, *window), obstacle)
+        left = shapely.difference(shapely.intersection(main, shapely.box(*window)), obstacle)
         brim = shapely.intersection(left, shapely.buffer(obstacle, BRIM, quad_segs=ROUNDNESS))
         if shapely.area(brim) < SPECK or _count(brim) != 1:
             return False

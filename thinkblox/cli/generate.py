@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from thinkblox.brief import FILLS
 from thinkblox.cli.options import natural, seconds, whole
 from thinkblox.cli.progress import ObjectBar
 from thinkblox.cli.stopping import heed_stops
@@ -28,6 +29,12 @@ def add_command(commands: "Commands") -> None:
         "--room", metavar="FILE", type=Path, help="furnish this room: JSON with floor, height, openings"
     )
     parser.add_argument("--candidates", metavar="N", type=_candidates, default=8, help="poses proposed per round (8)")
+    parser.add_argument(
+        "--fill",
+        choices=FILLS,
+        default="essentials",
+        help="what is added: only what carries things, what makes such a room (essentials), or a lived-in room",
+    )
     budget = "for placing objects (900); the measurement under way is finished, and the whole room measured, after it"
     parser.add_argument("--budget", metavar="S", type=seconds, default=900.0, help=budget)
     parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
@@ -57,6 +64,7 @@ def _generate(arguments: argparse.Namespace) -> int:
             seed=arguments.seed,
             room=room,
             effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
+            fill=arguments.fill,
             on_plan=progress.begin,
             on_object=progress.tell,
         )

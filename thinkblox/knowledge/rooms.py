@@ -41,6 +41,8 @@ class RoomType(Value, frozen=True, kw_only=True):
         sleeps: people sleep in it.
         reads: people read in it: there are books in its bookcases.
         public: people eat, meet or read together: a large table suits it.
+        like: a wider type that it is one of; words mean in it what they mean there.
+        windowless: it has no window unless the prompt asks for one.
     """
 
     area: Positive
@@ -52,16 +54,18 @@ class RoomType(Value, frozen=True, kw_only=True):
     sleeps: bool = False
     reads: bool = False
     public: bool = False
+    like: str = ""
+    windowless: bool = False
 
     @property
     def usual(self) -> tuple[Usual, ...]:
         """Its contents, read."""
-        return _read(self.contents)
+        return read_usual(self.contents)
 
     @property
     def expected(self) -> tuple[Usual, ...]:
         """Its essentials, read."""
-        return _read(self.essentials)
+        return read_usual(self.essentials)
 
 
 UNKNOWN_ROOM = "room"
@@ -78,11 +82,17 @@ def room_type(name: str) -> RoomType:
     return room_types().get(name, room_types()[UNKNOWN_ROOM])
 
 
+def kinds_of_room(name: str) -> frozenset[str]:
+    """The type called `name` and the wider one that it is one of."""
+    return frozenset(filter(None, (name, room_type(name).like if name else "")))
+
+
 @lru_cache(maxsize=1)
 def _room_types(revision: int) -> dict[str, RoomType]:
     text = Path(__file__).with_name("rooms.toml").read_text(encoding="utf-8")
     types = msgspec.convert(tomllib.loads(text), dict[str, RoomType])
     _check_rooms(types)
+    _check_likes(types)
     return {name: msgspec.structs.replace(kind, contents=kind.contents + _added(name)) for name, kind in types.items()}
 
 
@@ -92,6 +102,12 @@ def _check_rooms(types: Mapping[str, RoomType]) -> None:
             raise InputError(
                 f"category {name!r}: no type of room {min(unknown)!r}; there are {', '.join(sorted(types))}"
             )
+
+
+def _check_likes(types: Mapping[str, RoomType]) -> None:
+    for name, kind in types.items():
+        if kind.like and kind.like not in types:
+            raise InputError(f"room {name!r}: it is like {kind.like!r}, which is no type of room")
 
 
 def _added(room: str) -> tuple[str, ...]:
@@ -105,7 +121,8 @@ def _added(room: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=256)
-def _read(contents: tuple[str, ...]) -> tuple[Usual, ...]:
+def read_usual(contents: tuple[str, ...]) -> tuple[Usual, ...]:
+    """Read lines such as "2 table_lamp : on nightstand each"."""
     return tuple(_usual(line) for line in contents)
 
 

@@ -8,6 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from thinkblox.brief import Brief
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
 from thinkblox.scene.room import Opening, Room, Wall
 
@@ -26,18 +27,6 @@ _LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
 """An opening is made narrower, down to this, before it is left out [m]."""
 _DOORS_APART = 3.0
 """Doors that are further apart do not get in each other's way [m]."""
-_WINDOWLESS = frozenset(
-    {
-        "bathroom",
-        "hallway",
-        "storage_room",
-        "laundry_room",
-        "home_cinema",
-        "walk_in_closet",
-        "computer_room",
-        "locker_room",
-    }
-)
 _MANY_WINDOWS = 30.0
 """Floor from which a room has two windows, where the prompt does not say [m2]."""
 
@@ -117,7 +106,7 @@ def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
         wanted.insert(0, _Wanted("door", "near_wall" if speaks_of_sides(brief) else ""))
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
-        usual = brief.room_type not in _WINDOWLESS
+        usual = not room_type(brief.room_type).windowless
         count = 2 if room.polygon.area > _MANY_WINDOWS else 1
         wanted += [_Wanted("window")] * (count if usual else int(named))
     return wanted

@@ -1,30 +1,47 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
-from thinkblox.brief import RelationKind
+from collections.abc import Mapping
+
+from thinkblox.assets.stand_ins import stand_in
+from thinkblox.brief import Fill, RelationKind
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import Usual, room_type
-from thinkblox.knowledge.things import are_alike
+from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
+from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
+from thinkblox.reading.moods import FEW
 
-_PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre")
+_PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
-_SKETCHED = 5
-"""A prompt with so many kinds of things says what it wants; with fewer, the essentials of its room are assumed."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
 
-def assume(draft: Draft) -> None:
-    """Add what the prompt takes for granted, marked as not asked for."""
-    if not draft.empty:
-        if _FURNISH in draft.style or _is_bare(draft):
+def assume(draft: Draft, fill: Fill) -> None:
+    """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
+    if fill == "named" and not draft.empty:
+        _carry(draft)
+    elif not draft.empty:
+        bare = _FURNISH in draft.style or _is_bare(draft)
+        sketched = _is_sketched(draft)
+        if bare:
             _fill(draft, room_type(draft.room).usual)
         _seat(draft)
-        if _is_sketched(draft):
+        if sketched:
             _fill(draft, room_type(draft.room).expected)
+        if bare or sketched:
+            for theme in draft.themes:
+                _fill(draft, theme.expected(draft.room))
         _staff(draft)
         _carry(draft)
+
+
+def anticipated(draft: Draft) -> frozenset[str]:
+    """What will be assumed to be there for the room and the themes of a prompt that leaves much unsaid."""
+    if draft.empty or not (_is_bare(draft) or _is_sketched(draft)):
+        return frozenset()
+    themes = (usual for theme in draft.themes for usual in theme.expected(draft.room))
+    return frozenset(usual.category for usual in (*room_type(draft.room).expected, *themes))
 
 
 def stock(draft: Draft) -> None:
@@ -47,38 +64,72 @@ def _is_bare(draft: Draft) -> bool:
 
 
 def _is_sketched(draft: Draft) -> bool:
-    """Whether the prompt names the room and a few things, rather than all that it is to hold."""
-    if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= _SKETCHED:
+    """Whether the prompt names the room and a few things, rather than all that it is to hold.
+
+    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for.
+    """
+    if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
-    return not any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+    arranged = any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+    essentials = [usual.category for usual in room_type(draft.room).expected]
+    return not (arranged and any(are_alike(e, thing.noun) for e in essentials for thing in draft.things))
 
 
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     present = {thing.noun for thing in draft.things}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
+    unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
-        if any(are_alike(usual.category, noun) for noun in present | draft.excluded):
+        there = any(_is_one(noun, usual.category) for noun in present | draft.excluded)
+        if there or usual.category in unlikely:
             continue
-        if any(anchor not in made and anchor not in _PLACES and anchor for _, anchor, _ in usual.relations):
+        places = [_place(anchor, made) for _, anchor, _ in usual.relations]
+        if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
             continue
         thing = made[usual.category] = _add(draft, usual.category, usual.count)
-        for kind, anchor, each in usual.relations:
-            anchors = (made.get(anchor, anchor),) if anchor else ()
+        for (kind, _, each), place in zip(usual.relations, places, strict=True):
+            anchors = (made.get(place, place),) if place else ()
             draft.bonds.append(Bond(relation_kind(kind), thing, anchors, each=each, asked=False))
     _scale(draft)
 
 
+def _place(anchors: str, made: Mapping[str, Mention]) -> str:
+    """The first of "a|b" that is there: a thing, or a place of the room; empty where none is."""
+    return next((anchor for anchor in anchors.split("|") if anchor in made or anchor in _PLACES), "")
+
+
+def _is_one(noun: str, category: str) -> bool:
+    """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
+    return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
+
+
 def _scale(draft: Draft) -> None:
-    """As many seats, desks or beds as the people the room is for; two share a double bed."""
-    share = draft.room == "bedroom" and draft.people == 2
+    """As many seats, desks or beds as the people the room is for, with what belongs to each; two share a double bed."""
+    share = "bedroom" in kinds_of_room(draft.room) and draft.people == 2
     if not draft.people or share:
         return
     habits, room = load_habits(), room_type(draft.room)
     for thing in [t for t in draft.things if not t.asked]:
         bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
         place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
-        if bed or (place and thing.many):
-            thing.count = draft.people
+        several = any(isinstance(a, Mention) and (a.count or 1) > 1 for b in draft.bonds_of(thing) for a in b.anchors)
+        if several and thing.noun != room.place and draft.people < (thing.count or 1):
+            continue
+        if bed or thing.noun == room.place or (place and thing.many):
+            _multiply(draft, thing, draft.people)
+
+
+def _multiply(draft: Draft, thing: Mention, count: int) -> None:
+    """Give an assumed thing another count, and what is assumed for each of it, or to stand at, as many times more."""
+    before, thing.count = thing.count or 1, count
+    for bond in draft.bonds:
+        if bond.asked or not bond.each or bond.subject.asked:
+            continue
+        if thing in bond.anchors and (bond.subject.count or 1) % before == 0 and bond.subject.count != count:
+            _multiply(draft, bond.subject, (bond.subject.count or 1) * count // before)
+        for anchor in bond.anchors if bond.subject is thing else ():
+            if isinstance(anchor, Mention) and not anchor.asked and anchor.count == before != count:
+                _multiply(draft, anchor, count)
 
 
 def _seat(draft: Draft) -> None:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from thinkblox.brief import RelationKind, SurfaceRequest, Word
+from thinkblox.knowledge.themes import Theme
 from thinkblox.reading.sizes import Size
 
 MISSING = "missing"
@@ -101,6 +102,7 @@ class Draft:
     rooms: list[str] = field(default_factory=list)
     surfaces: list[SurfaceRequest] = field(default_factory=list)
     account: tuple[Word, ...] = ()
+    themes: list[Theme] = field(default_factory=list)
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""

@@ -5,12 +5,12 @@ from typing import Literal, get_args
 
 from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
-from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request, SurfaceRequest
+from thinkblox.brief import Brief, Fill, OpeningRequest, Place, Relation, Request, SurfaceRequest
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.surfaces import surface_words
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import assume, stock
+from thinkblox.reading.assumptions import anticipated, assume, stock
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
@@ -19,6 +19,7 @@ from thinkblox.reading.grammar import Walker
 from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
+from thinkblox.reading.moods import emphasise, read_moods
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
 
@@ -34,8 +35,14 @@ _SHAPES = ("L-shaped", "rectangular", "empty", "filled", "standing", "shared", "
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
 
 
-def read_brief(prompt: str) -> Brief:
+def read_brief(prompt: str, *, fill: Fill = "essentials") -> Brief:
     """What a prompt asks for, read by rules in one of the languages of `LANGUAGES`.
+
+    Args:
+        prompt: the text.
+        fill: what is assumed besides: with "named" nothing but what has to carry what is named; what makes a room a
+            lived-in one depends on where its furniture stands, so that "lived-in" differs from "essentials" only in
+            bookcases, which are left for the books that will be put into them.
 
     Raises:
         InputError: the prompt is blank, longer than MAX_LENGTH, in a language we do not know, or asks for a room of
@@ -50,11 +57,11 @@ def read_brief(prompt: str) -> Brief:
         draft = read_english(lexicon, prompt)
     else:
         draft = Walker(list(Chunker(lexicon, lexicon.tokens(prompt)).items())).walk()
-    _finish(draft)
+    _finish(draft, fill)
     return _brief(prompt, lexicon.code, draft)
 
 
-def _finish(draft: Draft) -> None:
+def _finish(draft: Draft, fill: Fill) -> None:
     known = set(map(id, draft.things))
     draft.bonds = [
         b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Mention))
@@ -64,12 +71,15 @@ def _finish(draft: Draft) -> None:
     _drop_impossible_sizes(draft)
     limit_things(draft)
     _drop_general(draft)
-    choose_senses(draft)
+    read_moods(draft)
+    choose_senses(draft, anticipated(draft) if fill != "named" else ())
+    emphasise(draft)
     _settle_carriers(draft)
-    assume(draft)
+    assume(draft, fill)
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
-    stock(draft)
+    if fill == "essentials":
+        stock(draft)
     _fit_tables(draft)
 
 

@@ -1,15 +1,23 @@
 """Chooses what a general word means from its company: a "lamp" on a nightstand is a table lamp."""
 
+from collections.abc import Collection
+
+from thinkblox.knowledge.rooms import kinds_of_room
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 _ROUNDS = 2
 
 
-def choose_senses(draft: Draft) -> None:
-    """Give every thing a category. Twice over, as the sense of one word can hang on that of another."""
+def choose_senses(draft: Draft, expected: Collection[str] = ()) -> None:
+    """Give every thing a category. Twice over, as the sense of one word can hang on that of another.
+
+    Args:
+        draft: what was read.
+        expected: categories that will be in its company, though the prompt does not name them.
+    """
     for _ in range(_ROUNDS):
-        company = {thing.noun for thing in draft.things}
+        company = {thing.noun for thing in draft.things} | set(expected)
         bonds: dict[int, list[Bond]] = {}
         for bond in draft.bonds:
             for thing in {bond.subject, *(a for a in bond.anchors if isinstance(a, Mention))}:
@@ -23,7 +31,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
     hung = any(b.anchors == ("ceiling",) for b in bonds if b.subject is thing)
     facts = {
         "attr": {*thing.attributes, *(["hanging"] if hung else [])},
-        "room": {room},
+        "room": set(kinds_of_room(room)),
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},

@@ -1,0 +1,59 @@
+"""Types of rooms: by which names, with what in them, and for how many."""
+
+import pytest
+
+from thinkblox import generate_room
+from thinkblox.brief import Brief
+from thinkblox.knowledge.rooms import kinds_of_room
+from thinkblox.reading import read_brief
+
+
+def counted(brief: Brief) -> dict[str, int]:
+    counts: dict[str, int] = {}
+    for request in brief.requests:
+        counts[request.category] = counts.get(request.category, 0) + request.count
+    return counts
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room", "thing"),
+    [
+        ("A barber shop", "barber_shop", "barber_chair"),
+        ("tattoo parlour, neon", "tattoo_studio", "tattoo_machine"),
+        ("the vet's exam room", "vet_clinic", "examination_table"),
+        ("A chemistry lab", "science_lab", "flask"),
+        ("a yurt", "tent", "lantern"),
+        ("A wine cellar", "wine_cellar", "wine_rack"),
+        ("A podcast studio", "podcast_studio", "microphone"),
+    ],
+)
+def test_a_room_is_known_by_its_name(prompt: str, room: str, thing: str) -> None:
+    brief = read_brief(prompt)
+    assert brief.room_type == room
+    assert thing in counted(brief)
+
+
+def test_everybody_has_one_of_what_each_has_there() -> None:
+    yoga = counted(read_brief("A yoga studio for nine people with a mirror and a plant next to the mirror"))
+    assert (yoga["yoga_mat"], yoga["mirror"]) == (9, 1)
+
+
+def test_what_belongs_to_each_place_comes_along() -> None:
+    barber = counted(read_brief("A barber shop for five people"))
+    assert {barber[noun] for noun in ("barber_chair", "dressing_table", "mirror", "razor")} == {5}
+
+
+def test_who_arranges_what_the_room_is_for_gets_no_more_of_it() -> None:
+    assert "hob" not in counted(read_brief("A kitchen with a fridge next to a base cabinet"))
+    assert "hob" in counted(read_brief("A kitchen with a clock above a bench"))
+
+
+def test_words_mean_in_a_room_what_they_mean_in_the_wider_one() -> None:
+    assert kinds_of_room("hospital_ward") == {"hospital_ward", "hospital_room"}
+    assert counted(read_brief("A hospital ward with five beds"))["hospital_bed"] == 5
+
+
+@pytest.mark.parametrize("prompt", ["A dental surgery", "A pottery studio", "A mudroom", "A barber shop with a clock"])
+def test_what_a_room_usually_holds_fits_into_it(prompt: str) -> None:
+    made = generate_room(prompt)
+    assert made.report.complete, made.report.absent

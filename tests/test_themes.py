@@ -1,0 +1,87 @@
+"""What everybody expects where a prompt names a mood, an occasion or people."""
+
+import pytest
+
+from thinkblox import generate_room
+from thinkblox.assets.stand_ins import stand_in
+from thinkblox.brief import Brief
+from thinkblox.knowledge.themes import themes, themes_in
+from thinkblox.reading import read_brief
+
+
+def counted(brief: Brief) -> dict[str, int]:
+    counts: dict[str, int] = {}
+    for request in brief.requests:
+        counts[request.category] = counts.get(request.category, 0) + request.count
+    return counts
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        ("my 14 yo's gaming bedroom, two screens", {"monitor": 2, "desk": 1, "keyboard": 1}),
+        ("Victorian parlour on halloween", {"pumpkin": 3, "candle": 4}),
+        ("A living room the morning after the party", {"bottle": 6, "pizza_box": 3}),
+        ("the bedroom of a bookworm", {"bookcase": 2, "book": 6}),
+        ("studio of a painter", {"easel": 1}),
+        ("A living room for my cat", {"cat_tree": 1}),
+        ("birthday party for a five-year-old", {"balloon": 5, "cake": 1}),
+        ("romantic dinner for two", {"wine_glass": 2, "chair": 2}),
+        ("walk in closet. shoes shoes shoes", {"shoes": 5}),
+    ],
+)
+def test_what_goes_with_a_mood_is_there(prompt: str, expected: dict[str, int]) -> None:
+    counts = counted(read_brief(prompt))
+    assert {noun: counts.get(noun, 0) >= number for noun, number in expected.items()} == dict.fromkeys(expected, True)
+
+
+def test_what_goes_with_a_mood_is_assumed_and_the_word_is_accounted_for() -> None:
+    brief = read_brief("A living room, christmas eve")
+    assert not brief.request("christmas_tree").asked
+    assert [word.fate for word in brief.account if word.text == "christmas"] == ["style"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "never"),
+    [
+        ("A bedroom with a party hat on the desk", "balloon"),
+        ("A living room, no party", "balloon"),
+        ("A living room, not christmas at all", "christmas_tree"),
+        ("A living room with a picture of a cat", "cat_tree"),
+        ("A living room for a party, without balloons", "balloon"),
+        ("An empty room for a party", "balloon"),
+        ("A Victorian parlour", "tv"),
+    ],
+)
+def test_a_word_that_tells_no_mood_adds_nothing(prompt: str, never: str) -> None:
+    assert counted(read_brief(prompt)).get(never, 0) == 0
+
+
+def test_people_and_occasions_are_no_things() -> None:
+    assert {"bookworm", "sleepover"}.isdisjoint(counted(read_brief("bedroom of a bookworm after a sleepover")))
+
+
+def test_what_is_named_is_not_assumed_again() -> None:
+    counts = counted(read_brief("A man cave for a football fan with a beer fridge"))
+    assert (counts["beer_fridge"], counts.get("fridge", 0)) == (1, 0)
+
+
+def test_a_room_that_is_told_in_full_stays_as_told() -> None:
+    prompt = "A living room for a party with a sofa, an armchair, a coffee table, a rug, a floor lamp and a bookcase"
+    assert all(request.asked for request in read_brief(prompt).requests)
+
+
+def test_the_longest_phrase_tells() -> None:
+    found = themes_in("the morning after the party".split())
+    assert [(theme.theme, theme.start, theme.end) for theme in found] == [(themes()["after_party"], 1, 5)]
+
+
+def test_themes_bring_only_things_with_a_shape_of_their_own() -> None:
+    known = themes().values()
+    expected = {u.category for t in known for room in ("", *t.by_room) for u in t.expected(room)}
+    assert {noun for noun in expected if stand_in(noun).how not in ("catalogue", "table")} == set()
+    assert len(known) >= 60
+
+
+def test_a_way_round_what_was_cut_off_is_found_where_the_cut_touches_itself() -> None:
+    assert generate_room("christmas eve at grandma's living room, cosy and warm").report.valid

@@ -1,0 +1,112 @@
+"""A furnished room becomes a lived-in one: what is added is placed and measured as everything else, or left out."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from msgspec import structs
+
+from thinkblox.episode import Round
+from thinkblox.errors import InputError
+from thinkblox.judging import asset_for
+from thinkblox.observe import kinds_of
+from thinkblox.placing import Loop, Placing
+from thinkblox.plan import Target
+from thinkblox.planning.dressing import Dresser
+from thinkblox.scene.asset import Asset
+from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.verdict.requirement import Requirement
+from thinkblox.sim.verdict.world import World
+from thinkblox.verdict import Absence
+
+_CANDIDATES = 4
+"""Poses proposed for one of the many things that nobody asked for; where none will do, it is left out."""
+_SALT = 1_000_003
+"""Keeps these random choices apart from those of the furniture."""
+
+
+@dataclass
+class Dressed:
+    """The room with what was added, and how that came about."""
+
+    world: World
+    loop: Loop
+    rounds: list[Round] = field(default_factory=list)
+    assets: dict[str, Asset] = field(default_factory=dict)
+    absent: list[Absence] = field(default_factory=list)
+
+
+def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target, bool], None]) -> Dressed:
+    """Add what makes a room look lived in: furniture and pictures first, then what lies on everything that carries.
+
+    Args:
+        world: the furnished room.
+        loop: what it was furnished with.
+        attempt: which attempt at the room it is.
+        on_object: called with each target, and whether it was placed.
+    """
+    effort = replace(
+        loop.effort, candidates=min(_CANDIDATES, loop.effort.candidates), rounds=1, repairs=0, revisions=0, resort=False
+    )
+    seed = world.scene.seed
+    dresser = Dresser(loop.plan, np.random.default_rng((seed, _SALT)))
+    done = Dressed(world, replace(loop, effort=effort))
+    for stage in (dresser.furniture, dresser.things):
+        targets = stage(done.world.scene)
+        done.loop = replace(done.loop, plan=dresser.plan)
+        for target in _makeable(done, targets):
+            why = done.loop.over or _place(done, target, attempt)
+            if why:
+                done.absent.append(_absence(target, why))
+            on_object(target, not why)
+    return done
+
+
+def undress(
+    done: Dressed, ids: Sequence[str], *, tolerances: Tolerances, requirements: Sequence[Requirement] = ()
+) -> None:
+    """Take away some of what was added."""
+    scene = done.world.scene
+    for id in ids:
+        scene = scene.without(id)
+    done.world = World(scene, tolerances=tolerances, requirements=requirements)
+    done.rounds = [structs.replace(r, kept=r.kept and r.id not in ids) for r in done.rounds]
+    targets = (target for target in done.loop.plan.targets if target.id in ids)
+    done.absent += [_absence(target, "it did not stand still once everything was there") for target in targets]
+
+
+def _makeable(done: Dressed, targets: Sequence[Target]) -> list[Target]:
+    """The targets that the source can make; the others are noted as absent."""
+    kept = []
+    for target in targets:
+        try:
+            done.loop.source.usual(target.category)
+            asset_for(target, done.world.scene, done.loop.source)
+            kept.append(target)
+        except InputError as error:
+            done.absent.append(_absence(target, str(error)))
+    gone = {target.id for target in targets} - {target.id for target in kept}
+    plan = structs.replace(
+        done.loop.plan, targets=tuple(target for target in done.loop.plan.targets if target.id not in gone)
+    )
+    done.loop = replace(done.loop, plan=plan, kinds=kinds_of(plan, done.loop.source))
+    return kept
+
+
+def _place(done: Dressed, target: Target, attempt: int) -> str:
+    """Place one object; says why where it could not be placed."""
+    number = done.loop.plan.targets.index(target)
+    placing = Placing(done.world, done.loop, target, np.random.default_rng((done.world.scene.seed, _SALT, number)))
+    grown = placing.run()
+    carrier = next((tie.anchors[0] for tie in target.ties if tie.kind == "on"), "")
+    astray = grown is not None and carrier != "" and grown.scene[target.id].support != carrier
+    done.world = done.world if grown is None or astray else grown
+    done.assets |= placing.assets
+    done.rounds += [structs.replace(r, attempt=attempt, kept=not astray) for r in placing.rounds]
+    if astray:
+        return f"there was no room left for it on {carrier}"
+    return "" if grown is not None else placing.reason or "no place was found"
+
+
+def _absence(target: Target, why: str) -> Absence:
+    return Absence(id=target.id, category=target.category, asked=False, reason=why)

@@ -1,0 +1,66 @@
+"""What a lived-in room holds besides its furniture, by type of room and by what carries it."""
+
+import tomllib
+from functools import lru_cache
+from pathlib import Path
+
+import msgspec
+
+from thinkblox.errors import InputError
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, read_usual, room_types
+from thinkblox.value import Value
+
+
+class Tops(Value, frozen=True, kw_only=True):
+    """What is put on some things.
+
+    Attributes:
+        on: the categories that carry it, separated by commas.
+        rooms: the types of room where it is so, or wider ones, separated by commas; empty for all.
+        things: up to how many of what: "<count> <category>".
+    """
+
+    on: str
+    rooms: str = ""
+    things: tuple[str, ...]
+
+    def fits(self, category: str, kinds: frozenset[str]) -> bool:
+        """Whether it is put on such a thing in a room of these types."""
+        return category in self.on.split(", ") and (not self.rooms or not kinds.isdisjoint(self.rooms.split(", ")))
+
+
+class Dressing(Value, frozen=True, kw_only=True):
+    """All that is known of it.
+
+    Attributes:
+        varied: categories that come in several colours, separated by commas.
+        colours: these, separated by commas.
+        rooms: what else stands and hangs in a type of room, in the notation of `RoomType.contents`.
+        tops: what is put on what, the first that fits.
+    """
+
+    varied: str
+    colours: str
+    rooms: dict[str, tuple[str, ...]]
+    tops: tuple[Tops, ...]
+
+    def furniture(self, room: str) -> tuple[Usual, ...]:
+        """What else stands and hangs in a type of room."""
+        kinds = (room, *sorted(kinds_of_room(room) - {room}), UNKNOWN_ROOM)
+        return read_usual(next(self.rooms[kind] for kind in kinds if kind in self.rooms))
+
+    def on(self, category: str, room: str) -> tuple[Usual, ...]:
+        """What is put on a thing in a type of room; nothing on most things."""
+        kinds = kinds_of_room(room)
+        return read_usual(next((tops.things for tops in self.tops if tops.fits(category, kinds)), ()))
+
+
+@lru_cache(maxsize=1)
+def dressing() -> Dressing:
+    """The table."""
+    text = Path(__file__).with_name("dressing.toml").read_text(encoding="utf-8")
+    read = msgspec.convert(tomllib.loads(text), Dressing)
+    named = {room for tops in read.tops for room in tops.rooms.split(", ") if room} | read.rooms.keys()
+    if unknown := named - room_types().keys():
+        raise InputError(f"dressing: no type of room {min(unknown)!r}")
+    return read

@@ -1,0 +1,175 @@
+"""What makes a furnished room a lived-in one: more to stand and hang in it, and what lies on all that carries."""
+
+from collections.abc import Iterator
+from typing import cast
+
+import numpy as np
+from msgspec.structs import replace
+
+from thinkblox.assets import facts_of, kind_of
+from thinkblox.assets.category import Category
+from thinkblox.brief import RelationKind, Request
+from thinkblox.knowledge.dressing import dressing
+from thinkblox.knowledge.rooms import Usual
+from thinkblox.knowledge.things import are_alike, counts_as
+from thinkblox.plan import Plan, Target, Tie
+from thinkblox.scene.asset import Surface
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+
+LEAST, MOST = 70, 100
+"""How many objects a lived-in room is to have, at least and at most, as far as its surfaces have room."""
+_FULL, _PACKED = 0.35, 0.6
+"""Share of a top that things may cover, as people still use it, and of a shelf."""
+_PASSES = 3
+"""How often the things for a shelf are gone through, while it has room."""
+_REACH, _REACHED_SHELF = 1.5, 1.9
+"""Nothing lies on an open top, or on that of a shelf, that is higher [m]."""
+_GAP = 0.03
+"""Left about a thing on a surface [m]."""
+_PLACES = ("wall", "corner", "window", "door", "centre")
+_STAGE = {"floor": 0, "wall": 1, "ceiling": 2, "surface": 3}
+
+
+class Dresser:
+    """Plans what is added to a room of a plan; every random choice is drawn from `rng`."""
+
+    def __init__(self, plan: Plan, rng: np.random.Generator) -> None:
+        self.plan = plan
+        self._rng = rng
+        self._table = dressing()
+        self._numbers: dict[str, int] = {}
+        for target in plan.targets:
+            self._numbers[target.category] = self._numbers.get(target.category, 0) + 1
+        self._wanted = int(rng.integers(LEAST, MOST + 1))
+
+    def furniture(self, scene: Scene) -> tuple[Target, ...]:
+        """What else stands on the floor and hangs on the walls, largest first."""
+        targets: list[Target] = []
+        for usual in self._table.furniture(self.plan.brief.room_type):
+            ties = self._ties(scene, usual)
+            count = usual.count - self._there(scene, usual.category)
+            if ties is not None and count > 0 and self._is_welcome(usual.category):
+                targets += self._added(usual.category, count, ties)
+        targets.sort(key=_rank)
+        return self._planned(targets)
+
+    def things(self, scene: Scene) -> tuple[Target, ...]:
+        """What lies on everything that carries, in turn, until the room has as many as it is to have."""
+        carriers = [self._on(scene, p) for p in scene.placements]
+        turns = [turn for turn in carriers if turn is not None]
+        targets: list[Target] = []
+        while turns and len(scene.placements) + len(targets) < self._wanted:
+            for turn in list(turns):
+                group = next(turn, None)
+                if group is None:
+                    turns.remove(turn)
+                else:
+                    targets += group
+        return self._planned(targets)
+
+    def _on(self, scene: Scene, carrier: Placement) -> Iterator[list[Target]] | None:
+        things = self._table.on(carrier.category, self.plan.brief.room_type)
+        return self._laid(scene, carrier, things) if things else None
+
+    def _laid(self, scene: Scene, carrier: Placement, things: tuple[Usual, ...]) -> Iterator[list[Target]]:
+        """Groups of a kind for one thing, in an order of chance, while there is room on it."""
+        surfaces = _serving(scene, carrier)
+        resting = scene.resting_on(carrier.id)
+        free = sum(_share(s) * s.size[0] * s.size[1] for s in surfaces) - sum(p.size[0] * p.size[1] for p in resting)
+        passes = _PASSES if any(s.headroom is not None for s in surfaces) else 1
+        for place in [place for _ in range(passes) for place in self._rng.permutation(len(things))]:
+            usual = things[place]
+            kind = kind_of(usual.category)
+            if not self._is_welcome(usual.category) or not any(_has_room(s, kind) for s in surfaces):
+                continue
+            if any(are_alike(p.category, usual.category) for p in resting):
+                continue
+            cover = (kind.size[0] + _GAP) * (kind.size[1] + _GAP)
+            count = min(int(self._rng.integers((usual.count + 1) // 2, usual.count + 1)), int(free / cover))
+            if count > 0:
+                free -= count * cover
+                yield self._added(usual.category, count, (Tie(kind="on", anchors=(carrier.id,), asked=False),))
+
+    def _ties(self, scene: Scene, usual: Usual) -> tuple[Tie, ...] | None:
+        """How it is to stand; None where what it belongs to is not there."""
+        ties = []
+        for kind, anchors, _ in usual.relations:
+            found = (self._anchor(scene, anchor) for anchor in anchors.split("|"))
+            anchor = next(filter(None, found), "")
+            if not anchor:
+                return None
+            ties.append(Tie(kind=cast(RelationKind, kind), anchors=(anchor,), asked=False))
+        return tuple(ties)
+
+    def _anchor(self, scene: Scene, name: str) -> str:
+        if name in _PLACES:
+            kind = "window" if name == "window" else "door"
+            openings = any(opening.kind == kind for opening in scene.room.openings)
+            return name if name not in ("window", "door") or openings else ""
+        return next((p.id for p in scene.placements if p.category == name), "")
+
+    def _there(self, scene: Scene, category: str) -> int:
+        """How many alike there are."""
+        return sum(are_alike(p.category, category) or counts_as(p.category, category) for p in scene.placements)
+
+    def _is_welcome(self, category: str) -> bool:
+        return not any(counts_as(category, name) or are_alike(category, name) for name in self.plan.brief.excluded)
+
+    def _added(self, category: str, count: int, ties: tuple[Tie, ...]) -> list[Target]:
+        """Targets of one kind, each of a colour of its own where such things come in several."""
+        start = self._numbers.get(category, 0)
+        self._numbers[category] = start + count
+        counted = tuple(replace(tie, count=count) for tie in ties)
+        return [
+            Target(
+                id=f"{category}_{start + index + 1}",
+                category=category,
+                request=f"{category}_{start + index + 1}",
+                asked=False,
+                attributes=self._colour(category),
+                ties=tuple(replace(tie, index=index) for tie in counted),
+            )
+            for index in range(count)
+        ]
+
+    def _colour(self, category: str) -> tuple[str, ...]:
+        if category not in self._table.varied.split(", "):
+            return ()
+        colours = self._table.colours.split(", ")
+        return (colours[int(self._rng.integers(len(colours)))],)
+
+    def _planned(self, targets: list[Target]) -> tuple[Target, ...]:
+        """The targets, now in the plan with a request each."""
+        requests = tuple(
+            Request(key=t.request, category=t.category, asked=False, attributes=t.attributes) for t in targets
+        )
+        brief = replace(self.plan.brief, requests=(*self.plan.brief.requests, *requests))
+        self.plan = replace(self.plan, brief=brief, targets=(*self.plan.targets, *targets))
+        return tuple(targets)
+
+
+def _rank(target: Target) -> tuple[int, bool, float]:
+    kind = kind_of(target.category)
+    at_window = any("window" in tie.anchors for tie in target.ties) and kind.mount == "wall"
+    return (-1 if at_window else _STAGE[kind.mount], kind.flat, -kind.size[0] * kind.size[1])
+
+
+def _serving(scene: Scene, carrier: Placement) -> list[Surface]:
+    """The surfaces of a thing that a hand reaches and that are not behind a door."""
+    open_ = (s for s in scene.asset_of(carrier).surfaces if not s.within)
+    base = carrier.position[2]
+    reach = _REACHED_SHELF if facts_of(carrier.category).is_in("shelves") else _REACH
+    return [s for s in open_ if s.headroom is not None or base + s.position[2] <= reach]
+
+
+def _share(surface: Surface) -> float:
+    return _FULL if surface.headroom is None else _PACKED
+
+
+def _has_room(surface: Surface, kind: Category) -> bool:
+    depth, width, height = kind.size
+    fits = (depth <= surface.size[0] and width <= surface.size[1]) or (
+        width <= surface.size[0] and depth <= surface.size[1]
+    )
+    return fits and (surface.headroom is None or height + _GAP <= surface.headroom)

@@ -1,0 +1,111 @@
+"""What a prompt tells without naming it: its themes, and the emphasis of a word said three times over."""
+
+from collections.abc import Iterator
+
+from msgspec.structs import replace
+
+from thinkblox.assets.stand_ins import stand_in
+from thinkblox.brief import Word
+from thinkblox.knowledge.themes import Theme, themes_in
+from thinkblox.reading.draft import Draft
+
+_REACH = 4
+"""So many words after a "no", at most, are denied by it."""
+_NEGATIONS = frozenset(
+    {"no", "not", "without", "never", "nothing", "nor", "minus", "isn't", "except", "don't", "hates"}
+)
+_ARTICLES = frozenset({"a", "an", "the", "my", "our", "his", "her", "their", "some", "old", "little", "two"})
+_IDLE = ("filler", "not_understood", "requested")
+"""Fates of words of which no thing was made."""
+FEW = 5
+"""A prompt with so many kinds of things says what it wants; with fewer, what goes without saying is assumed."""
+_MANY = 5
+"""Who says a word three times in a row wants so many at least."""
+
+
+def read_moods(draft: Draft) -> None:
+    """Note the themes of a draft whose words are accounted for, and settle which type of room they mean."""
+    words = draft.account
+    _drop_misnamed(draft)
+    taken = _in_names(draft)
+    few = len({thing.noun for thing in draft.things}) < FEW
+    for found in themes_in([word.text for word in words]):
+        told = range(found.start, found.end)
+        if taken & set(told) or _is_denied(words, found.start) or _is_of_thing(words, found.start, taken):
+            continue
+        draft.themes.append(found.theme)
+        _account(draft, found.start, found.end)
+        if few:
+            _choose_room(draft, found.theme)
+
+
+def emphasise(draft: Draft) -> None:
+    """Take "shoes shoes shoes" for many."""
+    said = [word.text.lower() for word in draft.account]
+    repeated = {a for a, b, c in zip(said, said[1:], said[2:], strict=False) if a == b == c}
+    for thing in [t for t in draft.things if t.count is None]:
+        if set(_words(thing.text)) & repeated:
+            thing.count = _MANY
+
+
+def _drop_misnamed(draft: Draft) -> None:
+    """Forget the things that are none: "a bookworm", "a football fan", "fire crackling"."""
+    for thing in list(draft.things):
+        name = [word for word in _words(thing.text) if word not in _ARTICLES]
+        found = themes_in(name)
+        whole = bool(found) and found[0].start == 0 and found[0].end == len(name)
+        if whole and thing.asked and not _is_known(name):
+            draft.drop(thing)
+
+
+def _is_known(name: list[str]) -> bool:
+    """Whether a name is that of a thing that we know, as a whole."""
+    made = stand_in(" ".join(name))
+    return made.how in ("catalogue", "table")
+
+
+def _choose_room(draft: Draft, theme: Theme) -> None:
+    if draft.room in theme.refines:
+        draft.room = theme.refines[draft.room]
+    elif draft.room in ("", "room") and theme.room:
+        draft.room = theme.room
+
+
+def _account(draft: Draft, start: int, end: int) -> None:
+    """Say of words that nothing was made of that they told a mood."""
+    words = list(draft.account)
+    lost = " ".join(word.text for word in words[start:end])
+    for at in range(start, end):
+        if words[at].fate in _IDLE:
+            words[at] = replace(words[at], fate="style")
+    draft.account = tuple(words)
+    draft.unknown = [unknown for unknown in draft.unknown if unknown != lost]
+
+
+def _in_names(draft: Draft) -> set[int]:
+    """Which words name things: their places in the account."""
+    said = [word.text.lower() for word in draft.account]
+    return {at for thing in draft.things for at in _places(said, _words(thing.text))}
+
+
+def _places(said: list[str], name: list[str]) -> Iterator[int]:
+    for start in range(len(said) - len(name) + 1) if name else ():
+        if said[start : start + len(name)] == name:
+            yield from range(start, start + len(name))
+
+
+def _words(text: str) -> list[str]:
+    return text.lower().split()
+
+
+def _is_denied(words: tuple[Word, ...], start: int) -> bool:
+    before = words[max(0, start - _REACH) : start]
+    return words[start].fate == "constraint" or any(word.text.lower() in _NEGATIONS for word in before)
+
+
+def _is_of_thing(words: tuple[Word, ...], start: int, taken: set[int]) -> bool:
+    """Whether it only says what a thing is of or for: "a picture of a cat"."""
+    at = start - 1
+    while at >= 0 and words[at].text.lower() in _ARTICLES:
+        at -= 1
+    return at > 0 and words[at].text.lower() in ("of", "with") and at - 1 in taken
