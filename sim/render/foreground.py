@@ -17,7 +17,7 @@ TALL = 1.15
 """Height from which on a piece hides what is behind it [m]."""
 _NEAR = 0.3
 """Distance from a wall within which a piece stands on it [m]."""
-_FINE = 3
+_FINE = 2
 """So many rays across a pixel tell how much of it a piece covers."""
 
 
