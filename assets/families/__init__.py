@@ -3,7 +3,9 @@
 Beside them, general.toml: words that are no categories ("any_table"), of which the company says what they mean.
 
 An entry is written as the fields of `Category`, with `make` for the generator ("beds.bed": the function `bed` of the
-module `thinkblox.assets.beds`). The noun is the name unless it is given.
+module `thinkblox.assets.beds`). The noun is the name unless it is given. An entry with `kind_of`, another entry of the
+same file, has all that it does not say itself from there, but for the words: "a teddy bear" is a toy with a name of its
+own.
 """
 
 import tomllib
@@ -25,6 +27,8 @@ FAMILIES = (
     "shopfittings bathroom walls fixtures games textiles"
 ).split()
 """The files, in the order in which their categories are listed."""
+_OF_ITS_OWN = ("noun", "words", "senses", "rooms", "like")
+"""Fields that a kind of another category does not have from there."""
 _FIELDS = frozenset(field.name for field in fields(Category)) - {"name", "generator"} | {"make"}
 
 
@@ -36,8 +40,19 @@ def general_words() -> dict[str, Facts]:
 def categories() -> Iterator[Category]:
     """Every category of every family, in order."""
     for family in FAMILIES:
-        for name, entry in _read(family).items():
-            yield category_from(name, entry)
+        entries = _read(family)
+        for name, entry in entries.items():
+            yield category_from(name, _whole(name, entry, entries))
+
+
+def _whole(name: str, entry: dict[str, Any], entries: dict[str, Any]) -> dict[str, Any]:
+    """An entry with what it has from the one that it is a kind of."""
+    if "kind_of" not in entry:
+        return entry
+    if entry["kind_of"] not in entries:
+        raise InputError(f"category {name!r} is a kind of {entry['kind_of']!r}, which is not in the same file")
+    general = {key: value for key, value in entries[entry["kind_of"]].items() if key not in _OF_ITS_OWN}
+    return general | {key: value for key, value in entry.items() if key != "kind_of"}
 
 
 def category_from(name: str, entry: dict[str, Any]) -> Category:

@@ -83,8 +83,19 @@ class Heads(Modifiers):
             noun.named = False
         if entry.attribute:
             noun.attributes.append(entry.attribute)
+        elif (said := self._said_within(noun.end - known.length, known)) and said not in noun.attributes:
+            noun.attributes.append(said)
         noun.material = next((other.value for other in known.others if other.sort == "attribute"), "")
         noun.room = next((other.value for other in known.others if other.sort == "room"), "")
+
+    def _said_within(self, at: int, known: Known) -> str:
+        """What a name says of the thing besides naming it: "plastic" in "plastic chair", where a chair is a chair."""
+        said = self._known(at, "attribute") if known.length > 1 and known.entry.sort == "object" else None
+        if said is None or said.length >= known.length:
+            return ""
+        rest = self._known(at + said.length, "object")
+        same = rest is not None and rest.length == known.length - said.length and rest.entry.value == known.entry.value
+        return said.entry.value if same else ""
 
     def _modifiers(self, noun: Noun, units: list[Unit]) -> None:
         """Nouns before the head tell what it is for; a word that nobody knows may change it."""

@@ -56,7 +56,9 @@ class Rooms(Memberships):
         named_room = self._is_link(after, "mark", "colon") and noun.text.lower().split()[-1] in grammar().lists["rooms"]
         sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
         large = sized and isinstance(size, Measured) and self._is_room_size(size.size)
-        large &= not noun.det or not noun.named
+        of_size = self._is_link(after, "prepositions", "of") and isinstance(size := self.peek(1), Measured)
+        whole_room = (sized or of_size) and roomish and isinstance(size, Measured) and self._is_room_size(size.size)
+        large = (large and (not noun.det or not noun.named)) or whole_room
         if not noun.det and not noun.many and (self._colon_ahead() or large):
             named_room = True
         named_room |= large
