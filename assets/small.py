@@ -144,7 +144,9 @@ def alarm_clock(spec: Spec) -> Build:
 
 def toy(spec: Spec) -> Build:
     """Return a toy: a teddy bear, a train of blocks or a stack of rings."""
-    return spec.choice((_teddy, _blocks, _rings))(spec) if not spec.has("teddy", "bear") and spec.category != "teddy_bear" else _teddy(spec)
+    if spec.has("teddy", "bear") or spec.category == "teddy_bear":
+        return _teddy(spec)
+    return spec.choice((_teddy, _blocks, _rings))(spec)
 
 
 def _teddy(spec: Spec) -> Build:

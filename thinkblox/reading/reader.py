@@ -8,7 +8,6 @@ from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
 from thinkblox.brief import Brief, Fill, OpeningRequest, Place, Relation, Request, SurfaceRequest
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.surfaces import surface_words
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import anticipated, assume, stock
 from thinkblox.reading.chunker import Chunker
@@ -20,6 +19,7 @@ from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
 from thinkblox.reading.moods import emphasise, read_moods
+from thinkblox.reading.room_looks import surface_of_room
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
 
@@ -162,13 +162,9 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
     shape: Literal["rectangle", "L"] = "L" if "L-shaped" in draft.room_attributes else "rectangle"
     others = [a for a in draft.room_attributes if a in _OTHER_SHAPES]
     sizes = [a for a in draft.room_attributes if a in _ROOM_SIZES]
-    colours = surface_words().colours
-    looks = [a for a in draft.room_attributes if a not in (*others, *sizes, *_SHAPES, *colours)]
-    tinted = [
-        SurfaceRequest(part="walls", colour=colours[a], phrase=f"{a} room")
-        for a in draft.room_attributes
-        if a in colours
-    ]
+    said = [a for a in draft.room_attributes if a not in (*others, *sizes, *_SHAPES)]
+    finished = {a: found for a in said if (found := surface_of_room(a, said)) is not None}
+    looks = [a for a in said if a not in finished]
     return Brief(
         prompt=prompt,
         language=code,
@@ -182,7 +178,7 @@ def _brief(prompt: str, code: str, draft: Draft) -> Brief:
         requests=tuple(_request(thing, keys) for thing in draft.things),
         relations=tuple(dict.fromkeys(_relation(bond, keys) for bond in draft.bonds)),
         style=tuple(dict.fromkeys(sizes + draft.style)),
-        surfaces=_surfaces([*draft.surfaces, *tinted]),
+        surfaces=_surfaces([*draft.surfaces, *finished.values()]),
         missing=tuple(dict.fromkeys(draft.missing)),
         beyond=tuple(dict.fromkeys(draft.beyond)),
         unknown=tuple(dict.fromkeys([*(f"{look} room" for look in (*others, *looks)), *draft.unknown])),

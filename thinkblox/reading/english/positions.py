@@ -77,6 +77,8 @@ class Positions(Subjects):
     def _where(self, where: Where) -> None:
         """Say where something is: of what was named, or of what comes."""
         self.negating = False
+        if where.noun is None and where.text.lower() in ("in", "into"):
+            return
         if where.word == "halfway":
             where.noun = None
         if (where.noun is not None and self._is_elsewhere(where, where.noun)) or self._is_of_opening(where):

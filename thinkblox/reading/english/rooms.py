@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.sizing import people
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -19,7 +20,8 @@ class Rooms(Memberships):
             return
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = noun.value
-        self.draft.room_attributes += noun.attributes
+        self.draft.room_attributes += [a for a in noun.attributes if not people((a,))]
+        self.draft.people = self.draft.people or people(noun.attributes)
         self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
         if noun.size:
             self.draft.sizes.append(noun.size)

@@ -32,6 +32,8 @@ _MASSES: dict[str, Part] = {
     "floorboards": "floor",
 }
 """Words for a surface that need no floor or wall after them."""
+_EXPOSED = ("walls", "brick")
+"""What is said of walls without naming them."""
 _FINISHED = ("carpeted", "tiled", "panelled", "paneled", "wallpapered", "whitewashed", "walled", "floored")
 """What a room can be called by its surfaces."""
 _ARTICLES = ("a", "an", "the", "its", "all", "some", "four", "three", "two", "one")
@@ -163,7 +165,7 @@ def _said_by_itself(tokens: Sequence[Token], at: int, start: int) -> SurfaceFind
         look = _look(tokens, start, part)
         end = look.end
         last = _text(tokens, end - 1)
-        found = end > start and _MASSES.get(last) == part
+        found = end > start and (_MASSES.get(last) == part or ((part, last) == _EXPOSED and _bares(tokens, start)))
         if not found and _HEADS.get(_text(tokens, end)) == part and _text(tokens, end + 1) in ("tile", "tiles"):
             look.layings.append("tiles")
             end, found = end + 2, True
@@ -172,6 +174,11 @@ def _said_by_itself(tokens: Sequence[Token], at: int, start: int) -> SurfaceFind
             if request is not None:
                 return SurfaceFinding(end, request)
     return None
+
+
+def _bares(tokens: Sequence[Token], start: int) -> bool:
+    """Whether a wall is said to show what it is built of: "exposed brick"."""
+    return _text(tokens, start) in ("exposed", "bare")
 
 
 def _said_of_room(tokens: Sequence[Token], start: int, is_room: Callable[[int], bool]) -> SurfaceFinding | None:
