@@ -48,7 +48,8 @@ class Dresser:
         targets: list[Target] = []
         for usual in self._table.furniture(self.plan.brief.room_type):
             ties = self._ties(scene, usual)
-            count = usual.count - self._there(scene, usual.category)
+            wanted = min(usual.count, _windows(scene)) if usual.relations[0][1] == "window" else usual.count
+            count = wanted - self._there(scene, usual.category)
             if ties is not None and count > 0 and self._is_welcome(usual.category):
                 targets += self._added(usual.category, count, ties)
         targets.sort(key=_rank)
@@ -147,6 +148,10 @@ class Dresser:
         brief = replace(self.plan.brief, requests=(*self.plan.brief.requests, *requests))
         self.plan = replace(self.plan, brief=brief, targets=(*self.plan.targets, *targets))
         return tuple(targets)
+
+
+def _windows(scene: Scene) -> int:
+    return sum(opening.kind == "window" for opening in scene.room.openings)
 
 
 def _rank(target: Target) -> tuple[int, bool, float]:

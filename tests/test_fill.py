@@ -1,0 +1,87 @@
+"""What stands in a room besides what its prompt names: nothing, what makes it one, or all that lies about."""
+
+from typing import cast
+
+import pytest
+
+from thinkblox import Generation, generate_room
+from thinkblox.assets import kind_of
+from thinkblox.assets.stand_ins import stand_in
+from thinkblox.brief import Fill
+from thinkblox.errors import InputError
+from thinkblox.knowledge.dressing import dressing
+from thinkblox.knowledge.rooms import read_usual
+from thinkblox.reading import read_brief
+
+PROMPT = "A bathroom with a red towel rail"
+
+
+@pytest.fixture(scope="module")
+def lived_in() -> Generation:
+    return generate_room(PROMPT, fill="lived-in")
+
+
+def test_a_lived_in_room_is_full_and_valid(lived_in: Generation) -> None:
+    assert 60 <= len(lived_in.scene.placements) <= 120
+    assert lived_in.report.valid
+    assert lived_in.report.complete
+
+
+def test_what_was_added_is_marked_as_assumed(lived_in: Generation) -> None:
+    asked = {target.category for target in lived_in.plan.targets if target.asked}
+    assert asked == {"towel_rail"}
+    assert {verdict.id for verdict in lived_in.report.objects} == {p.id for p in lived_in.scene.placements}
+    assert not any(absence.asked for absence in lived_in.report.absent)
+
+
+def test_small_things_lie_on_what_they_are_kept_on(lived_in: Generation) -> None:
+    dressed = {t.id: t.ties[0].anchors[0] for t in lived_in.plan.targets if t.ties and t.ties[0].kind == "on"}
+    there = [p for p in lived_in.scene.placements if p.id in dressed]
+    assert there
+    assert {p.id: p.support for p in there} == {p.id: dressed[p.id] for p in there}
+
+
+def test_the_trace_of_a_lived_in_room_leads_to_it(lived_in: Generation) -> None:
+    assert lived_in.episode.scene == lived_in.scene
+
+
+def test_a_lived_in_room_is_the_same_for_the_same_seed(lived_in: Generation) -> None:
+    assert generate_room(PROMPT, fill="lived-in").scene == lived_in.scene
+
+
+@pytest.mark.parametrize("prompt", ["A bathroom", "A bathroom with a towel rail and a plant", "haunted bedroom"])
+def test_named_fills_in_nothing(prompt: str) -> None:
+    requests = read_brief(prompt, fill="named").requests
+    assert all(request.asked for request in requests)
+
+
+def test_named_keeps_what_carries() -> None:
+    brief = read_brief("A room with a laptop", fill="named")
+    assert [(request.category, request.asked) for request in brief.requests] == [("laptop", True), ("desk", False)]
+
+
+def test_each_filling_holds_the_one_before() -> None:
+    named, essentials = ({r.category for r in read_brief(PROMPT, fill=f).requests} for f in ("named", "essentials"))
+    assert named < essentials
+
+
+def test_nothing_excluded_is_added() -> None:
+    made = generate_room("A bathroom without towels and without plants", fill="lived-in")
+    assert not {"towels", "potted_plant", "plant"} & {p.category for p in made.scene.placements}
+
+
+def test_another_filling_is_refused() -> None:
+    with pytest.raises(InputError, match="named, essentials, lived-in"):
+        generate_room(PROMPT, fill=cast(Fill, "full"))
+
+
+def test_the_first_fitting_entry_says_what_is_put_on_a_thing() -> None:
+    kitchen, office = (dressing().on("bookcase", room) for room in ("kitchen", "home_office"))
+    assert {usual.category for usual in kitchen} & {"plate", "cooking_pot"}
+    assert "binder" in {usual.category for usual in office}
+
+
+def test_every_dressing_has_a_shape_and_lies_on_something() -> None:
+    things = {usual.category for tops in dressing().tops for usual in read_usual(tops.things)}
+    assert {noun for noun in things if stand_in(noun).how not in ("catalogue", "table")} == set()
+    assert {noun for noun in things if kind_of(noun).mount != "surface"} == set()
