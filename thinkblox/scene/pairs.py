@@ -37,7 +37,9 @@ SEAT_GAP = 0.4
 CENTRE_SHARE = 0.25
 """Largest offset from the centre along each axis, as a share of the extent: the middle half."""
 UNDER_SHARE = 0.2
-"""Smallest share of the smaller footprint that lies under, as a rug's under a bed that it frames."""
+"""Smallest share of the smaller footprint that lies under, for what is flat: a rug's under a bed that it frames."""
+UNDER_HALF, FLAT = 0.5, 0.05
+"""The same for all that is higher than that [m]: a cabinet under a television."""
 ABOVE_MARGIN = 0.15
 """How far beside the anchor's footprint a thing hung above may be: a sofa under a picture stands off the wall."""
 INSIDE_SHARE = 0.5
@@ -222,7 +224,7 @@ def _under(subject: Landmark, anchor: Landmark) -> Finding:
         anchor.base + CONTACT if anchor.kind == "opening" else anchor.top
     )
     text = f"{subject.name} {'lower than' if lower else 'not lower than'} {anchor.name}, {share:.0%} shared"
-    return lower and share >= UNDER_SHARE, text
+    return lower and share >= (UNDER_SHARE if subject.top - subject.base <= FLAT else UNDER_HALF), text
 
 
 def _against_wall(subject: Landmark, anchor: Landmark) -> Finding:

@@ -65,7 +65,7 @@ class Prepositions(Negation):
                 self._people(noun)
             return
         word = last_word(head)
-        contents = noun.plural or noun.count is not None
+        contents = noun.plural or noun.count is not None or (not noun.det and noun.text.lower().endswith("s"))
         if contents and (word in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves")):
             self._open("inside")
             return

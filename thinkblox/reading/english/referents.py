@@ -94,6 +94,9 @@ class Referents:
         said = [t for t in usual if t in likely] or [
             t for t in candidates[: len(likely)] if _may_be(t, likely, sound, kind, noun)
         ]
+        topic = self.topics[-1] if self.topics else None
+        if kind == "on" and not said and topic in sound and not habits.is_in(topic.noun, *_BARE):
+            return topic
         if found := said or usual:
             return found[0]
         if kind in ("in_front_of", "behind", "facing") and habits.is_in(noun, "seats"):
