@@ -13,7 +13,7 @@ NAMED = {
     "fork": "fork",
     "frying pan": "frying_pan",
     "can of soup": "tin_can",
-    "milk carton": "carton",
+    "milk carton": "milk_carton",
     "toolbox": "toolbox",
     "cordless drill": "power_drill",
     "suitcase": "suitcase",

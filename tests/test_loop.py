@@ -201,7 +201,7 @@ def test_a_room_of_ints_is_seen_as_it_is_read_back() -> None:
     result = generate_room(ONE_CHAIR, room=room, policy=policy, effort=Effort(restarts=0))
     seen = policy.seen
     assert [d.observation.text() for d in result.episode.decisions()] == [o.text() for o in seen]
-    assert from_json(to_json(result.episode.room), Room) == room
+    assert structs.replace(from_json(to_json(result.episode.room), Room), surfaces=None) == room
     assert '"floor":[[0.0,0.0]' in seen[0].text()
 
 

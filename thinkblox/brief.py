@@ -1,6 +1,6 @@
 """What a prompt asks for. The values only; `thinkblox.reading` makes them from text."""
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Literal
 
 from msgspec import Meta
 
@@ -60,9 +60,6 @@ in by the door; a plan names the walls they mean. "one_wall" is any wall, the sa
 "opposite_wall" the one across from it. "in_corner" names one of these walls, or the two that meet there."""
 
 
-Fill = Literal["named", "essentials", "lived-in"]
-"""What stands in a room besides what its prompt names."""
-FILLS: tuple[Fill, ...] = get_args(Fill)
 Measures = tuple[Extent | None, Extent | None, Extent | None]
 """Depth, width and height in the order of an asset's size [m]; None for what the prompt leaves open."""
 Name = Annotated[str, Meta(min_length=1, max_length=200)]

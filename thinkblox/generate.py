@@ -9,10 +9,11 @@ import numpy as np
 from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
-from thinkblox.brief import FILLS, Brief, Fill
+from thinkblox.brief import Brief
 from thinkblox.dressing import dress, undress
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError
+from thinkblox.fills import FILLS, Fill
 from thinkblox.headline import UNKNOWN
 from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of

@@ -4,11 +4,11 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from thinkblox.brief import FILLS
 from thinkblox.cli.options import natural, seconds, whole
 from thinkblox.cli.progress import ObjectBar
 from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
+from thinkblox.fills import FILLS
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands

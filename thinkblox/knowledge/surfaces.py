@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 import msgspec
 
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.layings import Colour, Laying
 from thinkblox.value import Value
 
@@ -63,6 +64,15 @@ class Finishes(Value, frozen=True, kw_only=True):
     layings: dict[Laying, Dress]
     rooms: dict[str, UsualFinish]
     styles: dict[str, UsualFinish]
+    finished_like: dict[str, tuple[str, ...]] = {}
+
+    def of(self, room: str) -> UsualFinish | None:
+        """What a type of room is usually finished with: as such, or as what it is like; None for a type not known."""
+        likened = {name: usual for usual, names in self.finished_like.items() for name in names}
+        for name in (room, likened.get(room, ""), room_type(room).like):
+            if name in self.rooms:
+                return self.rooms[name]
+        return None
 
 
 @dataclass(frozen=True)

@@ -103,7 +103,8 @@ def _ordered(members: Members) -> list[Member]:
 
 def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
-    ranks = {member.id: _rank(member, number) for number, member in enumerate(members.all)}
+    arranged = any(_is_dependent(m) and m.request.asked and _STAGES[m.mount] == 0 for m in members.all)
+    ranks = {member.id: _rank(member, number, arranged=arranged) for number, member in enumerate(members.all)}
     queue = list(ranks)
     while queue:
         id = queue.pop()
@@ -114,10 +115,16 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     return ranks
 
 
-def _rank(member: Member, number: int) -> _Rank:
+def _is_dependent(member: Member) -> bool:
+    return any(is_object(anchor) for tie in member.ties for anchor in tie.anchors)
+
+
+def _rank(member: Member, number: int, *, arranged: bool) -> _Rank:
+    """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something."""
     stage = 2 if member.flat else _STAGES[member.mount]
-    dependent = any(is_object(anchor) for tie in member.ties for anchor in tie.anchors)
+    dependent = _is_dependent(member)
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
     shared_out = any(tie.spread for tie in member.ties)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out)
-    return (stage + int(dependent and stage == 0), -round(weight, 6), number)
+    late = arranged and not member.request.asked
+    return (stage + int((dependent or late) and stage == 0), (10.0 if late else 0.0) - round(weight, 6), number)

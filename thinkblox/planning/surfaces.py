@@ -77,7 +77,7 @@ def _parts(usual: UsualFinish) -> tuple[tuple[str, tuple[Laying, ...]], tuple[st
 def _usual(brief: Brief) -> UsualFinish:
     """What such a room is finished with, changed by the words for its style; what is wet keeps its tiles."""
     known = finishes()
-    usual = known.rooms.get(brief.room_type, known.rooms["room"])
+    usual = known.of(brief.room_type) or known.rooms["room"]
     for word in brief.style:
         style = known.styles.get(word)
         if style is not None:

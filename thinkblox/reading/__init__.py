@@ -1,6 +1,7 @@
 """Prompt text to a Brief, by rules and tables; no language model."""
 
-from thinkblox.brief import Brief, Fill
+from thinkblox.brief import Brief
+from thinkblox.fills import Fill
 from thinkblox.reading.reader import read_brief
 
 

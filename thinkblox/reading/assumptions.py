@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 
 from thinkblox.assets.stand_ins import stand_in
-from thinkblox.brief import Fill, RelationKind
+from thinkblox.brief import RelationKind
+from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike, counts_as

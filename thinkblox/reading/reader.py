@@ -5,8 +5,9 @@ from typing import Literal, get_args
 
 from thinkblox.assets import CATALOGUE, Category, kind_of
 from thinkblox.assets.mounting import HANGING, PROPPED, WALL_MOUNTED, mount_of
-from thinkblox.brief import Brief, Fill, OpeningRequest, Place, Relation, Request, SurfaceRequest
+from thinkblox.brief import Brief, OpeningRequest, Place, Relation, Request, SurfaceRequest
 from thinkblox.errors import InputError
+from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import anticipated, assume, stock

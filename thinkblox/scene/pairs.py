@@ -7,6 +7,7 @@ handbooks (Neufert, Time-Saver Standards).
 import math
 from collections.abc import Callable
 
+import shapely
 from shapely import Point
 
 from thinkblox.brief import RelationKind
@@ -220,11 +221,20 @@ def _above(subject: Landmark, anchor: Landmark) -> Finding:
 
 def _under(subject: Landmark, anchor: Landmark) -> Finding:
     share = shared(subject, anchor)
+    least = UNDER_SHARE if subject.top - subject.base <= FLAT or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
     lower = subject.base <= anchor.base + CONTACT and subject.top <= (
         anchor.base + CONTACT if anchor.kind == "opening" else anchor.top
     )
     text = f"{subject.name} {'lower than' if lower else 'not lower than'} {anchor.name}, {share:.0%} shared"
-    return lower and share >= (UNDER_SHARE if subject.top - subject.base <= FLAT else UNDER_HALF), text
+    return lower and share >= least, text
+
+
+def _along(subject: Landmark, anchor: Landmark) -> float:
+    """How much of the narrower of the two the other covers, measured across the front of the anchor."""
+    across = [anchor.to_local((x, y))[1] for x, y in shapely.get_coordinates(subject.footprint).tolist()]
+    both = min(max(across), anchor.half[1]) - max(min(across), -anchor.half[1])
+    narrower = min(max(across) - min(across), 2 * anchor.half[1])
+    return max(0.0, both) / narrower if narrower > 0.0 else 0.0
 
 
 def _against_wall(subject: Landmark, anchor: Landmark) -> Finding:

@@ -1,5 +1,8 @@
 """Groups that are no things themselves, and what is said of each of several."""
 
+from dataclasses import replace
+
+from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
@@ -19,7 +22,7 @@ class Groups(Descriptions):
                 return
         word = noun.word
         if word in grammar().lists["groups"] and (noun.count or 0) > 1:
-            self._take(self._new(noun), noun)
+            self._take(self._new(replace(noun, value=identifier_of(noun.value))), noun)
             return
         if not self.clause.members and self.separator != "and":
             self.frontier = [Node()]
