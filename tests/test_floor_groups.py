@@ -55,7 +55,7 @@ def test_a_pair_leaves_just_the_room_between_that_a_third_needs(prompt: str, pai
 def test_every_two_share_what_there_are_half_as_many_of():
     prompt = "A spa, 7 m by 5 m, with four loungers; two small round tables stand next to the loungers."
     assert unmet(prompt) == []
-    for table in (p for p in made(prompt).scene.placements if p.category.endswith("table")):
+    for table in of(prompt, "dining_table"):
         assert sum(apart(table, lounger) <= NEXT_TO for lounger in of(prompt, "lounger")) == 2
 
 
