@@ -45,7 +45,7 @@ def with_surfaces(room: Room, brief: Brief, seed: int) -> Room:
         dado=None if dado == "none" else turns.covering("dado", dado, colours),
         trim=colour_from(colours.trim),
         door=colour_from(colours.door),
-        curtains=colour_from(colours.curtain) if usual.curtains else None,
+        curtains=colour_from(colours.curtain) if usual.curtains and "curtain" not in brief.excluded else None,
     )
     for request in _shared_out(brief.surfaces):
         surfaces = _as_asked(surfaces, request, turns, colours)

@@ -67,6 +67,10 @@ def _finish(draft: Draft, fill: Fill) -> None:
     draft.bonds = [
         b for b in draft.bonds if all(id(t) in known for t in (b.subject, *b.anchors) if isinstance(t, Mention))
     ]
+    said = draft.things or draft.missing or draft.openings or draft.unknown or draft.sizes or draft.surfaces
+    roomless = draft.room in ("", "room") and not any(word.text.lower() == "room" for word in draft.account)
+    if roomless and draft.account and not said:
+        draft.unknown.append("no room and no thing is named")
     if draft.rooms:
         draft.unknown.append(f"more than one room: {', '.join(draft.rooms)} left out")
     _drop_impossible_sizes(draft)

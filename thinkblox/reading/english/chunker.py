@@ -146,6 +146,8 @@ class Cutter:
         return None
 
     def _words(self) -> Chunk:
+        if (doing := self._after_modal()) is not None:
+            return doing
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
@@ -168,6 +170,20 @@ class Cutter:
         if adjective is not None:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _after_modal(self) -> Connector | None:
+        """Read a verb that no list has after "can", "should", "want to": it names nothing."""
+        before, token = self._text_at(self.at - 1) if self.at else "", self.tokens[self.at]
+        modal = grammar().lists["modals"]
+        if token.text in modal and before in grammar().lists["speakers"]:
+            return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        infinitive = before == "to" and self.at > 1 and self._text_at(self.at - 2) in grammar().lists["wishes"]
+        if token.kind != "word" or not (before in modal or infinitive):
+            return None
+        known = self._phrases.thing_at(self.at) is not None and not infinitive
+        if known or grammar().at(self.tokens, self.at, *_LINKS, "determiners", "pronouns", "states"):
+            return None
+        return Connector("fillers", "words", self.at, self.at + 1, token.shown)
 
     def _after_preposition(self) -> bool:
         last = self.made[-1] if self.made else None

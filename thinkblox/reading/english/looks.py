@@ -96,7 +96,8 @@ class Descriptions(Rooms):
             single = False
         thing = self.frontier[-1].thing if self.frontier else None
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
-        if roomy and not self.draft.sizes:
+        told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
+        if roomy and not self.draft.sizes and not told:
             self.draft.sizes.append(size)
         elif isinstance(following, Connector) and self._is_link(following, "prepositions", "from", "far", "away"):
             self._lose(measured.start, following.end)
@@ -105,7 +106,7 @@ class Descriptions(Rooms):
             following.size = size
         elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things or thing is None or ceiling:
             self.draft.sizes.append(size)
-        elif (isinstance(before, Noun) and before.kind == "thing") or (single and size.area is None):
+        elif told or (isinstance(before, Noun) and before.kind == "thing") or (single and size.area is None):
             if thing.size is not None and thing.size != size:
                 self._lose(measured.start, measured.end)
             thing.size = thing.size or size

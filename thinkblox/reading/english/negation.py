@@ -37,6 +37,10 @@ class Negation(Positions):
             return
         text = link.text.lower()
         said_of = " be" in text or text in ("is not", "are not", "isnt", "arent", "not", "never")
+        if self.relative is not None:
+            self.subject, self.relative, self.predicate = self.relative, None, True
+        elif text == "not" and self._is_link(before, "joins", "but") and not self.predicate and self.frontier:
+            self.subject, self.predicate = self.frontier[-1], True
         if said_of and self.subject is None:
             self.subject = self._whole_subject()
             self.predicate = self.subject is not None

@@ -85,12 +85,17 @@ class Quantities(Words):
         prepositional = self.tokens[at].text in ("around", "about", "over", "under", "up") and value < 2
         if quantifier and (prepositional or self.size_at(at + skip) is not None):
             return 0
-        if self._is_word_of_compound(at + skip, length):
+        if self._is_word_of_compound(at + skip, length) or self._is_twin_bed(noun, at + skip):
             return 0
         noun.count = min(value, 10**6)
         self._bound(noun, quantifier.value if quantifier else "", value)
         length += self._range(noun, at + skip + length)
         return skip + length + self._times(at + skip + length)
+
+    def _is_twin_bed(self, noun: Noun, at: int) -> bool:
+        """Whether "twin" is a size: "a twin bed"; "twin armchairs" are two."""
+        single = bool(noun.det) or not self._text(at + 1, at + 2).lower().endswith("s")
+        return self.tokens[at].text == "twin" and single
 
     def _halved(self, at: int, length: int) -> int:
         """2 for "a pair of scissors", which is one thing; else 1."""

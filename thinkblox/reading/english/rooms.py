@@ -102,6 +102,10 @@ class Rooms(Memberships):
             self.crowd = noun.count
 
     def _place(self, noun: Noun) -> None:
+        if self._stays_free():
+            self._free(noun.value)
+            self.at += 2
+            return
         if self.leaving or "empty" in (*noun.attributes, *noun.states) or "free" in noun.text.lower().split():
             self._free(noun.value)
             return
@@ -128,6 +132,12 @@ class Rooms(Memberships):
             wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Connector)
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
                 self.front = [Awaited(Where("on", noun), Meaning("on", (name,)))]
+
+    def _stays_free(self) -> bool:
+        """Whether "the middle should stay empty" comes."""
+        said = self.peek(1)
+        free = isinstance(said, Adjective) and said.text.lower() in ("empty", "free", "clear", "open", "uncluttered")
+        return free and self._is_link(self.peek(), "verbs", "be", "leave")
 
     def _label_place(self, noun: Noun) -> None:
         """Read "Centre: round table"."""
@@ -163,7 +173,8 @@ class Rooms(Memberships):
         self.draft.free.append(place.split()[0])
 
     def _bare_part(self, noun: Noun) -> None:
-        if self.leaving and noun.value == "middle":
+        if noun.value == "middle" and (self.leaving or self._stays_free()):
+            self.at += 0 if self.leaving else 2
             self._free("centre")
             return
         self.subject = None

@@ -92,6 +92,8 @@ def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
     """Read "a cat sleeping on the sofa", not "a cat bed"."""
     first = grammar().at(tokens, at, "determiners", "count")
     start = first.length if first is not None and first.value not in ("no", "none") else 0
+    while start and start < len(words) - 1 and _is_in(words[start], "coats"):
+        start += 1
     if start >= len(words) or not _is_in(words[start], "animals") or tokens[at + start].owner:
         return 0
     after = at + start + 1
