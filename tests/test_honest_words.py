@@ -97,4 +97,6 @@ def test_what_is_not_so_of_the_last_is_not_said_of_all() -> None:
 def test_no_curtains_are_no_curtains() -> None:
     from thinkblox.generate import generate_room
 
-    assert generate_room("A living room with a sofa and no curtains").scene.room.surfaces.curtains is None
+    surfaces = generate_room("A living room with a sofa and no curtains").scene.room.surfaces
+    assert surfaces is not None
+    assert surfaces.curtains is None
