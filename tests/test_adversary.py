@@ -52,3 +52,9 @@ def test_no_candidate_of_some_hundred_fools_the_verdict() -> None:
     assert not [line for one in found for line in one.false if "false valid" in line], "\n".join(table(found))
     judged = sum(sum(one.counts.values()) for one in found)
     assert sum(one.counts["false invalid"] for one in found) <= 0.02 * judged, "\n".join(table(found))
+
+
+def test_a_shelf_that_pushes_something_over_is_not_valid() -> None:
+    found = [judged for judged in candidates("mounted", 40047) if judged is not None]
+    assert not any(judged.outcome == "false valid" for judged in found)
+    assert any("pushes" in judged.verdict.reasons and not judged.verdict.settled for judged in found)

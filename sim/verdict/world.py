@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from functools import cached_property, partial
 from typing import NamedTuple
 
+from msgspec import structs
+
 from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
@@ -30,7 +32,7 @@ from thinkblox.sim.verdict.judge import (
 )
 from thinkblox.sim.verdict.requirement import Requirement, check_requirements, unmet_by
 from thinkblox.sim.verdict.stage import Settled, Stage
-from thinkblox.verdict import Collision, Reason, Unmet, Verdict
+from thinkblox.verdict import Collision, Push, Reason, Unmet, Verdict
 
 CANDIDATE = "//candidate"
 """Name of the candidate's body; no placement can be called so."""
@@ -237,15 +239,32 @@ class World:
         cut_off = self.cut_off(candidate, asset) if way and not static.gated else ()
         said = partial(verdict, candidate, cut_off=cut_off, unmet=self._unmet(candidate, asset))
         if not asset.free:
-            return said(static, supports=fixed_supports(candidate, asset, static))
+            pushed = () if gate is None or static.gated else self._pushed_by(candidate, asset, gate)
+            more: frozenset[Reason] = frozenset({"pushes"} if disturbs(pushed, self._tolerances) else ())
+            fixed = said(static, supports=fixed_supports(candidate, asset, static), more=more)
+            return structs.replace(fixed, pushed=pushed)
         if static.gated:
             return said(static)
         settled = self._settled(candidate, asset)
         static = with_pressed(static, self._pressed(settled))
         moved = judge_motion(settled.motion, self._tolerances)
         loose = sum(support.share for support in settled.supports) < self._tolerances.carried and not moved
-        more: frozenset[Reason] = moved | (frozenset({"unsupported"}) if loose else frozenset())
+        more = moved | (frozenset({"unsupported"}) if loose else frozenset())
         return said(static, motion=settled.motion, supports=settled.supports, more=more)
+
+    def _pushed_by(self, candidate: Placement, asset: Asset, gate: Gate) -> tuple[Push, ...]:
+        """How far a fixed object moves what it reaches into by less than is tolerated, and what would stand without."""
+        reached = [other for other, touch in gate.touches(candidate).items() if touch.depth > 0.0]
+        free = [other for other in reached if self.scene.asset_of(self.scene[other]).free]
+        if not free:
+            return ()
+        world = self.with_placement(candidate, asset)
+        found = []
+        for other in free:
+            moved = world._standing(other, way=False)
+            if not moved.valid and self._standing(other, way=False).valid:
+                found.append(Push(other=other, distance=moved.drift, tilt=moved.tilt))
+        return tuple(found)
 
     def _unmet(self, candidate: Placement, asset: Asset) -> tuple[Unmet, ...]:
         if not self._requirements:
