@@ -97,13 +97,20 @@ def _framed(links: Sequence[Link], wood: Finish) -> tuple[Link, ...]:
 
 def _turned(links: Sequence[Link], material: Material, finish: Finish) -> tuple[Link, ...]:
     """The links with all shapes of one material in another finish."""
+    return _recoloured(links, lambda shape: shape.material == material, finish.colour, finish.material)
 
-    def turned(shape: Shape) -> Shape:
-        if shape.material != material:
+
+def _recoloured(
+    links: Sequence[Link], chosen: Callable[[Shape], bool], colour: Vec3, material: Material | None
+) -> tuple[Link, ...]:
+    """The links with another colour, and material, for the chosen shapes."""
+
+    def recoloured(shape: Shape) -> Shape:
+        if not chosen(shape):
             return shape
-        return structs.replace(shape, colour=finish.colour, material=finish.material)
+        return structs.replace(shape, colour=colour, material=material or shape.material)
 
-    return tuple(structs.replace(link, shapes=tuple(map(turned, link.shapes))) for link in links)
+    return tuple(structs.replace(link, shapes=tuple(map(recoloured, link.shapes))) for link in links)
 
 
 def shows_colour(links: Iterable[Link], colour: Vec3) -> bool:
@@ -148,10 +155,4 @@ def _dressed(links: Sequence[Link], colour: Vec3, material: Material | None) -> 
     if not areas:
         return tuple(links)
     largest = max(areas, key=lambda key: areas[key])
-
-    def dressed(shape: Shape) -> Shape:
-        if (shape.colour, shape.material) != largest:
-            return shape
-        return structs.replace(shape, colour=colour, material=material or shape.material)
-
-    return tuple(structs.replace(link, shapes=tuple(map(dressed, link.shapes))) for link in links)
+    return _recoloured(links, lambda shape: (shape.colour, shape.material) == largest, colour, material)

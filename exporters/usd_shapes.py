@@ -12,8 +12,8 @@ from thinkblox.exporters.inventory import InventoryGeom
 from thinkblox.exporters.usd_looks import BINDING, UV, Looks
 from thinkblox.exporters.usd_prims import Prim, T, vectors
 from thinkblox.scene.asset import Shape
+from thinkblox.scene.corners import rotation
 from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
-from thinkblox.sim.geometry.solid import rotation
 from thinkblox.sim.render.tessellate import Mesh, capsule, cylinder, ellipsoid, hull
 from thinkblox.value import Vec3
 

@@ -91,6 +91,12 @@ def test_scene_and_page_are_two_files(tmp_path: Path, capsys: pytest.CaptureFixt
     assert "cannot be one file" in capsys.readouterr().err
 
 
+def _run_beside(folder: Path, code: str) -> "subprocess.CompletedProcess[str]":
+    """Run a program that finds the modules of a folder first."""
+    surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join([str(folder), *filter(None, sys.path)])}
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
+
+
 def test_a_stop_within_an_exec_ends_with_the_status_of_a_stop() -> None:
     code = """
 import os, signal, sys
@@ -118,8 +124,7 @@ schema._schema = loads
 sys.argv = ["thinkblox", "schema"]
 sys.exit(main())
 """
-    surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *filter(None, sys.path)])}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
+    done = _run_beside(tmp_path, code)
     assert (done.returncode, done.stderr) == (130, "thinkblox: stopped; nothing was written\n")
 
 
@@ -141,6 +146,5 @@ schema._schema = holds
 sys.argv = ["thinkblox", "schema"]
 sys.exit(main())
 """
-    surroundings = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *filter(None, sys.path)])}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=surroundings)
+    done = _run_beside(tmp_path, code)
     assert (done.returncode, done.stdout) == (130, "done\n")

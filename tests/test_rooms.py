@@ -2,17 +2,10 @@
 
 import pytest
 
+from tests.briefs import counted
 from thinkblox import generate_room
-from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import kinds_of_room
 from thinkblox.reading import read_brief
-
-
-def counted(brief: Brief) -> dict[str, int]:
-    counts: dict[str, int] = {}
-    for request in brief.requests:
-        counts[request.category] = counts.get(request.category, 0) + request.count
-    return counts
 
 
 @pytest.mark.parametrize(

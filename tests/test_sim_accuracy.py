@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from tests.sim_rooms import asset, box, put, scene
 from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.corners import rotation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.scene.scene import Scene
-from thinkblox.sim.geometry.solid import pose, rotation
+from thinkblox.sim.geometry.solid import pose
 from thinkblox.sim.verdict.world import World
 from thinkblox.value import Quat
 from thinkblox.verdict import Verdict

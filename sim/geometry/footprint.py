@@ -11,9 +11,10 @@ from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Shape
+from thinkblox.scene.corners import rotation
 from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
-from thinkblox.sim.geometry.solid import Array, Solid, pose, rotation, shape_points
+from thinkblox.sim.geometry.solid import Array, Solid, pose, shape_points
 
 SAG = 5e-7
 """How far the polygon that stands for a round outline stays inside it, at most [m]."""

@@ -13,9 +13,9 @@ from shapely import MultiPoint
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.asset import Asset, Link, Shape
+from thinkblox.scene.corners import rotation
 from thinkblox.scene.derived import kept_by_content
 from thinkblox.scene.placement import Placement
-from thinkblox.value import Quat
 
 Array = NDArray[np.float64]
 SEGMENTS = 48
@@ -23,18 +23,6 @@ SEGMENTS = 48
 COARSE = 24
 """The same where volumes are."""
 _CUBE = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
-
-
-def rotation(quat_wxyz: Quat) -> Array:
-    """The 3x3 matrix of a unit quaternion."""
-    w, x, y, z = quat_wxyz
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
 
 
 def pose(placement: Placement) -> Array:

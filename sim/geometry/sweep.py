@@ -9,8 +9,9 @@ import numpy as np
 from manifold3d import Manifold
 
 from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.corners import rotation
 from thinkblox.scene.derived import kept
-from thinkblox.sim.geometry.solid import Array, Solid, rotation, shape_points
+from thinkblox.sim.geometry.solid import Array, Solid, shape_points
 
 STEP = 0.015
 """How far the tip of a door moves between two looks [m]; what stands in its way is thicker, together with the door."""

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.scene.asset import Asset, Shape
+from thinkblox.scene.corners import rotation
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.surfaces import Covering
 from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
@@ -210,11 +211,4 @@ def add_objects(
 
 def quat_matrix(quat_wxyz: Quat) -> NDArray[np.float64]:
     """The rotation matrix of a quaternion, which need not have unit length."""
-    w, x, y, z = np.asarray(quat_wxyz, np.float64) / np.linalg.norm(quat_wxyz)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return rotation(np.asarray(quat_wxyz, np.float64) / np.linalg.norm(quat_wxyz))

@@ -44,12 +44,15 @@ class Gate:
         solid = solid_of(asset)
         meetings = [neighbours.meetings(piece_boxes(solid, candidate), NEAR) for candidate in candidates]
         self._meetings = dict(zip(candidates, meetings, strict=True))
+        self._touches: dict[Placement, dict[str, Touch]] = {}
         self._world = _PieceWorld(scene, asset, meetings, physics) if any(meetings) else None
 
     def touches(self, candidate: Placement) -> dict[str, Touch]:
         """What one of the candidates touches, by id."""
-        meets = self._meetings[candidate]
-        return self._world.touches(candidate, meets) if self._world is not None and meets else {}
+        if candidate not in self._touches:
+            meets = self._meetings[candidate]
+            self._touches[candidate] = {} if self._world is None or not meets else self._world.touches(candidate, meets)
+        return self._touches[candidate]
 
     def collisions(self, candidate: Placement, tolerance: float) -> tuple[Collision, ...]:
         """What one of the candidates is in, deeper than `tolerance` [m], deepest first."""

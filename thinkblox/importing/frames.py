@@ -10,6 +10,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.scene.corners import rotation
+
 Array = NDArray[np.float64]
 
 Y_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -48,13 +50,7 @@ def own_from_file(file: Path) -> Array:
 def from_quaternion(xyzw: tuple[float, float, float, float]) -> Array:
     """The rotation of a quaternion of any length but 0, its real part last."""
     x, y, z, w = np.asarray(xyzw) / np.linalg.norm(xyzw)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return rotation((w, x, y, z))
 
 
 def split_yaw(linear: Array) -> tuple[float, Array]:

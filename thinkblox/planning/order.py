@@ -21,6 +21,8 @@ from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
 
 _PLACED = ("against_wall", "in_corner", "in_centre", "near", "in_rows")
+_LATER = 10.0
+"""How much later than by its size comes what is only assumed, where what is asked for is arranged [m2]."""
 _NAMED_PLACE_BONUS = 1.0
 """What a place that the prompt names counts for, as footprint, in the order of anchors [m2]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
@@ -127,4 +129,4 @@ def _rank(member: Member, number: int, *, arranged: bool) -> _Rank:
     shared_out = any(tie.spread for tie in member.ties)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out)
     late = arranged and not member.request.asked
-    return (stage + int((dependent or late) and stage == 0), (10.0 if late else 0.0) - round(weight, 6), number)
+    return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

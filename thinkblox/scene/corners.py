@@ -1,5 +1,6 @@
-"""The corners of shapes: points whose hull is the shape, or a prism round it."""
+"""The corners of shapes: points whose hull is the shape, or a prism round it; and how a shape is turned."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,11 +23,12 @@ def corners_of(shape: "Shape") -> NDArray[np.float64]:
         ring = [(x * np.cos(t), y * np.sin(t)) for t in turns]
         ring = [(-x, -y), (x, -y), (x, y), (-x, y)] if shape.kind == "box" else ring
         local = np.array([(a, b, c) for a, b in ring for c in (-z, z)])
-    turned: NDArray[np.float64] = local @ _rotation(shape.quat_wxyz).T + np.array(shape.position)
+    turned: NDArray[np.float64] = local @ rotation(shape.quat_wxyz).T + np.array(shape.position)
     return turned
 
 
-def _rotation(quat_wxyz: tuple[float, float, float, float]) -> NDArray[np.float64]:
+def rotation(quat_wxyz: Sequence[float] | NDArray[np.float64]) -> NDArray[np.float64]:
+    """The 3x3 matrix of a unit quaternion."""
     w, x, y, z = quat_wxyz
     return np.array(
         [

@@ -2,11 +2,9 @@
 
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import State
-
-_TOGETHER = ("along with", "together with", "as well as", "accompanied by")
-"""Words that add to the subject of a clause what is where it is."""
 
 
 class Boundaries(State):
@@ -103,7 +101,7 @@ class Boundaries(State):
                 keep = (self.excluding or barred) and link.value == "or"
                 self._separate(link.value)
                 self.excluding |= keep
-                if link.text.lower() in _TOGETHER and self.predicate:
+                if link.text.lower() in grammar().lists["together"] and self.predicate:
                     self.together = self.subject
             case "but" if self._all_but():
                 pass
@@ -134,8 +132,7 @@ class Boundaries(State):
         if not noun.count or (thing.count or 0) <= noun.count:
             return False
         self._go_past(noun)
-        self.referents.part(thing, noun.count)
-        self.referents.parted = None
+        self.referents.leave_out(thing, noun.count)
         self.frontier[-1].things = [thing]
         self.each = True
         return True

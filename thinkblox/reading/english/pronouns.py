@@ -44,8 +44,7 @@ class Pronouns(Numbers):
         if (whole.count or 0) <= barred.count:
             return None
         self._go_past(barred)
-        self.referents.part(whole, barred.count)
-        self.referents.parted = None
+        self.referents.leave_out(whole, barred.count)
         return whole
 
     def _one_of_several(self, noun: Noun) -> None:

@@ -190,6 +190,11 @@ class Referents:
         self.speak(part)
         return part
 
+    def leave_out(self, whole: Mention, count: int) -> None:
+        """Set so many of `whole` apart, of which nothing is said; the others stay `whole`."""
+        self.part(whole, count)
+        self.parted = None
+
     def total(self, thing: Mention) -> int:
         """How many there are of it, shares of others multiplied out; 1 where nobody said."""
         count = thing.count or 1

@@ -55,15 +55,13 @@ class Rooms(Memberships):
             self._room(replace(noun, kind="room", value="room"))
             return True
         with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
-        named_room = self._is_link(after, "mark", "colon") and noun.text.lower().split()[-1] in grammar().lists["rooms"]
         sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
         large = sized and isinstance(size, Measured) and self._is_room_size(size.size)
         of_size = self._is_link(after, "prepositions", "of") and isinstance(size := self.peek(1), Measured)
         whole_room = (sized or of_size) and roomish and isinstance(size, Measured) and self._is_room_size(size.size)
         large = (large and (not noun.det or not noun.named)) or whole_room
-        if not noun.det and not noun.many and (self._colon_ahead() or large):
-            named_room = True
-        named_room |= large
+        led = not noun.det and not noun.many and self._colon_ahead()
+        named_room = large or led or (roomish and self._is_link(after, "mark", "colon"))
         if named_room and noun.det in ("a", "") and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
             return True
@@ -136,7 +134,7 @@ class Rooms(Memberships):
     def _stays_free(self) -> bool:
         """Whether "the middle should stay empty" comes."""
         said = self.peek(1)
-        free = isinstance(said, Adjective) and said.text.lower() in ("empty", "free", "clear", "open", "uncluttered")
+        free = isinstance(said, Adjective) and said.text.lower() in grammar().lists["uncluttered"]
         return free and self._is_link(self.peek(), "verbs", "be", "leave")
 
     def _label_place(self, noun: Noun) -> None:

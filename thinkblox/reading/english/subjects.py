@@ -2,6 +2,7 @@
 
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.referents import is_small
@@ -154,7 +155,7 @@ class Subjects(Having):
     def _is_leaning(self) -> bool:
         """Whether they lean where they are: "two brooms and a mop leaning against the wall"."""
         said = self.chunks[self._began - 1] if self._began else None
-        return isinstance(said, Connector) and said.text.lower() in ("leaning", "leaned", "propped", "propped up")
+        return isinstance(said, Connector) and said.text.lower() in grammar().lists["leaning"]
 
     def _likely(self, node: Node) -> list[Mention]:
         """What a pronoun means first: the head of the list, then what the clause is about."""
