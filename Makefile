@@ -52,7 +52,8 @@ $(VENV)/installed: pyproject.toml constraints.txt
 
 # The tools of development besides: tests, linters, types.
 $(VENV)/installed-dev: $(VENV)/installed
-	@echo "Adding the tools of development, once: about 35 MB to download, half a minute."
+	@echo "Adding the tools of development and what models need, once: about 400 MB to download, two minutes."
+	$(PIP) "torch==2.13.0"
 	$(PIP) --no-build-isolation -e ".[dev]"
 	@touch $@
 

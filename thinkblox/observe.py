@@ -8,6 +8,7 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource
 from thinkblox.brief import Relation
+from thinkblox.chat import Chat, Message
 from thinkblox.errors import InputError
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.scene.arrangement import Arrangement, Known
@@ -35,6 +36,18 @@ The object must not collide, must stay inside the room, must rest on something a
 ways free; all of this is measured in a physics simulation."""
 SPOTS = 2
 """Free spots that the text names for each surface."""
+
+
+class Sight(Value, frozen=True, kw_only=True):
+    """How much of a room a policy is shown.
+
+    Attributes:
+        size: width and height of each picture [pixels].
+        pictures: whether there are any.
+    """
+
+    size: int = 336
+    pictures: bool = True
 
 
 class Kind(Value, frozen=True, kw_only=True):
@@ -115,6 +128,12 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
         if self.feedback:
             parts.append("Measured in the last round:\n" + "\n".join(f"- {line}" for line in self.feedback))
         return "\n".join(parts)
+
+    def chat(self, sight: Sight | None = None) -> Chat:
+        """The observation as it is said to a model."""
+        sight = sight or Sight()
+        pictures = self.images(size=sight.size) if sight.pictures else ()
+        return (Message("user", (self.text(), *pictures)),)
 
     def images(self, *, size: int = 448) -> tuple["Image", "Image"]:
         """The layout so far with its objects marked, and the object to place [pixels along a side].
