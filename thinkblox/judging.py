@@ -88,24 +88,42 @@ def judge_all(
         cases: each a scene, the object that was asked about, and the texts that were answered.
         source: as for `judge`.
     """
+    read = [[understand(scene, target, text, source=source) for text in texts] for scene, target, texts in cases]
+    usable = [[found for found in row if not isinstance(found, Rejection)] for row in read]
+    verdicts = measured_all(pool, [(case[0], row) for case, row in zip(cases, usable, strict=True)])
+    return [
+        tries_of(texts, found, measures) for (_, _, texts), found, measures in zip(cases, read, verdicts, strict=True)
+    ]
+
+
+def measured_all(pool: "VerdictPool", cases: Sequence[tuple[Scene, Sequence[Proposal]]]) -> list[list[Verdict]]:
+    """The verdicts on the proposals of many scenes; removals and swaps are measured in this process."""
     from thinkblox.sim.verdict.world import World
     from thinkblox.sim.workers.pool import Job
 
-    read = [[(t, understand(scene, target, t, source=source)) for t in texts] for scene, target, texts in cases]
-    found: list[list[Try | None]] = [[None] * len(row) for row in read]
+    found: list[list[Verdict | None]] = [[None] * len(proposals) for _, proposals in cases]
     jobs, places = [], []
-    for row, (case, proposals) in enumerate(zip(cases, read, strict=True)):
-        for column, (text, proposal) in enumerate(proposals):
-            if isinstance(proposal, Rejection):
-                found[row][column] = rejected(text, proposal)
-            elif proposal.placement is None or proposal.asset is None or isinstance(proposal.action, Swap):
-                found[row][column] = measured(World(case[0]), proposal)
+    for row, (scene, proposals) in enumerate(cases):
+        for column, proposal in enumerate(proposals):
+            if proposal.placement is None or proposal.asset is None or isinstance(proposal.action, Swap):
+                found[row][column] = World(scene).measure(proposal.action)
             else:
-                jobs.append(Job(case[0], proposal.asset, [proposal.placement]))
-                places.append((row, column, proposal))
-    for (row, column, proposal), (verdict,) in zip(places, pool.check(jobs), strict=True):
-        found[row][column] = Try(text=proposal.text, placement=proposal.placement, verdict=verdict)
-    return [[t for t in row if t is not None] for row in found]
+                jobs.append(Job(scene, proposal.asset, [proposal.placement]))
+                places.append((row, column))
+    for (row, column), (verdict,) in zip(places, pool.check(jobs), strict=True):
+        found[row][column] = verdict
+    return [[verdict for verdict in row if verdict is not None] for row in found]
+
+
+def tries_of(texts: Sequence[object], found: Sequence[Proposal | Rejection], verdicts: Sequence[Verdict]) -> list[Try]:
+    """The tries of some texts, from what was understood of each and the verdicts on what could be used."""
+    rest = iter(verdicts)
+    return [
+        rejected(text, each)
+        if isinstance(each, Rejection)
+        else Try(text=each.text, placement=each.placement, verdict=next(rest))
+        for text, each in zip(texts, found, strict=True)
+    ]
 
 
 def understand(
