@@ -71,7 +71,7 @@ def test_outside(pool: VerdictPool) -> None:
 
 def test_support_and_settling(pool: VerdictPool) -> None:
     texts = [text(VASE, (2.0, 2.5, 0.75)), text(VASE, (2.0, 2.5, 1.2)), text(VASE, (2.0 + 0.6, 2.5, 0.75))]
-    on, above, edge = reward(pool, "support", texts, VASE)
+    on, above, _edge = reward(pool, "support", texts, VASE)
     assert (on, above) == (0.0, -1.0)
     rest, fell, toppled = reward(pool, "settle", texts, VASE)
     assert rest == pytest.approx(0.0, abs=0.02)
