@@ -1,12 +1,13 @@
 """What a policy sees when it is asked where the next object goes: one record, and no more than it holds."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from msgspec import Meta, structs
 
 from thinkblox.assets.source import AssetSource
 from thinkblox.chat import Chat, Message
+from thinkblox.compact import compact_text
 from thinkblox.errors import InputError
 from thinkblox.plan import Plan, Target
 from thinkblox.prompts import filled, one_line, template
@@ -34,6 +35,7 @@ class Sight(Value, frozen=True, kw_only=True):
         ids: whether they name the objects.
         fronts: whether arrows show which way they face.
         layout: characters of the layout in the text; what matters least beyond that is counted only.
+        words: all that is known with what it means, or the numbers alone, in few words, for models that are small.
     """
 
     size: Annotated[int, Meta(ge=32, le=2048)] = 336
@@ -44,6 +46,7 @@ class Sight(Value, frozen=True, kw_only=True):
     ids: bool = True
     fronts: bool = True
     layout: Annotated[int, Meta(ge=0)] = 12_000
+    words: Literal["full", "compact"] = "full"
 
 
 class Kind(Value, frozen=True, kw_only=True):
@@ -131,6 +134,9 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
             InputError: pictures of an observation that was read from a file; `observe` the scene again.
         """
         sight = sight or Sight()
+        if sight.words == "compact":
+            pictures = self.pictures(sight) if sight.pictures else ()
+            return (Message("user", (compact_text(self), *(picture for _, picture in pictures))),)
         first, changing = self._words(sight)
         parts: list[str | Image] = [f"{first}\n{changing}"]
         if sight.pictures:
