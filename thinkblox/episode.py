@@ -4,7 +4,7 @@ An episode is what trace.jsonl holds. Any observation that a policy had in it ca
 the record of a generation and a demonstration.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Literal, NamedTuple
 
@@ -181,24 +181,33 @@ def read_episode(path: str | Path) -> Episode:
     """
     file = Path(path)
     file = file / "trace.jsonl" if file.is_dir() else file
+    with opened_regular(file, most=MAX_TRACE) as lines:
+        return episode_of(iter(lambda: lines.readline(MAX_LINE), b""), str(file))
+
+
+def episode_of(lines: Iterable[bytes], where: str) -> Episode:
+    """The episode that the lines of a trace hold.
+
+    Raises:
+        InputError: a line is wrong; names `where` they came from and the line.
+    """
     decoder = msgspec.json.Decoder(Line)
     beginning: Beginning | None = None
     assets: dict[str, Asset] = {}
     rounds: list[Round] = []
-    with opened_regular(file, most=MAX_TRACE) as lines:
-        for number, text in enumerate(iter(lambda: lines.readline(MAX_LINE), b""), 1):
-            line = _decoded(decoder, text, f"{file}, line {number}")
-            if isinstance(line, Beginning):
-                if beginning is not None:
-                    raise InputError(f"{file}, line {number}: begins a second episode; a trace holds one")
-                beginning = line
-            elif isinstance(line, UsedAsset):
-                assets[line.asset.id] = line.asset
-            else:
-                rounds.append(line)
+    for number, text in enumerate(lines, 1):
+        line = _decoded(decoder, text, f"{where}, line {number}")
+        if isinstance(line, Beginning):
+            if beginning is not None:
+                raise InputError(f"{where}, line {number}: begins a second episode; a trace holds one")
+            beginning = line
+        elif isinstance(line, UsedAsset):
+            assets[line.asset.id] = line.asset
+        else:
+            rounds.append(line)
     if beginning is None:
-        raise InputError(f"{file}: no line of it begins an episode; traces of before version 0.2 hold none")
-    return _checked(file, beginning, assets, rounds)
+        raise InputError(f"{where}: no line of it begins an episode; traces of before version 0.2 hold none")
+    return _checked(where, beginning, assets, rounds)
 
 
 def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> Line:
@@ -210,20 +219,20 @@ def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> 
     return line
 
 
-def _checked(file: Path, beginning: Beginning, assets: dict[str, Asset], rounds: list[Round]) -> Episode:
+def _checked(where: str, beginning: Beginning, assets: dict[str, Asset], rounds: list[Round]) -> Episode:
     if beginning.version != EPISODE_VERSION:
         raise InputError(
-            f"{file}: episode version {beginning.version} is not known; this release reads {EPISODE_VERSION}"
+            f"{where}: episode version {beginning.version} is not known; this release reads {EPISODE_VERSION}"
         )
     planned = {target.id for target in beginning.plan.targets}
     for done in rounds:
         missing = {done.asset, *(p.asset for p in done.committed)}.difference(assets)
         if missing:
-            raise InputError(f"{file}: a round for {done.id} speaks of an asset that is not there: {missing.pop()!r}")
+            raise InputError(f"{where}: a round for {done.id} speaks of an asset that is not there: {missing.pop()!r}")
         if not (done.chosen is None or 0 <= done.chosen < len(done.tries)) or done.attempt < 0 or done.number < 0:
-            raise InputError(f"{file}: a round for {done.id} counts what is not there: its choice, number or attempt")
+            raise InputError(f"{where}: a round for {done.id} counts what is not there: its choice, number or attempt")
         if done.kind == "policy" and done.id not in planned:
-            raise InputError(f"{file}: a round for {done.id}, which is not planned")
+            raise InputError(f"{where}: a round for {done.id}, which is not planned")
     return Episode(
         prompt=beginning.prompt,
         seed=beginning.seed,

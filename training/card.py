@@ -27,8 +27,8 @@ of which the placement was measured in MuJoCo and found valid. Made by ThinkBLOX
 
     thinkblox data build --scenes {asked} --seed {seed} --out DIR
 
-Whole rooms belong to one split. `at` names the episode that a row comes from: shard, line, decision; the episodes, with
-every verdict, are in `episodes/`. Everything that decided what was made is in `recipe.json`.
+Whole rooms belong to one split. `at` says where a row comes from: shard, episode, decision; the episodes, with every
+verdict, are in `episodes/`. Everything that decided what was made is in `recipe.json`.
 """
 
 

@@ -70,7 +70,7 @@ def make_shard(recipe: Recipe, folder: Path, shard: int) -> ShardCount:
         if found:
             rows[recipe.split_of(number)] += found
             episodes.append(episode.to_jsonl())
-    files = [_write(folder / episodes_file(shard), gzip.compress(_joined(episodes), mtime=0))]
+    files = [_write(folder / episodes_file(shard), gzip.compress(b"".join(episodes), mtime=0))]
     files += [
         _write(folder / f"data/{split}-{shard:05d}.parquet", _parquet(rows[split])) for split in SPLITS if rows[split]
     ]
@@ -88,17 +88,13 @@ def make_shard(recipe: Recipe, folder: Path, shard: int) -> ShardCount:
 
 
 def episodes_file(shard: int) -> str:
-    """Where the episodes of a shard are: a JSON array for each, of the lines of its trace; a line for each, packed."""
+    """Where the episodes of a shard are: their traces one after the other, packed."""
     return f"episodes/{shard:05d}.jsonl.gz"
 
 
 def count_file(shard: int) -> str:
     """Where it is written that a shard is done."""
     return f"done/{shard:05d}.json"
-
-
-def _joined(episodes: Sequence[bytes]) -> bytes:
-    return b"".join(b"[" + b",".join(episode.splitlines()) + b"]\n" for episode in episodes)
 
 
 def _episode(recipe: Recipe, number: int, refused: Counter[str]) -> Episode | None:
@@ -128,7 +124,7 @@ def _rows(
 
 
 def row(made: Demonstration, chat: Chat, *, scene: int, at: str) -> dict[str, Any]:
-    """A demonstration as trainers read it; `at` says where its episode is: shard, line and decision."""
+    """A demonstration as trainers read it; `at` says where its episode is: shard, episode and decision."""
     return {
         "prompt": messages(chat),
         "completion": [{"role": "assistant", "content": [{"type": "text", "text": made.text}]}],

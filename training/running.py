@@ -1,0 +1,55 @@
+"""What the trainers share: their arguments, and going on from the last checkpoint."""
+
+from pathlib import Path
+from typing import Any
+
+from thinkblox.errors import InputError
+from thinkblox.training.config import Training
+from thinkblox.value import to_json
+from thinkblox.whole_file import write_whole
+
+CONFIG = "config.json"
+
+
+def common_arguments(config: Training) -> dict[str, Any]:
+    """The arguments of a trainer of TRL that both kinds of training share."""
+    import torch
+
+    return {
+        "output_dir": config.out,
+        "seed": config.seed,
+        "max_steps": config.steps,
+        "per_device_train_batch_size": config.batch,
+        "gradient_accumulation_steps": config.accumulate,
+        "learning_rate": config.learning_rate,
+        "lr_scheduler_type": "cosine",
+        "warmup_steps": config.warmup,
+        "save_steps": config.save,
+        "save_total_limit": 2,
+        "logging_steps": config.log,
+        "bf16": torch.cuda.is_available(),
+        "gradient_checkpointing": config.lora is not None,
+        "dataloader_num_workers": config.workers,
+        "report_to": [],
+        "remove_unused_columns": False,
+        "disable_tqdm": True,
+    }
+
+
+def run(trainer: Any, config: Training) -> None:
+    """Train to the end, from the last checkpoint of the same configuration where there is one.
+
+    Raises:
+        InputError: the folder holds a run of another configuration.
+    """
+    from transformers.trainer_utils import get_last_checkpoint
+
+    out = Path(config.out)
+    said, file = to_json(config), out / CONFIG
+    last = get_last_checkpoint(str(out)) if out.is_dir() else None
+    if last is not None and (not file.is_file() or file.read_bytes() != said):
+        raise InputError(f"{out}: holds checkpoints of another configuration; choose another folder for this run")
+    if trainer.accelerator.is_main_process:
+        out.mkdir(parents=True, exist_ok=True)
+        write_whole(file, said)
+    trainer.train(resume_from_checkpoint=last)
