@@ -1,7 +1,7 @@
 """What a training run is told, in YAML: checked whole before anything begins."""
 
 from pathlib import Path
-from typing import Annotated, Literal, TypeVar
+from typing import Annotated, Any, Literal
 
 import msgspec
 from msgspec import Meta
@@ -9,11 +9,11 @@ from msgspec import Meta
 from thinkblox.errors import InputError
 from thinkblox.policies.tiny import TinySize
 from thinkblox.regular_file import read_regular
+from thinkblox.training.recipe import Recipe
 from thinkblox.training.rewards import REWARDS
 from thinkblox.training.tiers import HARD, Scheme, tiers_of
 from thinkblox.value import Value
 
-C = TypeVar("C", bound="Training")
 Positive = Annotated[float, Meta(gt=0)]
 Count = Annotated[int, Meta(ge=1)]
 NamedHard = Literal["paper", "simulation", "gate"]
@@ -128,15 +128,37 @@ class GdpoConfig(Training, frozen=True, kw_only=True):
             )
 
 
-def read_config(path: str | Path, kind: type[C]) -> C:
+class Experiment(Value, frozen=True, kw_only=True):
+    """From data to a trained policy, in one file.
+
+    Attributes:
+        data: how the dataset is made.
+        sft: supervised fine-tuning on it.
+        gdpo: reinforcement learning after that.
+    """
+
+    data: Recipe | None = None
+    sft: SftConfig | None = None
+    gdpo: GdpoConfig | None = None
+
+
+def read_experiment(path: str | Path) -> Experiment:
     """Read a configuration.
 
     Raises:
         InputError: it cannot be read; a key is not known, missing or wrong; names the file and the place.
     """
     try:
-        return msgspec.yaml.decode(read_regular(Path(path)), type=kind)
+        return msgspec.yaml.decode(read_regular(Path(path)), type=Experiment)
     except (msgspec.MsgspecError, InputError, ValueError) as error:
         raise InputError(f"{path}: {error}") from error
     except ImportError as error:
         raise InputError(f"training needs more than is installed ({error}): pip install 'thinkblox[train]'") from error
+
+
+def section(path: str | Path, name: Literal["data", "sft", "gdpo"]) -> Any:
+    """One section of a configuration; raises InputError as `read_experiment`, and where it has none of that name."""
+    found = getattr(read_experiment(path), name)
+    if found is None:
+        raise InputError(f"{path}: has no section {name!r}")
+    return found

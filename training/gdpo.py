@@ -9,7 +9,7 @@ import numpy as np
 
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.training.advantages import Advantages, tiered_advantages
-from thinkblox.training.config import GdpoConfig, read_config
+from thinkblox.training.config import GdpoConfig, section
 from thinkblox.training.episodes import Episodes
 from thinkblox.training.models import adapter_for, save_trained, starting_model
 from thinkblox.training.outcome import Outcome, outcomes
@@ -163,4 +163,4 @@ def _text(said: Any) -> str:
 
 
 if __name__ == "__main__":
-    print(train_gdpo(read_config(sys.argv[1], GdpoConfig)))  # noqa: T201
+    print(train_gdpo(section(sys.argv[1], "gdpo")))  # noqa: T201

@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from thinkblox.training.config import SftConfig, read_config
+from thinkblox.training.config import SftConfig, section
 from thinkblox.training.models import adapter_for, save_trained, starting_model
 from thinkblox.training.rows import rows_of
 from thinkblox.training.running import common_arguments, run
@@ -45,4 +45,4 @@ def _trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:
 
 
 if __name__ == "__main__":
-    print(train_sft(read_config(sys.argv[1], SftConfig)))  # noqa: T201
+    print(train_sft(section(sys.argv[1], "sft")))  # noqa: T201
