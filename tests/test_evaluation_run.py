@@ -9,7 +9,7 @@ import pytest
 
 from tests.evaluation_work import worked
 from thinkblox.cli import main
-from thinkblox.evaluation.crew import work_through
+from thinkblox.crew import work_through
 
 ENTRIES = [
     {

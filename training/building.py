@@ -1,13 +1,11 @@
 """Making a dataset of demonstrations: shard by shard, in many processes, to be stopped and resumed at any time."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
-from multiprocessing import get_context
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 
+from thinkblox.crew import Done, work_through
 from thinkblox.errors import InputError, ThinkBloxError
 from thinkblox.training.card import card_of
 from thinkblox.training.recipe import Recipe
@@ -16,6 +14,10 @@ from thinkblox.value import Value, read_json, to_json
 from thinkblox.whole_file import write_whole
 
 RECIPE, MANIFEST = "recipe.json", "manifest.json"
+SECONDS = 7200.0
+"""For one shard [s]."""
+Work = Callable[[Callable[[int], ShardCount], Sequence[int]], Iterable[Done[ShardCount]]]
+"""Calls a function with each of some numbers, anywhere and in any order, and gives what comes of each as it is done."""
 
 
 class Manifest(Value, frozen=True, kw_only=True):
@@ -35,7 +37,7 @@ def build(
     folder: str | Path,
     *,
     workers: int = 1,
-    executor: Executor | None = None,
+    work: Work | None = None,
     on_shard: Callable[[ShardCount, int, int], None] = lambda count, done, total: None,
 ) -> Manifest:
     """Make a dataset in a folder, or go on with one that was begun by the same recipe.
@@ -47,26 +49,29 @@ def build(
         recipe: what is made.
         folder: where; made where it is not there.
         workers: processes.
-        executor: where shards are made instead: any that runs `make_shard` with the folder at hand, a cluster's too.
+        work: who makes the shards instead, a cluster say: called with a function and what it is to be called with.
         on_shard: told of each shard that is done: what came of it, how many are, and how many there are to be.
 
     Raises:
         InputError: the folder holds something else, another recipe's dataset, or cannot be written.
-        ThinkBloxError: a worker process died; what is done stays, and the same call goes on from there.
+        ThinkBloxError: a shard could not be made; what is done stays, and the same call goes on from there.
     """
     folder = Path(folder)
     _begin(recipe, folder)
-    counts = {count.shard: count for count in _done(recipe, folder)}
-    for done in list(counts.values()):
-        on_shard(done, len(counts), recipe.shards)
+    counts: dict[int, ShardCount] = {}
+    for count in _done(recipe, folder):
+        counts[count.shard] = count
+        on_shard(count, len(counts), recipe.shards)
     missing = [shard for shard in range(recipe.shards) if shard not in counts]
-    if missing:
-        with _executor(executor, min(workers, len(missing))) as running:
-            for count in _made(running, recipe, folder, missing):
-                counts[count.shard] = count
-                on_shard(count, len(counts), recipe.shards)
+    run = work or partial(work_through, jobs=workers, seconds=SECONDS)
+    for done in run(partial(make_shard, recipe, folder), missing):
+        if done.result is None:
+            why = f"{folder}: shard {missing[done.number]} could not be made: {done.fault}"
+            raise ThinkBloxError(f"{why}; what is done stays, and the same command goes on from there")
+        counts[done.result.shard] = done.result
+        on_shard(done.result, len(counts), recipe.shards)
     manifest = _manifest(recipe, [counts[shard] for shard in range(recipe.shards)])
-    write_whole(folder / "README.md", card_of(folder, manifest).encode())
+    write_whole(folder / "README.md", card_of(manifest).encode())
     write_whole(folder / MANIFEST, to_json(manifest))
     return manifest
 
@@ -94,33 +99,6 @@ def _done(recipe: Recipe, folder: Path) -> Iterator[ShardCount]:
             count = read_json(file, ShardCount)
             if all((folder / name).exists() for name in count.files):
                 yield count
-
-
-@contextmanager
-def _executor(given: Executor | None, workers: int) -> Iterator[Executor]:
-    if given is not None:
-        yield given
-        return
-    running = ProcessPoolExecutor(workers, mp_context=get_context("spawn"))
-    try:
-        yield running
-    finally:
-        running.shutdown(wait=True, cancel_futures=True)
-
-
-def _made(running: Executor, recipe: Recipe, folder: Path, shards: Iterable[int]) -> Iterator[ShardCount]:
-    futures: list[Future[ShardCount]] = []
-    try:
-        futures += [running.submit(make_shard, recipe, folder, shard) for shard in shards]
-        for future in as_completed(futures):
-            yield future.result()
-    except BrokenProcessPool as error:
-        raise ThinkBloxError(
-            "a worker process died (out of memory?); what is done stays, and the same command goes on from there"
-        ) from error
-    finally:
-        for future in futures:
-            future.cancel()
 
 
 def _manifest(recipe: Recipe, counts: list[ShardCount]) -> Manifest:

@@ -1,7 +1,6 @@
 """The card of a dataset: what is in it, how it was made, and what was left out."""
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from thinkblox.version import package_version
@@ -32,7 +31,7 @@ verdict, are in `episodes/`. Everything that decided what was made is in `recipe
 """
 
 
-def card_of(folder: Path, manifest: "Manifest") -> str:
+def card_of(manifest: "Manifest") -> str:
     """The text of the card, README.md of the dataset."""
     splits = [split for split, count in manifest.demonstrations.items() if count]
     files = "\n".join(f"  - split: {split}\n    path: data/{split}-*.parquet" for split in splits)

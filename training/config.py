@@ -148,8 +148,9 @@ def read_experiment(path: str | Path) -> Experiment:
     Raises:
         InputError: it cannot be read; a key is not known, missing or wrong; names the file and the place.
     """
+    text = read_regular(Path(path))
     try:
-        return msgspec.yaml.decode(read_regular(Path(path)), type=Experiment)
+        return msgspec.yaml.decode(text, type=Experiment)
     except (msgspec.MsgspecError, InputError, ValueError) as error:
         raise InputError(f"{path}: {error}") from error
     except ImportError as error:

@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import msgspec
 
+from thinkblox.crew import Done, work_through
 from thinkblox.errors import InputError
 from thinkblox.evaluation.annotations import Annotation
-from thinkblox.evaluation.crew import Done, work_through
 from thinkblox.evaluation.results import Judgement
 from thinkblox.evaluation.room_file import RoomRecord, SceneRecord, read_report, read_scene
 from thinkblox.evaluation.room_judge import judge_room
