@@ -277,7 +277,7 @@ def _draw_names(draw: "ImageDraw", seen: _Seen, spots: Spots, names: dict[str, s
             continue
         placed.append((text, box))
         near = seen.ids[max(box[1] - 2, 0) : box[3] + 2, max(box[0] - 2, 0) : box[2] + 2]
-        if not np.isin(near, members).any() or area < width * height / 2:
+        if not any((near == member).any() for member in members) or area < width * height / 2:
             end = (min(max(middle[0], box[0]), box[2] - 1), min(max(middle[1], box[1]), box[3] - 1))
             draw.line([tuple(middle), end], fill=_CHIP, width=1)
             draw.ellipse([middle[0] - 1, middle[1] - 1, middle[0] + 1, middle[1] + 1], fill=_CHIP)

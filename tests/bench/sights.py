@@ -17,8 +17,8 @@ from thinkblox.placing import Effort
 from thinkblox.sim.render import layers, metres, views
 
 PROMPT = (
-    "A living room, 6 m by 5 m, with a sofa, two armchairs, a coffee table, a rug, a bookcase with ten books, a TV on a "
-    "TV stand, two side tables with a lamp on each, a desk with an office chair, a desk lamp and a laptop, three "
+    "A living room, 6 m by 5 m, with a sofa, two armchairs, a coffee table, a rug, a bookcase with ten books, a TV on "
+    "a TV stand, two side tables with a lamp on each, a desk with an office chair, a desk lamp and a laptop, three "
     "pictures, four plants, a dining table with six chairs, and four cups and four plates on the dining table."
 )
 SIGHTS = {
