@@ -9,6 +9,7 @@ from thinkblox.cli.progress import ObjectBar
 from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
 from thinkblox.fills import FILLS
+from thinkblox.orders import ORDERS
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
@@ -34,6 +35,12 @@ def add_command(commands: "Commands") -> None:
         choices=FILLS,
         default="essentials",
         help="what is added: only what carries things, what makes such a room (essentials), or a lived-in room",
+    )
+    parser.add_argument(
+        "--order",
+        choices=ORDERS,
+        default="plan",
+        help="what is placed first: as planned, large things, or by chance; never before what it depends on (plan)",
     )
     budget = "for placing objects (900); the measurement under way is finished, and the whole room measured, after it"
     parser.add_argument("--budget", metavar="S", type=seconds, default=900.0, help=budget)
@@ -65,6 +72,7 @@ def _generate(arguments: argparse.Namespace) -> int:
             room=room,
             effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
             fill=arguments.fill,
+            order=arguments.order,
             on_plan=progress.begin,
             on_object=progress.tell,
         )
