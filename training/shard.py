@@ -101,7 +101,7 @@ def _episode(recipe: Recipe, number: int, refused: Counter[str]) -> Episode | No
     rng = np.random.default_rng((recipe.seed, number))
     prompt = recipe.prompts[number % len(recipe.prompts)] if recipe.prompts else sample_prompt(rng)
     try:
-        made = generate_room(prompt, seed=int(rng.integers(2**31)), effort=EFFORT)
+        made = generate_room(prompt, seed=int(rng.integers(2**31)), effort=EFFORT, order=recipe.order)
     except InputError:
         refused["given up"] += 1
         return None
