@@ -1,0 +1,177 @@
+"""Trainers on a tiny model: they run, resume exactly, log what they measured, and refuse what cannot work."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from msgspec import structs
+
+from thinkblox import InputError
+from thinkblox.observe import Sight
+from thinkblox.training.building import build
+from thinkblox.training.config import GdpoConfig, SftConfig, read_experiment, section
+from thinkblox.training.recipe import Recipe
+from thinkblox.training.rows import rows_of
+
+torch = pytest.importorskip("torch")
+pytest.importorskip("trl")
+CONFIGS = Path(__file__).parent.parent / "training" / "configs"
+PROMPT = "A dining room with a table, four chairs around it, a sideboard and a vase on the table."
+
+
+@pytest.fixture(scope="module")
+def data(tmp_path_factory: pytest.TempPathFactory) -> str:
+    folder = tmp_path_factory.mktemp("training") / "data"
+    sight = Sight(size=56, views=1, words="compact")
+    build(Recipe(scenes=3, prompts=(PROMPT,), least=3, sight=sight, held_out=(0.0, 0.0)), folder)
+    return str(folder)
+
+
+def sft(data: str, out: Path, **more) -> SftConfig:
+    from thinkblox.policies.tiny import TinySize
+
+    size = TinySize(hidden=32, layers=1, heads=2, vocabulary=320, vision_hidden=16, vision_layers=1)
+    defaults = {"size": size, "steps": 4, "batch": 2, "learning_rate": 1e-3, "log": 1, "save": 2}
+    return SftConfig(data=data, out=str(out), **(defaults | more))
+
+
+@pytest.mark.parametrize("name", ["paper", "small", "gpu"])
+def test_the_configurations_that_we_have_can_be_read(name: str) -> None:
+    found = read_experiment(CONFIGS / f"{name}.yaml")
+    assert None not in (found.data, found.sft, found.gdpo)
+    assert found.gdpo is not None
+    assert set(found.gdpo.tiers) == {"hard", "soft", "cons"}
+
+
+def test_the_paper_s_numbers() -> None:
+    found = read_experiment(CONFIGS / "paper.yaml")
+    assert found.sft is not None
+    assert found.sft.lora is not None
+    assert found.gdpo is not None
+    assert (found.sft.lora.rank, found.sft.lora.alpha, found.sft.learning_rate, found.sft.steps) == (
+        16,
+        32,
+        2e-5,
+        10000,
+    )
+    assert (found.gdpo.beta, found.gdpo.rollouts, found.gdpo.learning_rate, found.gdpo.steps) == (0.004, 8, 2e-5, 2000)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("sft: {data: d, out: o, steps: 1, speed: 3}", "unknown field `speed`"),
+        ("sft: {data: d, out: o, steps: 0}", r"`int` >= 1"),
+        ("sft: {out: o, steps: 1}", "missing required field `data`"),
+        ("gdpo: {data: d, out: o, steps: 1, soft: [align, beauty]}", "names the reward 'beauty'; there are format"),
+        ("gdpo: {data: d, out: o, steps: 1, rollouts: 8, prompts: 3, batch: 5}", "choose a batch that divides 24"),
+        (
+            "gdpo: {data: d, out: o, steps: 1, weights: {firm: 1}}",
+            "weights name 'firm'; the tiers are hard, soft, cons",
+        ),
+        ("gdpo: {data: d, out: o, steps: 1, soft: [render]}", "needs a judge"),
+        ("gdpo: {data: d, out: o, steps: 1, soft: [coll]}", "'coll' is in two tiers"),
+        ("gdpo: [", "line 2, column 1"),
+        ("data: {scenes: 1}", "has no section 'sft'"),
+    ],
+)
+def test_a_wrong_configuration_is_refused_at_once(tmp_path: Path, text: str, says: str) -> None:
+    file = tmp_path / "run.yaml"
+    file.write_text(text)
+    with pytest.raises(InputError, match=says):
+        section(file, "sft")
+
+
+def test_schemes_are_tables_of_the_same_rewards() -> None:
+    config = GdpoConfig(data="d", out="o", steps=1, hard="paper")
+    assert config.tiers == {"hard": ("format", "coll", "layout"), "soft": ("align", "rules"), "cons": ("cons",)}
+    assert [len(t) for t in structs.replace(config, scheme="grpo").tiers.values()] == [6]
+    assert [len(t) for t in structs.replace(config, scheme="gdpo").tiers.values()] == [1] * 6
+
+
+def test_what_is_no_dataset_is_said(tmp_path: Path, data: str) -> None:
+    with pytest.raises(InputError, match="no dataset of ours"):
+        rows_of(tmp_path, "train")
+    with pytest.raises(InputError, match="no rows of the split 'test'"):
+        rows_of(data, "test")
+    broken = tmp_path / "broken"
+    shutil.copytree(data, broken)
+    next((broken / "data").glob("*.parquet")).write_bytes(b"PAR1 no more")
+    with pytest.raises(InputError, match="cannot be read"):
+        rows_of(broken, "train")
+
+
+@pytest.mark.slow
+def test_supervised_training_resumes_exactly(data: str, tmp_path: Path) -> None:
+    from thinkblox.training.sft import train_sft
+
+    whole = train_sft(sft(data, tmp_path / "whole"))
+    cut = tmp_path / "cut"
+    train_sft(sft(data, cut))
+    shutil.rmtree(cut / "checkpoint-4")
+    shutil.rmtree(cut / "model")
+    again = train_sft(sft(data, cut))
+    assert (again / "model.safetensors").read_bytes() == (whole / "model.safetensors").read_bytes()
+    with pytest.raises(InputError, match="another configuration"):
+        train_sft(sft(data, cut, seed=1))
+
+
+@pytest.mark.slow
+def test_tiered_training_measures_and_logs(data: str, tmp_path: Path) -> None:
+    from thinkblox.policies.hf import HfModel
+    from thinkblox.training.gdpo import train_gdpo
+    from thinkblox.training.sft import train_sft
+
+    start = train_sft(sft(data, tmp_path / "sft", steps=1))
+    config = GdpoConfig(
+        data=data,
+        out=str(tmp_path / "gdpo"),
+        model=str(start),
+        steps=2,
+        batch=4,
+        rollouts=4,
+        prompts=2,
+        tokens=12,
+        log=1,
+    )
+    trained = train_gdpo(config)
+    state = json.loads((tmp_path / "gdpo" / "checkpoint-2" / "trainer_state.json").read_text())
+    logged = state["log_history"][0]
+    assert {"rewards/coll/mean", "share/parsed", "share/valid", "tiers/hard/live", "tiers/cons/spread"} <= set(logged)
+    assert logged["rewards/format/mean"] == -1.0
+    HfModel(trained, max_new_tokens=4)
+
+
+@pytest.mark.slow
+def test_advantages_that_differ_move_the_model(data: str, tmp_path: Path) -> None:
+    """With a reward that prefers some rollouts, the trainer's advantages are those of the tiers, and weights change."""
+    from thinkblox.judging import Try
+    from thinkblox.policies.pretrained import load_pretrained
+    from thinkblox.policies.tiny import TinySize, build_tiny
+    from thinkblox.steps import Rejection
+    from thinkblox.training.gdpo import gdpo_trainer
+    from thinkblox.training.outcome import Case, Outcome
+
+    size = TinySize(hidden=32, layers=1, heads=2, vocabulary=320, vision_hidden=16, vision_layers=1)
+    start = load_pretrained(build_tiny(tmp_path / "tiny", size=size))
+    from thinkblox.training.episodes import Episodes
+
+    case: Case = Episodes(data).case("0/0/0")
+
+    def measure(at, texts):
+        good, bad = Try(text=""), Try(text="", rejection=Rejection(reason="format", message="no"))
+        return [Outcome(case, good if number % 3 else bad) for number, _ in enumerate(texts)]
+
+    config = GdpoConfig(
+        data=data, out=str(tmp_path / "out"), steps=1, batch=8, rollouts=4, prompts=2, tokens=8, hard="paper", log=1,
+        learning_rate=1e-2,
+    )  # fmt: skip
+    before = {name: weight.clone() for name, weight in start.model.named_parameters()}
+    trainer = gdpo_trainer(config, start.model.train(), start.processor, rows_of(data, "train"), measure)
+    trainer.train()
+    assert any(not torch.equal(before[name], weight) for name, weight in start.model.named_parameters())
+    advantages = list(trainer._logs["advantages"])
+    assert len(advantages) == 8
+    assert sum(advantages) == pytest.approx(0.0, abs=1e-5)
+    assert advantages[0] < 0.0 < advantages[1]
