@@ -3,6 +3,7 @@
 import json
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 from msgspec import structs
@@ -28,11 +29,11 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> str:
     return str(folder)
 
 
-def sft(data: str, out: Path, **more) -> SftConfig:
+def sft(data: str, out: Path, **more: Any) -> SftConfig:
     from thinkblox.policies.tiny import TinySize
 
     size = TinySize(hidden=32, layers=1, heads=2, vocabulary=320, vision_hidden=16, vision_layers=1)
-    defaults = {"size": size, "steps": 4, "batch": 2, "learning_rate": 1e-3, "log": 1, "save": 2}
+    defaults: dict[str, Any] = {"size": size, "steps": 4, "batch": 2, "learning_rate": 1e-3, "log": 1, "save": 2}
     return SftConfig(data=data, out=str(out), **(defaults | more))
 
 

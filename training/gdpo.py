@@ -15,7 +15,7 @@ from thinkblox.training.models import adapter_for, save_trained, starting_model
 from thinkblox.training.outcome import Outcome, outcomes
 from thinkblox.training.rewards import REWARDS
 from thinkblox.training.rows import rows_of
-from thinkblox.training.running import common_arguments, run
+from thinkblox.training.running import common_arguments, resuming, run
 
 
 def train_gdpo(config: GdpoConfig) -> Path:
@@ -93,7 +93,7 @@ def _named(name: str) -> Any:
 def _tiered_trainer() -> Any:
     from trl import GRPOTrainer
 
-    class TieredTrainer(GRPOTrainer):  # type: ignore[misc]
+    class TieredTrainer(resuming(GRPOTrainer)):  # type: ignore[misc]
         """Measures every rollout once, and turns rewards into advantages tier by tier.
 
         TRL has no hook for advantages of one's own: two of its private methods are overridden.

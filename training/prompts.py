@@ -17,14 +17,14 @@ _SIDES = (3.0, 6.5)
 
 
 def sample_prompt(rng: np.random.Generator) -> str:
-    """A prompt: a type of room, sometimes a mood, a size, and up to four things that are named."""
+    """A prompt: a type of room, sometimes a mood, a size, and up to eight kinds of things that are named."""
     mood = f"{_one(rng, MOODS)} " if rng.random() < 0.4 else ""
     room = _one(rng, _rooms()).replace("_", " ")
     size = ""
     if rng.random() < 0.5:
         width, depth = (round(rng.uniform(*_SIDES) * 2) / 2 for _ in range(2))
         size = f", {width:g} m by {depth:g} m"
-    named = [_named(rng) for _ in range(int(rng.choice([0, 0, 1, 2, 3, 4])))]
+    named = [_named(rng) for _ in range(int(rng.choice([0, 0, 2, 3, 4, 6, 8])))]
     things = f" with {' and '.join([', '.join(named[:-1]), named[-1]] if named[1:] else named)}" if named else ""
     article = "An" if (mood + room)[0] in "aeiou" else "A"
     return f"{article} {mood}{room}{size}{',' if size and things else ''}{things}."

@@ -29,11 +29,31 @@ def common_arguments(config: Training) -> dict[str, Any]:
         "logging_steps": config.log,
         "bf16": torch.cuda.is_available(),
         "gradient_checkpointing": config.lora is not None,
+        "dataloader_pin_memory": torch.cuda.is_available(),
         "dataloader_num_workers": config.workers,
         "report_to": [],
         "remove_unused_columns": False,
         "disable_tqdm": True,
     }
+
+
+def resuming(trainer_class: Any) -> Any:
+    """A trainer of that class that reads whole models back as they were saved.
+
+    transformers writes the weights of some models under other names than they have in memory, and a checkpoint of them
+    is read without changing the names back: nothing would be loaded, with a warning alone.
+    """
+
+    class ResumingTrainer(trainer_class):  # type: ignore[misc]
+        def _load_from_checkpoint(self, resume_from_checkpoint: str, model: Any = None) -> None:
+            model = model or self.model
+            if hasattr(model, "peft_config"):
+                super()._load_from_checkpoint(resume_from_checkpoint, model)
+                return
+            read = type(model).from_pretrained(resume_from_checkpoint, dtype=model.dtype)
+            model.load_state_dict(read.state_dict())
+
+    return ResumingTrainer
 
 
 def run(trainer: Any, config: Training) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 from thinkblox.training.config import SftConfig, section
 from thinkblox.training.models import adapter_for, save_trained, starting_model
 from thinkblox.training.rows import rows_of
-from thinkblox.training.running import common_arguments, run
+from thinkblox.training.running import common_arguments, resuming, run
 
 
 def train_sft(config: SftConfig) -> Path:
@@ -35,7 +35,7 @@ def _trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:
         max_length=None,
         completion_only_loss=True,
     )
-    return SFTTrainer(
+    return resuming(SFTTrainer)(
         model=model,
         args=arguments,
         train_dataset=rows.select_columns(["prompt", "completion", "images"]),
