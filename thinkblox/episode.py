@@ -63,7 +63,11 @@ class Round(Value, frozen=True, kw_only=True, tag_field="line", tag="round"):
 
 
 class Beginning(Value, frozen=True, kw_only=True, tag_field="line", tag="episode"):
-    """First line of a trace: what was asked for, what was planned, and in which room."""
+    """First line of a trace: what was asked for, what was planned, and in which room.
+
+    Attributes:
+        prompts: version of the prompts that a model was given; observations are made again with those of today.
+    """
 
     version: int = EPISODE_VERSION
     prompt: str
@@ -71,6 +75,7 @@ class Beginning(Value, frozen=True, kw_only=True, tag_field="line", tag="episode
     room: Room
     plan: Plan
     kinds: dict[str, Kind] = {}
+    prompts: str = ""
 
 
 class UsedAsset(Value, frozen=True, kw_only=True, tag_field="line", tag="asset"):
@@ -99,6 +104,7 @@ class Episode(Value, frozen=True, kw_only=True):
     kinds: dict[str, Kind] = {}
     assets: dict[str, Asset] = {}
     rounds: tuple[Round, ...] = ()
+    prompts: str = ""
 
     @property
     def start(self) -> Scene:
@@ -151,7 +157,14 @@ class Episode(Value, frozen=True, kw_only=True):
 
     def lines(self) -> Iterator[Line]:
         """The lines of its trace."""
-        yield Beginning(prompt=self.prompt, seed=self.seed, room=self.room, plan=self.plan, kinds=self.kinds)
+        yield Beginning(
+            prompt=self.prompt,
+            seed=self.seed,
+            room=self.room,
+            plan=self.plan,
+            kinds=self.kinds,
+            prompts=self.prompts,
+        )
         yield from (UsedAsset(asset=asset) for asset in self.assets.values())
         yield from self.rounds
 
@@ -219,4 +232,5 @@ def _checked(file: Path, beginning: Beginning, assets: dict[str, Asset], rounds:
         kinds=beginning.kinds,
         assets=assets,
         rounds=tuple(rounds),
+        prompts=beginning.prompts,
     )

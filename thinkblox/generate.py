@@ -22,6 +22,7 @@ from thinkblox.plan import Plan, Target
 from thinkblox.planning import ExpertPlanner, is_open, larger, with_surfaces
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.prompts import prompts_version
 from thinkblox.reading import GrammarBriefer
 from thinkblox.reporting import report_on
 from thinkblox.scene.asset import Asset
@@ -249,6 +250,7 @@ def furnish(
         kinds=kinds_of(makeable, source),
         assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
         rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
+        prompts=prompts_version(),
     )
     return Generation(best.world.scene, best.report, episode)
 

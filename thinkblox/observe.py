@@ -1,53 +1,49 @@
 """What a policy sees when it is asked where the next object goes: one record, and no more than it holds."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
-import msgspec
-from msgspec import structs
+from msgspec import Meta, structs
 
 from thinkblox.assets.source import AssetSource
-from thinkblox.brief import Relation
 from thinkblox.chat import Chat, Message
 from thinkblox.errors import InputError
-from thinkblox.plan import Plan, Target, Tie
+from thinkblox.plan import Plan, Target
+from thinkblox.prompts import filled, one_line, template
 from thinkblox.scene.arrangement import Arrangement, Known
 from thinkblox.scene.asset import Asset, AssetCard, Mount
-from thinkblox.scene.free_spots import free_spots
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Value, Vec3
+from thinkblox.wording import compact, describe_tie, free_words, layout_text, planned_line, room_words, shortened
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-INSTRUCTIONS = """\
-You furnish a room one object at a time. Metres; x east, y north, z up; yaw in degrees counter-clockwise, 0 = the front
-faces +x; position = the centre of the footprint at the object's base; size = (along the front axis, across, up).
-Reason in numbered lines inside <think>, then answer with one JSON object inside <answer>:
-<think>
-1. ...
-</think>
-<answer>{"id": "...", "position": [x, y, z], "yaw": degrees, "size": [depth, width, height]}</answer>
-Walls are listed counter-clockwise, wall i from corner i of the floor to corner i + 1; an opening begins "offset" from
-its wall's start. "free" lists [x, y, radius] of free circles on a surface, "opens" doors and drawers that need space.
-The object must not collide, must stay inside the room, must rest on something and stand still, and must leave doors and
-ways free; all of this is measured in a physics simulation."""
-SPOTS = 2
-"""Free spots that the text names for each surface."""
-
 
 class Sight(Value, frozen=True, kw_only=True):
-    """How much of a room a policy is shown.
+    """How much of a room a policy is shown; each kind of mark can be left out, for ablations.
 
     Attributes:
         size: width and height of each picture [pixels].
         pictures: whether there are any.
+        views: pictures of the room: one from above, and the others from corners of it.
+        target: whether the object to place has a picture of its own.
+        grid: whether the pictures have a grid with metres along the walls.
+        ids: whether they name the objects.
+        fronts: whether arrows show which way they face.
+        layout: characters of the layout in the text; what matters least beyond that is counted only.
     """
 
-    size: int = 336
+    size: Annotated[int, Meta(ge=32, le=2048)] = 336
     pictures: bool = True
+    views: Annotated[int, Meta(ge=0, le=5)] = 3
+    target: bool = True
+    grid: bool = True
+    ids: bool = True
+    fronts: bool = True
+    layout: Annotated[int, Meta(ge=0)] = 12_000
 
 
 class Kind(Value, frozen=True, kw_only=True):
@@ -114,107 +110,105 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
         """The prompt the room is made for."""
         return self.plan.brief.prompt
 
-    def text(self) -> str:
-        """The observation in words and JSON, as a language model reads it."""
-        parts = [
-            INSTRUCTIONS,
-            f"Prompt: {self.prompt}",
-            f"Room: {_json(self._room())}",
-            f"Plan: {_json([self._planned(target) for target in self.plan.targets])}",
-            f"Layout: {_json([self._object(p) for p in self.layout.placements])}",
-            f"Step: {self._number()} of {len(self.plan.targets)}",
-            f"Place: {_json(self._target())}",
-        ]
-        if self.feedback:
-            parts.append("Measured in the last round:\n" + "\n".join(f"- {line}" for line in self.feedback))
-        return "\n".join(parts)
+    def text(self, sight: Sight | None = None) -> str:
+        """The observation in words and JSON, as a language model reads it: instructions, then what is the case."""
+        first, changing = self._words(sight or Sight())
+        return f"{template('step')}\n\n{first}\n{changing}"
+
+    def lasting_text(self, sight: Sight | None = None) -> str:
+        """The part of the text with which the next step's begins too, as long as nothing that stands is moved: up to
+        the end of the layout, or of its first half where there is more than `sight.layout` allows.
+        """
+        sight = sight or Sight()
+        layout = layout_text(self.layout, self.target, sight.layout)
+        return f"{template('step')}\n\n{self._beginning()}" + (f"\n{layout.head}" if layout.head else "")
 
     def chat(self, sight: Sight | None = None) -> Chat:
-        """The observation as it is said to a model."""
-        sight = sight or Sight()
-        pictures = self.images(size=sight.size) if sight.pictures else ()
-        return (Message("user", (self.text(), *pictures)),)
+        """The observation as it is said to a model: what never changes, what grows at its end, what changes, and the
+        pictures, each with its caption before it.
 
-    def images(self, *, size: int = 448) -> tuple["Image", "Image"]:
-        """The layout so far with its objects marked, and the object to place [pixels along a side].
+        Raises:
+            InputError: pictures of an observation that was read from a file; `observe` the scene again.
+        """
+        sight = sight or Sight()
+        first, changing = self._words(sight)
+        parts: list[str | Image] = [f"{first}\n{changing}"]
+        if sight.pictures:
+            for caption, picture in self.pictures(sight):
+                parts += [caption, picture]
+        return (Message("system", (template("step"),)), Message("user", tuple(parts)))
+
+    def images(self, sight: Sight | None = None, *, size: int | None = None) -> tuple["Image", ...]:
+        """The pictures of the room with its marks, the first from above, and then of the object to place.
+
+        Args:
+            sight: what is shown.
+            size: width and height of each [pixels], before that of `sight`.
 
         Raises:
             InputError: the observation was read from a file, which holds no shapes; `observe` the scene again.
         """
+        sight = sight or Sight()
+        seen = self.pictures(sight if size is None else structs.replace(sight, size=size))
+        return tuple(picture for _, picture in seen)
+
+    def pictures(self, sight: Sight | None = None) -> list[tuple[str, "Image"]]:
+        """The same, each with what it shows in words."""
         from thinkblox.sim.render import render_asset, render_marked
 
+        sight = sight or Sight()
         shown: tuple[Scene, Asset] | None = self.__dict__.get("shown")
         if shown is None:
             raise InputError("this observation was not made by observe(), and knows no shapes to draw")
-        return render_marked(shown[0], size=size), render_asset(shown[1], size=size // 2)
+        found = [("The room from above:", render_marked(shown[0], size=sight.size))] if sight.views else []
+        if sight.target:
+            found.append((f"{self.target.id}, the object to place:", render_asset(shown[1], size=sight.size // 2)))
+        return found
 
     def _number(self) -> int:
         return 1 + next((n for n, t in enumerate(self.plan.targets) if t.id == self.target.id), 0)
 
-    def _room(self) -> dict[str, object]:
-        room = self.layout.room
-        openings = [
-            {
-                "id": o.id,
-                "kind": o.kind,
-                "wall": room.walls[o.wall].name,
-                "offset": o.offset,
-                "width": o.width,
-                "sill": o.sill,
-                "height": o.height,
-            }
-            for o in room.openings
-        ]
-        return {
-            "floor": room.floor,
-            "height": room.height,
-            "walls": [wall.name for wall in room.walls],
-            "openings": openings,
-        }
+    def _words(self, sight: Sight) -> tuple[str, str]:
+        """What stays, and what changes from step to step."""
+        layout = layout_text(self.layout, self.target, sight.layout).whole
+        changing = [f"Step: {self._number()} of {len(self.plan.targets)}", f"Place: {compact(self._target())}"]
+        if self.asset.mount == "surface":
+            changing.insert(0, f"Free: {compact(free_words(self.layout, self.target))}")
+        if self.feedback:
+            changing.append(filled("revision", feedback="\n".join(f"- {line}" for line in self.feedback)))
+        return self._beginning() + (f"\n{layout}" if layout else ""), "\n".join(changing)
 
-    def _planned(self, target: Target) -> dict[str, object]:
-        planned: dict[str, object] = {"id": target.id}
-        if target.id in self.layout:
-            planned["done"] = True
-        elif target.category in self.kinds:
-            planned["size"] = self.kinds[target.category].size
-        if target.ties:
-            planned["wanted"] = [describe_tie(tie) for tie in target.ties]
-        return planned
+    def _beginning(self) -> str:
+        plan = [self._planned(target) for target in self.plan.targets]
+        free = [f"Keep free: {', '.join(self.plan.free)}"] if self.plan.free else []
+        said = [f"Prompt: {one_line(self.prompt)}", f"Room: {room_words(self.layout.room)}", *free]
+        return "\n".join([*said, "Plan:", *plan, "Layout:"])
 
-    def _object(self, placement: Placement) -> dict[str, object]:
-        p = placement
-        seen: dict[str, object] = {"id": p.id, "position": p.position, "yaw": p.yaw, "size": p.size, "on": p.support}
-        card = self.layout.asset_of(p)
-        if card.opens:
-            seen["opens"] = card.opens
-        surfaces = [
-            {
-                "name": surface.name,
-                "z": round(p.position[2] + surface.position[2], 4),
-                "size": surface.size,
-                "free": [[*spot.position[:2], spot.clear] for spot in free_spots(self.layout, p, surface, count=SPOTS)],
-            }
-            for surface in card.surfaces
-        ]
-        return {**seen, "surfaces": surfaces} if surfaces else seen
+    def _planned(self, target: Target) -> str:
+        kind = self.kinds.get(target.category)
+        return planned_line(target, kind and kind.size, kind and kind.mount)
 
     def _target(self) -> dict[str, object]:
         asset = self.asset
-        return {
+        said: dict[str, object] = {
             "id": self.target.id,
+            "category": asset.category,
             "description": asset.description,
             "mount": asset.mount,
-            "mass": round(asset.mass, 2),
+            "mass": shortened(asset.mass, 2),
             "front": asset.front,
-            "size": asset.size,
-            "sizes": self.sizes,
-            "opens": asset.opens,
-            "surface_heights": [surface.position[2] for surface in asset.surfaces],
-            "wanted": [describe_tie(tie) for tie in self.target.ties],
-            **({"unwanted": [describe_tie(tie) for tie in self.target.denied]} if self.target.denied else {}),
-            **({"keep_free": self.plan.free} if self.plan.free else {}),
+            "size": [shortened(extent) for extent in asset.size],
         }
+        if self.sizes is not None:
+            said["sizes"] = [[shortened(extent) for extent in size] for size in self.sizes]
+        if asset.opens:
+            said["opens"] = asset.opens
+        if asset.surfaces:
+            said["surface_heights"] = [shortened(surface.position[2]) for surface in asset.surfaces]
+        said["wanted"] = [describe_tie(tie) for tie in self.target.ties]
+        if self.target.denied:
+            said["unwanted"] = [describe_tie(tie) for tie in self.target.denied]
+        return said
 
 
 def kinds_of(plan: Plan, source: AssetSource) -> dict[str, Kind]:
@@ -247,12 +241,3 @@ def observe(
     )
     observation.__dict__["shown"] = (scene, asset)
     return observation
-
-
-def describe_tie(tie: Tie | Relation) -> str:
-    """A relation as a term, "next_to(bed_1)": no phrase of the step language, for it says what is wanted, not where."""
-    return f"{tie.kind}({', '.join(tie.anchors)})" if tie.anchors else tie.kind
-
-
-def _json(value: object) -> str:
-    return msgspec.json.encode(value).decode()

@@ -15,7 +15,7 @@ The answer is an action: "add" where it does not say, or "move", "turn", "replac
 """
 
 from collections.abc import Sequence
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 import msgspec
 from msgspec import Meta
@@ -52,6 +52,7 @@ Coordinate = Annotated[float, Meta(ge=-1000.0, le=1000.0)]
 Degrees = Annotated[float, Meta(ge=-3600.0, le=3600.0)]
 Extent = Annotated[float, Meta(gt=0.0, le=100.0)]
 Word = Annotated[str, Meta(min_length=1, max_length=60)]
+A = TypeVar("A", bound=Value)
 
 
 class Answer(Value, frozen=True, kw_only=True, omit_defaults=True):
@@ -107,8 +108,14 @@ class Rejection(Value, frozen=True, kw_only=True):
 
 def parse(text: str) -> Step | Rejection:
     """Read a policy's text; never raises, whatever the text."""
-    if len(text) > MAX_TEXT:
-        return Rejection(reason="format", message=f"the text has {len(text)} characters; at most {MAX_TEXT} are read")
+    parts = tagged(text)
+    return parts if isinstance(parts, Rejection) else _read_answer(*parts)
+
+
+def tagged(text: str, *, most: int = MAX_TEXT) -> tuple[str, str] | Rejection:
+    """What stands in <think> and in <answer> of a text of at most so many characters."""
+    if len(text) > most:
+        return Rejection(reason="format", message=f"the text has {len(text)} characters; at most {most} are read")
     if not text.isascii() and text.encode("utf-8", "ignore").decode() != text:
         return Rejection(reason="format", message="the text is not valid: it holds halves of characters (surrogates)")
     parts = _parts(text)
@@ -118,7 +125,7 @@ def parse(text: str) -> Step | Rejection:
             reason="format",
             message=f"expected <think>...</think><answer>...</answer>, each once and nothing else; found {found}",
         )
-    return _read_answer(*parts)
+    return parts
 
 
 def _parts(text: str) -> tuple[str, str] | None:
@@ -132,9 +139,10 @@ def _parts(text: str) -> tuple[str, str] | None:
     return (think.strip(), answer) if end and not (before + between + after).strip() else None
 
 
-def _read_answer(think: str, answer: str) -> Step | Rejection:
+def decoded(answer: str, kind: type[A]) -> A | Rejection:
+    """What stands in <answer>, read as one JSON object of some kind; never raises."""
     try:
-        read = msgspec.json.decode(answer, type=Answer)
+        read = msgspec.json.decode(answer, type=kind)
         refuse_double_keys(answer.encode(), "the answer")
     except msgspec.ValidationError as error:
         return Rejection(reason="fields", message=f"the answer's object is wrong: {error}")
@@ -142,6 +150,13 @@ def _read_answer(think: str, answer: str) -> Step | Rejection:
         return Rejection(reason="json", message=str(error))
     except (msgspec.DecodeError, RecursionError) as error:
         return Rejection(reason="json", message=f"the answer is not one JSON object: {error}")
+    return read
+
+
+def _read_answer(think: str, answer: str) -> Step | Rejection:
+    read = decoded(answer, Answer)
+    if isinstance(read, Rejection):
+        return read
     said = {name for name in ALLOWED["replace"] + ("other",) if getattr(read, name) not in (None, ())}
     missing = [name for name in NEEDED[read.action] if name not in said]
     extra = sorted(said.difference(ALLOWED[read.action]))

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from thinkblox.observe import Observation, describe_tie
+from thinkblox.observe import Observation
 from thinkblox.phrases import phrase
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.imagine import ELSEWHERE, from_room, from_ties
@@ -12,6 +12,7 @@ from thinkblox.policies.expert.judge import HOPELESS, placement_of, ranked
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.saying import pose_words
 from thinkblox.steps import write_step
+from thinkblox.wording import describe_tie
 
 DISTINCT = 0.08
 """Two proposals nearer than this, with the same yaw, are one [m]; a third of the object's size for small things."""
