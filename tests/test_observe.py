@@ -84,7 +84,7 @@ def test_the_text_grows_only_at_its_end_from_step_to_step(study, layout):
         assert lasting.startswith(before)
         before = lasting
     last = observations[-1].layout.placements[-1].id
-    assert (f'{{"id":"{last}"' in before) == (layout > 1000)
+    assert (f'{{"id":"{last}","position"' in before) == (layout > 1000)
 
 
 def test_a_layout_beyond_its_budget_lists_what_matters_and_counts_the_rest():

@@ -13,7 +13,7 @@ from thinkblox.steps import Rejection, parse
 
 def shown(name: TemplateName) -> str:
     """The answer that a template shows."""
-    return re.findall(r"<think>\n.*?</answer>", template(name), re.DOTALL)[-1]
+    return str(re.findall(r"<think>\n.*?</answer>", template(name), re.DOTALL)[-1])
 
 
 def test_the_answers_that_the_templates_show_are_read():

@@ -63,8 +63,11 @@ def _asked(name: TemplateName, **values: str) -> Chat:
 
 
 def _planned(plan: Plan, kinds: Mapping[str, Kind]) -> str:
-    known = [(target, kinds.get(target.category)) for target in plan.targets]
-    return "\n".join(planned_line(target, kind and kind.size, kind and kind.mount) for target, kind in known)
+    lines = []
+    for target in plan.targets:
+        kind = kinds.get(target.category)
+        lines.append(planned_line(target, kind.size if kind else None, kind.mount if kind else None))
+    return "\n".join(lines)
 
 
 @cache

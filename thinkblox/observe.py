@@ -186,7 +186,7 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
 
     def _planned(self, target: Target) -> str:
         kind = self.kinds.get(target.category)
-        return planned_line(target, kind and kind.size, kind and kind.mount)
+        return planned_line(target, kind.size if kind else None, kind.mount if kind else None)
 
     def _target(self) -> dict[str, object]:
         asset = self.asset
