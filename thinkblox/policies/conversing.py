@@ -37,7 +37,7 @@ def agreed(
     """
     why = ""
     for _ in range(TIMES):
-        said = next(iter(model.answer(chat, 1, rng)), "")
+        said = _answer(model, chat, rng)
         try:
             return use(_read(said, kind))
         except InputError as error:
@@ -45,6 +45,18 @@ def agreed(
         chat = (*chat, Message("assistant", (said[:MAX_ANSWER],)), Message("user", (_again(why),)))
     why = why if len(why) <= _SHOWN else f"{why[:_SHOWN]}..."
     raise InputError(f"the model was asked {TIMES} times for {what} and gave none that can be used: {why}")
+
+
+def _answer(model: ChatModel, chat: Chat, rng: np.random.Generator) -> str:
+    try:
+        said: object = next(iter(model.answer(chat, 1, rng)), "")
+    except InputError:
+        raise
+    except Exception as error:  # a model is anybody's code
+        raise InputError(
+            f"the model failed: {' '.join(f'{type(error).__name__}: {error}'.split())[:_SHOWN]}"
+        ) from error
+    return said if isinstance(said, str) else ""
 
 
 def _read(said: str, kind: type[A]) -> A:

@@ -38,7 +38,9 @@ class ModelBriefer:
             InputError: the prompt is blank or too long, the model cannot be asked, or gives no list that can be used.
         """
         if not prompt.strip():
-            raise InputError("the prompt is empty; describe a room, such as 'A bedroom, 4 m by 5 m, with a double bed.'")
+            raise InputError(
+                "the prompt is empty; describe a room, such as 'A bedroom, 4 m by 5 m, with a double bed.'"
+            )
         if len(prompt) > MAX_PROMPT:
             raise InputError(f"the prompt is {len(prompt)} characters long; at most {MAX_PROMPT} are read")
         rng = np.random.default_rng((self._seed, 1))
@@ -82,7 +84,7 @@ class ModelPlanner:
 
 
 def category_named(noun: str) -> str:
-    """What a noun phrase names: a category or general word of the catalogue's, else the category of a plain stand-in."""
+    """What a noun phrase names: a category or general word of the catalogue's, else a plain stand-in's category."""
     words = noun_of(noun).split()
     name = identifier_of(" ".join(words))
     if name in CATALOGUE:
