@@ -113,8 +113,9 @@ def test_a_server_that_fails_now_and_then_costs_a_round(tmp_path, capsys):
         options = ("--policy", server.spec, "--reader", "expert", "--planner", "expert", "--fill", "named")
         assert generate(tmp_path / "room", *options) in (0, 1), capsys.readouterr().err
     first = read_episode(tmp_path / "room").rounds[0]
-    assert [t.rejection.reason for t in first.tries if t.rejection] == ["policy"]
-    assert "no choice" in first.tries[0].rejection.message
+    (rejection,) = [t.rejection for t in first.tries if t.rejection]
+    assert rejection.reason == "policy"
+    assert "no choice" in rejection.message
 
 
 BAD = {
@@ -324,9 +325,9 @@ def test_a_trace_of_another_room_is_refused(room, tmp_path):
         generate_room(PROMPT, seed=3, policy=f"replay:{file}")
     with pytest.raises(InputError, match="was made with seed 3, not 0; give that one"):
         generate_room(room.scene.prompt, policy=f"replay:{file}")
+    prompt = room.scene.prompt
+    other = ModelBriefer(Model(said({"objects": [{"id": "a", "category": "rug"}]})))
     with pytest.raises(BrokenOffError, match="has no rug_1; it has bed_1"):
-        prompt = room.scene.prompt
-        other = ModelBriefer(Model(said({"objects": [{"id": "a", "category": "rug"}]})))
         generate_room(prompt, seed=3, policy=f"replay:{file}", briefer=other, planner="expert", effort=ONCE)
 
 
@@ -367,7 +368,7 @@ def test_one_shot_is_for_models():
     with pytest.raises(InputError, match="one-shot is for models"):
         generate_room(PROMPT, mode="one-shot")
     with pytest.raises(InputError, match="one of progressive, one-shot"):
-        generate_room(PROMPT, mode="at once")
+        generate_room(PROMPT, mode="at once")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="lived-in"):
         generate_room(PROMPT, mode="one-shot", policy="openai:http://localhost:1/v1#m", fill="lived-in")
 

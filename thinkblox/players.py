@@ -141,13 +141,14 @@ _Who = Callable[[str], ChatModel | Replay | None]
 
 
 def _policy(policy: Policy | str | None, who: _Who, mode: Mode, sight: Sight | None) -> Policy:
-    found = who(EXPERT if policy is None else policy) if isinstance(policy, str | None) else policy
-    if mode == "one-shot" and not (isinstance(policy, str) and found is not None and not isinstance(found, Replay)):
+    found = who(policy) if isinstance(policy, str) else None
+    is_model = found is not None and not isinstance(found, Replay)
+    if mode == "one-shot" and not is_model:
         raise InputError("the mode one-shot is for models; give one as the policy, by its specification")
     if found is None:
-        return ExpertPolicy()
-    if not isinstance(policy, str) or isinstance(found, Replay):
-        return found  # type: ignore[return-value] (a policy that was handed in is checked where it is used)
+        return ExpertPolicy() if policy is None or isinstance(policy, str) else policy
+    if isinstance(found, Replay):
+        return found
     return OneShotPolicy(found) if mode == "one-shot" else ModelPolicy(found, sight=sight)
 
 
