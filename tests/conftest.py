@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 from hypothesis import HealthCheck, settings
 
@@ -25,3 +27,14 @@ def unit_box() -> Asset:
 @pytest.fixture
 def box_asset() -> Asset:
     return unit_box()
+
+
+@pytest.fixture(scope="session")
+def tiny_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a random vision-language model; do not write into it."""
+    torch = pytest.importorskip("torch")
+    # Threads that wait for each other make so small a model slow wherever the processor is shared.
+    torch.set_num_threads(1)
+    from thinkblox.policies.tiny import build_tiny
+
+    return build_tiny(tmp_path_factory.mktemp("tiny") / "model")

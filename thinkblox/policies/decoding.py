@@ -158,7 +158,7 @@ class Decoder:
         shares = torch.softmax(logits.double() / sampling.temperature, -1)
         order = None
         if sampling.top_p < 1.0:
-            shares, order = shares.sort(-1, descending=True, stable=True)
+            shares, order = torch.sort(shares, dim=-1, descending=True, stable=True)
             shares = shares.masked_fill(shares.cumsum(-1) - shares >= sampling.top_p, 0.0)
         sums = shares.cumsum(-1)
         drawn = torch.tensor([[row.random()] for row in rows], dtype=sums.dtype, device=sums.device) * sums[:, -1:]
@@ -172,7 +172,7 @@ class Decoder:
         if token in self._ends:
             return False
         row.tokens.append(token)
-        if row.matcher is not None and not row.matcher.consume_token(token):
+        if row.matcher is not None and (not row.matcher.consume_token(token) or row.matcher.is_stopped()):
             return False
         return END not in self._tokenizer.decode(row.tokens[-_TAIL:])
 

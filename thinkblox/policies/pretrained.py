@@ -1,5 +1,6 @@
 """Vision-language models of transformers and their processors, read from a folder or a repository."""
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -128,7 +129,9 @@ def _adapted(model: Any, adapter: str, name: str) -> Any:
     if said.base_model_name_or_path:
         other += f" (it was trained on {said.base_model_name_or_path})"
     try:
-        adapted = PeftModel.from_pretrained(model, adapter)
+        with warnings.catch_warnings():  # of missing keys, which are looked at below
+            warnings.simplefilter("ignore", UserWarning)
+            adapted = PeftModel.from_pretrained(model, adapter)
     except Exception as error:  # as above
         raise InputError(f"{other}: {_first_line(error)}") from error
     differing = sorted(set(get_peft_model_state_dict(adapted)).symmetric_difference(weights))
