@@ -18,20 +18,22 @@ from thinkblox.headline import UNKNOWN
 from thinkblox.judging import asset_for
 from thinkblox.modes import Mode
 from thinkblox.observe import kinds_of
+from thinkblox.orders import ORDERS, Order
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import is_open, larger, with_surfaces
+from thinkblox.planning import is_open, larger, reordered, with_surfaces
 from thinkblox.players import Players, players
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.prompts import prompts_version
 from thinkblox.replaying import Replay
 from thinkblox.reporting import report_on
-from thinkblox.scene.asset import Asset
+from thinkblox.scene.asset import Asset, Mount
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
+from thinkblox.value import Vec3
 from thinkblox.verdict import Absence, Report
 
 M = TypeVar("M")
@@ -112,6 +114,7 @@ def generate_room(
     tolerances: Tolerances | None = None,
     requirements: Sequence[Requirement] = (),
     fill: Fill = "essentials",
+    order: Order = "plan",
     on_plan: Callable[[Plan], None] | None = None,
     on_object: Callable[[Progress], None] | None = None,
 ) -> Generation:
@@ -133,6 +136,8 @@ def generate_room(
         fill: what stands in the room besides what the prompt names: nothing but what has to carry that ("named"), what
             makes such a room and its mood ("essentials"), or, besides, all that lies about where people live
             ("lived-in"). What is read by a `briefer` of yours is for it to fill; "lived-in" dresses its rooms too.
+        order: in which order objects are placed: as planned, large ones first ("size"), or by chance ("random"); none
+            comes before what it depends on.
         on_plan: called with what is to be placed, before anything is.
         on_object: called after each object.
 
@@ -142,11 +147,14 @@ def generate_room(
         BrokenOffError: a room was begun, and a model or a trace could not go on; it has what was tried until then.
     """
     _check_arguments(prompt, seed, room)
+    if order not in ORDERS:
+        raise InputError(f"order is {order!r}; it must be one of {', '.join(ORDERS)}")
     cast = players(policy, briefer=briefer, planner=planner, mode=mode, fill=fill, seed=seed, source=source)
     _check_roles(policy=cast.policy, briefer=cast.briefer, planner=cast.planner, source=source)
     _check_play(cast, prompt, seed, mode, fill)
     planner = cast.planner
     brief = _made("briefer", cast.briefer.brief(prompt), Brief)
+    source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
     effort = _effort_for(cast, effort or Effort())
@@ -154,13 +162,14 @@ def generate_room(
 
     def furnished(floor: Room, effort: Effort, first: int) -> Generation:
         plan = _made("planner", planner.plan(brief, floor), Plan)
+        plan = reordered(plan, order, lambda target: _usual(target, source), seed)
         if on_plan is not None and not first:
             on_plan(plan)
         return furnish(
             plan,
             Scene(prompt=prompt, seed=seed, room=with_surfaces(floor, brief, seed)),
             policy=cast.policy,
-            source=source or ProceduralAssets(),
+            source=source,
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
@@ -210,6 +219,14 @@ def _furnish_growing(
 
 def _best(made: Sequence[Generation]) -> Generation:
     return min(made, key=lambda each: _faults(each.report))
+
+
+def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
+    """Size [m] and mount of what a target is; None where the source cannot make it."""
+    try:
+        return source.usual(target.category)
+    except InputError:
+        return None
 
 
 def _lacks_floor(made: Generation) -> bool:

@@ -153,16 +153,22 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
         return tuple(picture for _, picture in seen)
 
     def pictures(self, sight: Sight | None = None) -> list[tuple[str, "Image"]]:
-        """The same, each with what it shows in words."""
-        from thinkblox.sim.render import render_asset, render_marked
+        """The same, each with what it shows in words; where numbers stand for ids, the first says which."""
+        from thinkblox.sim.render.views import Marking, render_target, room_views
 
         sight = sight or Sight()
         shown: tuple[Scene, Asset] | None = self.__dict__.get("shown")
         if shown is None:
             raise InputError("this observation was not made by observe(), and knows no shapes to draw")
-        found = [("The room from above:", render_marked(shown[0], size=sight.size))] if sight.views else []
+        marking = Marking(grid=sight.grid, ids=sight.ids, fronts=sight.fronts)
+        views = room_views(shown[0], size=sight.size, count=sight.views, marking=marking)
+        found = [(f"The room {view.name}:", view.picture) for view in views]
+        if views and views[0].legend:
+            found[0] = (f"Numbers in the pictures: {'; '.join(views[0].legend)}\n{found[0][0]}", found[0][1])
         if sight.target:
-            found.append((f"{self.target.id}, the object to place:", render_asset(shown[1], size=sight.size // 2)))
+            picture = render_target(shown[1], size=max(sight.size // 2, 32), front=sight.fronts)
+            front = ", the arrow at its front" if sight.fronts and shown[1].front == "one" else ""
+            found.append((f"{self.target.id}, the object to place{front}:", picture))
         return found
 
     def _number(self) -> int:

@@ -1,11 +1,13 @@
 """In which order the objects of a brief are placed, and what each depends on."""
 
+from collections.abc import Sequence
 from typing import Annotated
 
 from msgspec import Meta
 
 from thinkblox.brief import Brief, Measures, Name, Ordinal, RelationKind
 from thinkblox.checked import CheckedValue, ObjectId
+from thinkblox.errors import InputError
 
 OfSome = Annotated[int, Meta(ge=1, le=1_000_000)]
 
@@ -95,3 +97,24 @@ class Plan(CheckedValue, frozen=True, kw_only=True):
             if target.id == id:
                 return target
         raise KeyError(f"no target {id!r}")
+
+
+def in_order(targets: Sequence[Target]) -> list[Target]:
+    """The targets in their order, but none before what it depends on, or must keep away from.
+
+    Raises:
+        InputError: some wait for each other.
+    """
+    there = {target.id for target in targets}
+    needs = {t.id: there.intersection(t.depends_on) - {t.id} for t in targets}
+    kept_from = {t.id: there.intersection(anchor for tie in t.denied for anchor in tie.anchors) for t in targets}
+    waiting, placed, done = list(targets), list[Target](), set[str]()
+    while waiting:
+        free = [t for t in waiting if needs[t.id] <= done]
+        ready = next((t for t in free if kept_from[t.id] - {t.id} <= done), free[0] if free else None)
+        if ready is None:
+            raise InputError(f"the plan has {', '.join(t.id for t in waiting[:5])} wait for each other")
+        waiting.remove(ready)
+        placed.append(ready)
+        done.add(ready.id)
+    return placed

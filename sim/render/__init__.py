@@ -6,12 +6,15 @@ from thinkblox.sim.render.marked import render_marked
 from thinkblox.sim.render.plan_view import plan_of, render_top
 from thinkblox.sim.render.portrait import contact_sheet, render_asset
 from thinkblox.sim.render.preview import best_view, render_preview
+from thinkblox.sim.render.views import Marking, RoomView, render_target, room_views
 
 __all__ = [
     "NOTHING",
     "ROOM",
     "Camera",
     "Frame",
+    "Marking",
+    "RoomView",
     "best_view",
     "cast",
     "contact_sheet",
@@ -21,5 +24,7 @@ __all__ = [
     "render_asset",
     "render_marked",
     "render_preview",
+    "render_target",
     "render_top",
+    "room_views",
 ]

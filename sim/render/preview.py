@@ -87,15 +87,16 @@ def best_view(scene: Scene, poses: Mapping[str, Pose] | None = None) -> View:
     add_floor(soup, scene.room, scene.surfaces)
     add_objects(soup, scene, poses)
     tracer = Tracer(soup.triangles())
-    views = [_view(scene.room, azimuth) for azimuth in (225.0, 315.0, 135.0, 45.0)]
+    views = [corner_view(scene.room, azimuth) for azimuth in (225.0, 315.0, 135.0, 45.0)]
     return max(views, key=lambda view: _score(scene, tracer, view))
 
 
-def _view(room: Room, azimuth: float) -> View:
+def corner_view(room: Room, azimuth: float, *, elevation: float = ELEVATION, margin: float = MARGIN) -> View:
+    """From above one corner: all of the room with the walls cut away that hide it, whatever stands in it."""
     towards = np.array([np.cos(np.radians(azimuth)), np.sin(np.radians(azimuth))])
     standing = tuple(bool(np.dot(wall.inward, towards) > 0.05) for wall in room.walls)
     for _ in range(2):
-        camera = framed(_outline(room, standing), azimuth=azimuth, elevation=ELEVATION, margin=MARGIN)
+        camera = framed(_outline(room, standing), azimuth=azimuth, elevation=elevation, margin=margin)
         standing = tuple(
             inside and not _hides_floor(room, i, camera) for i, inside in enumerate(inside_walls(room, camera))
         )

@@ -11,6 +11,7 @@ from thinkblox.cli.terminal import say, write_json
 from thinkblox.errors import InputError
 from thinkblox.fills import FILLS
 from thinkblox.modes import MODES
+from thinkblox.orders import ORDERS
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
@@ -40,6 +41,12 @@ def add_command(commands: "Commands") -> None:
         help="what is added: only what carries things, what makes such a room (essentials), or a lived-in room",
     )
     add_roles(parser)
+    parser.add_argument(
+        "--order",
+        choices=ORDERS,
+        default="plan",
+        help="what is placed first: as planned, large things, or by chance; never before what it depends on (plan)",
+    )
     budget = "for placing objects (900); the measurement under way is finished, and the whole room measured, after it"
     parser.add_argument("--budget", metavar="S", type=seconds, default=900.0, help=budget)
     parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
@@ -86,6 +93,7 @@ def _generate(arguments: argparse.Namespace) -> int:
                 mode=arguments.mode,
                 effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
                 fill=arguments.fill,
+                order=arguments.order,
                 on_plan=progress.begin,
                 on_object=progress.tell,
             )

@@ -4,7 +4,7 @@ Each answer stands as one JSON object in <answer>, after the reasoning in <think
 gives the answer or a Rejection.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Annotated, Literal, TypeVar
 
 from msgspec import Meta, structs
@@ -23,7 +23,7 @@ from thinkblox.brief import (
 )
 from thinkblox.checked import AboveZero, CheckedValue, ObjectId
 from thinkblox.errors import InputError
-from thinkblox.plan import Plan, Target, Tie
+from thinkblox.plan import Plan, Target, Tie, in_order
 from thinkblox.steps import Answer, Rejection, decoded, tagged
 from thinkblox.value import Value
 
@@ -176,24 +176,6 @@ class PlannedOrder(CheckedValue, frozen=True, kw_only=True):
             raise InputError(f"the plan leaves out {', '.join(absent[:5])}")
         tied = [_tied(targets[planned.id], planned, targets) for planned in self.order]
         return structs.replace(known, targets=tuple(in_order(tied)))
-
-
-def in_order(targets: Sequence[Target]) -> list[Target]:
-    """The targets in their order, but none before what it depends on.
-
-    Raises:
-        InputError: some wait for each other.
-    """
-    there = {target.id for target in targets}
-    waiting, placed, done = list(targets), [], set[str]()
-    while waiting:
-        ready = next((t for t in waiting if done.issuperset(there.intersection(t.depends_on))), None)
-        if ready is None:
-            raise InputError(f"the plan has {', '.join(t.id for t in waiting[:5])} wait for each other")
-        waiting.remove(ready)
-        placed.append(ready)
-        done.add(ready.id)
-    return placed
 
 
 class Edit(Value, frozen=True, kw_only=True):
