@@ -11,6 +11,7 @@ from thinkblox.cli import main
 from thinkblox.episode import read_episode
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.generate import BrokenOffError, generate_room
+from thinkblox.observe import Sight
 from thinkblox.placing import Effort
 from thinkblox.players import players
 from thinkblox.policies.model import ModelPolicy
@@ -385,3 +386,18 @@ def test_several_candidates_are_measured(tmp_path):
         cast = players(server.spec, briefer="expert", planner="expert")
         result = generate_room(prompt, policy=cast.policy, effort=Effort(candidates=4, restarts=0))
     assert len(result.trace[0].tries) == 4
+
+
+def test_a_model_on_this_machine_is_named_by_its_folder(tiny_folder):
+    cast = players(f"hf:{tiny_folder}", briefer="expert", planner="expert", sight=Sight(size=112))
+    result = generate_room("An empty room with nothing in it but a chair.", policy=cast.policy, effort=ONCE)
+    assert result.trace[0].tries[0].rejection
+    assert [p.id for p in result.scene.placements] == ["chair_1"]
+
+
+@pytest.mark.parametrize("mode", ["progressive", "one-shot"])
+def test_one_model_plays_all_the_roles_that_name_it(mode):
+    with stub(played) as server:
+        cast = players(server.spec, mode=mode)
+        models = {id(vars(player)["_model"]) for player in (cast.policy, cast.briefer, cast.planner)}
+    assert len(models) == 1
