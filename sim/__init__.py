@@ -6,8 +6,9 @@
 - **Build**: `build_spec` makes the MjSpec that is measured and exported.
 - **Anyone's model**: a `Subject` comes from `subject_of` a scene or `open_model` of a file; `model_report` and
   `run_suite`, by one of `SUITES`, measure it.
-- **Draw**: `render_preview` a room, `render_top` its plan, `render_marked` the plan with marks for a policy,
-  `render_asset` and `contact_sheet` things; `cast` from a `Camera` gives a `Frame` of ids and depths.
+- **Draw**: `render_preview` a room, `render_top` its plan, `render_marked` the plan with ids, `room_views` with all
+  marks for a policy; `render_asset`, `render_target` and `contact_sheet` draw things; `cast` from a `Camera` gives a
+  `Frame` of ids and depths.
 """
 
 from typing import TYPE_CHECKING
@@ -26,7 +27,9 @@ if TYPE_CHECKING:
         render_asset,
         render_marked,
         render_preview,
+        render_target,
         render_top,
+        room_views,
     )
     from thinkblox.sim.settings import Physics, Tolerances, Walking
     from thinkblox.sim.subject import Subject, subject_of
@@ -57,13 +60,26 @@ __all__ = [
     "render_asset",
     "render_marked",
     "render_preview",
+    "render_target",
     "render_top",
+    "room_views",
     "run_suite",
     "settle",
     "subject_of",
     "verify",
 ]
-_RENDER = ("Camera", "Frame", "cast", "contact_sheet", "render_asset", "render_marked", "render_preview", "render_top")
+_RENDER = (
+    "Camera",
+    "Frame",
+    "cast",
+    "contact_sheet",
+    "render_asset",
+    "render_marked",
+    "render_preview",
+    "render_target",
+    "render_top",
+    "room_views",
+)
 __getattr__, __dir__ = lazily(
     __name__,
     {

@@ -162,7 +162,10 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
             raise InputError("this observation was not made by observe(), and knows no shapes to draw")
         marking = Marking(grid=sight.grid, ids=sight.ids, fronts=sight.fronts)
         views = room_views(shown[0], size=sight.size, count=sight.views, marking=marking)
-        found = [(f"The room {view.name}:", view.picture) for view in views]
+        found = []
+        for view in views:
+            less = f" ({len(view.unmarked)} small things have no mark here)" if view.unmarked else ""
+            found.append((f"The room {view.name}{less}:", view.picture))
         if views and views[0].legend:
             found[0] = (f"Numbers in the pictures: {'; '.join(views[0].legend)}\n{found[0][0]}", found[0][1])
         if sight.target:

@@ -17,7 +17,7 @@ from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
 from thinkblox.sim.render.plan_marks import Marks, mark_openings
-from thinkblox.sim.render.sights import Scenery, Sight, Sighted, from_above, scenery_of, three_quarter
+from thinkblox.sim.render.sights import Framing, Scenery, Sighted, from_above, scenery_of, three_quarter
 from thinkblox.sim.render.tessellate import Ints
 from thinkblox.sim.settings import Walking
 from thinkblox.sim.subject import Subject
@@ -57,7 +57,7 @@ def fault_pictures(
 
 
 def _pictured(
-    scenery: Scenery, sight: Sight, faults: Sequence[Fault], numbers: Mapping[str, int], size: int
+    scenery: Scenery, sight: Framing, faults: Sequence[Fault], numbers: Mapping[str, int], size: int
 ) -> FaultPicture:
     owners = sight.numbers(size)
     shown = {body.id for body in scenery.in_sight}
@@ -74,7 +74,7 @@ def _pictured(
     )
 
 
-def _image(scenery: Scenery, sight: Sight, size: int) -> "Image":
+def _image(scenery: Scenery, sight: Framing, size: int) -> "Image":
     """The picture in pale colours, with doors and windows where it is a plan."""
     from PIL import Image
 
@@ -91,14 +91,14 @@ def _image(scenery: Scenery, sight: Sight, size: int) -> "Image":
     return marks.over(image)
 
 
-def _outline(body: Sighted, number: int, sight: Sight, owners: Ints, size: int) -> Silhouette:
+def _outline(body: Sighted, number: int, sight: Framing, owners: Ints, size: int) -> Silhouette:
     hull = _hull(sight, body.points, size)
     seen = _region(owners == number)
     hidden = shapely.area(seen) < shapely.area(hull) / 3
     return Silhouette(body.id, _rings(seen), _rings(hull)[0] if _rings(hull) else (), bool(hidden))
 
 
-def _hull(sight: Sight, points: Array, size: int) -> BaseGeometry:
+def _hull(sight: Framing, points: Array, size: int) -> BaseGeometry:
     return MultiPoint(sight.camera.project(points, size)).convex_hull
 
 
@@ -123,7 +123,7 @@ def _ring(line: BaseGeometry) -> Ring:
     return tuple((round(float(x), 1), round(float(y), 1)) for x, y in shapely.get_coordinates(line))
 
 
-def _mark(fault: Fault, sight: Sight, size: int) -> Mark | None:
+def _mark(fault: Fault, sight: Framing, size: int) -> Mark | None:
     """A fault as this camera sees it; None when it sees nothing of it."""
     area = shapely.union_all([_hull(sight, solid, size) for solid in fault.solids])
     dashes = tuple(_pixels(sight, line, size) for line in fault.dashes)
@@ -142,7 +142,7 @@ def _mark(fault: Fault, sight: Sight, size: int) -> Mark | None:
     return Mark(fault.kind, fault.id, rings, circles, arrow, tuple((a, b) for a, b in dashes), fault.text, at)
 
 
-def _pixels(sight: Sight, points: Array, size: int) -> tuple[Point, ...]:
+def _pixels(sight: Framing, points: Array, size: int) -> tuple[Point, ...]:
     return tuple(_point(pixel) for pixel in sight.camera.project(points, size))
 
 

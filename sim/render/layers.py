@@ -30,8 +30,6 @@ MARGIN = 0.085
 _ELEVATION = 48.0
 _SUN = np.array([-0.42, 0.46, 1.0], np.float32) / np.float32(np.linalg.norm([-0.42, 0.46, 1.0]))
 _SUN_COLOUR = np.array([1.10, 1.03, 0.93], np.float32) * np.float32(0.5)
-_FLOOR = 0.02
-"""What is seen below this is the floor [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,11 +141,13 @@ def _box(layer: Layer) -> tuple[slice, slice]:
 @lru_cache(64)
 def _bare(room: Room, view: Viewpoint, size: int) -> Canvas:
     """The empty room."""
+    from PIL import Image, ImageDraw
+
     frame = cast(Scene(room=room), view.camera, size=size, standing=view.standing)
-    height, width = np.mgrid[0:size, 0:size].astype(np.float32) + np.float32(0.5)
-    origins, directions = view.camera.rays(width.ravel(), height.ravel(), size)
-    z = (origins[:, 2] + directions[:, 2] * np.minimum(frame.depth.ravel(), np.float32(1e6))).reshape(size, size)
-    return Canvas(frame.colour, frame.depth, frame.ids, (frame.ids == ROOM) & (np.abs(z) < _FLOOR))
+    sheet = Image.new("L", (size, size))
+    corners = view.camera.project(np.array([(x, y, 0.0) for x, y in room.floor]), size)
+    ImageDraw.Draw(sheet).polygon([(float(x), float(y)) for x, y in corners], fill=255)
+    return Canvas(frame.colour, frame.depth, frame.ids, (frame.ids == ROOM) & (np.asarray(sheet) > 0))
 
 
 class _Caster:

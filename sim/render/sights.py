@@ -141,7 +141,7 @@ def _room_bounds(room: Room) -> Bounds:
 
 
 @dataclass(frozen=True)
-class Sight:
+class Framing:
     """A camera and what it sees: triangles to be cast, and for each patch the number of its object."""
 
     camera: Camera
@@ -156,7 +156,7 @@ class Sight:
         return np.asarray(np.where(front < 0, ROOM, self.owners[front]).reshape(size, size), np.int32)
 
 
-def three_quarter(scenery: Scenery, wanted: Collection[str] = ()) -> Sight:
+def three_quarter(scenery: Scenery, wanted: Collection[str] = ()) -> Framing:
     """From above one corner, with the near walls cut away; what hung on them is left out unless it is `wanted`."""
     if scenery.scene is not None:
         return _of_scene(scenery, scenery.scene, wanted)
@@ -164,7 +164,7 @@ def three_quarter(scenery: Scenery, wanted: Collection[str] = ()) -> Sight:
     return max(sights, key=lambda sight: _seen(sight, len(scenery.bodies)))
 
 
-def from_above(scenery: Scenery) -> Sight:
+def from_above(scenery: Scenery) -> Framing:
     """Straight down, north up, the walls cut at breast height, what hangs overhead left out."""
     seen = [scenery.bounds.corners, *(body.points for body in scenery.in_sight)]
     points = np.concatenate(seen)
@@ -182,7 +182,7 @@ def from_above(scenery: Scenery) -> Sight:
     return _sight(camera, soup, ABOVE)
 
 
-def _of_scene(scenery: Scenery, scene: Scene, wanted: Collection[str]) -> Sight:
+def _of_scene(scenery: Scenery, scene: Scene, wanted: Collection[str]) -> Framing:
     view = best_view(scene)
     cut = {wall.name for wall, stands in zip(scene.room.walls, view.standing, strict=True) if not stands}
     mounted = {p.id for p in scene.placements if scene.asset_of(p).mount == "wall" and p.support in cut}
@@ -204,7 +204,7 @@ def _outline(room: Room, standing: Sequence[bool]) -> Array:
     return np.array(points)
 
 
-def _of_model(scenery: Scenery, azimuth: float) -> Sight:
+def _of_model(scenery: Scenery, azimuth: float) -> Framing:
     soup = Soup()
     _add_opened(soup, scenery, azimuth)
     points = np.concatenate([scenery.bounds.corners, *(body.points for body in scenery.in_sight)])
@@ -232,9 +232,9 @@ def _append(soup: Soup, mesh: Mesh, patch: Patch) -> None:
     soup.patches.append(patch)
 
 
-def _sight(camera: Camera, soup: Soup, sun: Floats) -> Sight:
+def _sight(camera: Camera, soup: Soup, sun: Floats) -> Framing:
     triangles = soup.triangles()
-    return Sight(camera, Tracer(triangles), np.array([p.owner for p in triangles.patches], np.int32), sun)
+    return Framing(camera, Tracer(triangles), np.array([p.owner for p in triangles.patches], np.int32), sun)
 
 
 def _beside(azimuth: float) -> Floats:
@@ -243,7 +243,7 @@ def _beside(azimuth: float) -> Floats:
     return np.array([np.cos(high) * np.cos(turn), np.cos(high) * np.sin(turn), np.sin(high)], np.float32)
 
 
-def _seen(sight: Sight, count: int) -> float:
+def _seen(sight: Framing, count: int) -> float:
     """How much is seen: every object counts."""
     numbers = sight.numbers(_THUMBNAIL)
     pixels = np.bincount(numbers[numbers >= 0], minlength=count)

@@ -14,7 +14,7 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import framed
-from thinkblox.sim.render.layers import Canvas, Viewpoint, canvas, cast_alone, outlined, viewpoint
+from thinkblox.sim.render.layers import NOTHING, Canvas, Viewpoint, canvas, cast_alone, outlined, viewpoint
 from thinkblox.sim.render.metres import metre_grid
 from thinkblox.sim.render.plan_marks import Marks, mark_openings
 from thinkblox.sim.render.spots import Box, Spots, font, text_extent
@@ -29,6 +29,8 @@ _CROWD = 0.1
 """Names cover at most this share of a picture; where they would cover more, there are numbers."""
 _FEW = 4
 """More small things of a kind than these on one thing share one number."""
+_COVERED = 0.25
+"""Names and numbers cover at most this share of the room that is seen; the smallest things have none then."""
 _SEEN = 4
 """Objects of fewer pixels are not marked [pixels]."""
 _POINTED = 4.0
@@ -56,12 +58,14 @@ class RoomView:
         name: "from above", or "from over the south-west corner".
         legend: what the numbers mean, "1 bed_1"; empty where names are written.
         boxes: where every mark is [pixels].
+        unmarked: ids of what is seen and has no name or number, for want of room.
     """
 
     name: str
     picture: "Image"
     legend: tuple[str, ...]
     boxes: tuple[Box, ...]
+    unmarked: tuple[str, ...] = ()
 
 
 def room_views(scene: Scene, *, size: int, count: int = 3, marking: Marking | None = None) -> list[RoomView]:
@@ -152,10 +156,11 @@ def _drawn(scene: Scene, name: str, view: Viewpoint, size: int, marking: Marking
     marked = _Seen(scene, seen, view, size)
     if marking.fronts:
         boxes += _draw_fronts(draw, marked, spots, size)
+    unmarked: tuple[str, ...] = ()
     if names:
-        boxes += _draw_names(draw, marked, spots, names, size)
-    legend = _legend(scene.placements, names)
-    return RoomView(name, picture, legend, tuple(boxes))
+        named, unmarked = _draw_names(draw, marked, spots, names, size)
+        boxes += named
+    return RoomView(name, picture, _legend(scene.placements, names), tuple(boxes), unmarked)
 
 
 class _Seen:
@@ -263,28 +268,41 @@ def _arrow(draw: "ImageDraw", start: NDArray[np.float64], end: NDArray[np.float6
         draw.polygon(tips, fill=colour, outline=colour, width=extra // 2 + 1)
 
 
-def _draw_names(draw: "ImageDraw", seen: _Seen, spots: Spots, names: dict[str, str], size: int) -> list[Box]:
-    """Each name on its object or beside it with a line to it, small objects first."""
-    face = _font(size)
+def _draw_names(
+    draw: "ImageDraw", seen: _Seen, spots: Spots, names: dict[str, str], size: int
+) -> tuple[list[Box], tuple[str, ...]]:
+    """Each name on its object or beside it with a line to it, small objects first; and the ids of what has none."""
+    face, left = _font(size), _COVERED * float((seen.ids != NOTHING).sum())
+    groups = _groups(seen, names, face)
+    fitting = 0
+    for text, _ in reversed(groups):
+        left -= float(np.prod(text_extent(text, face)))
+        fitting += left >= 0.0
     placed: list[tuple[str, Box]] = []
-    for text, members in _groups(seen, names, face):
+    without = [number for _, members in groups[: len(groups) - fitting] for number in members]
+    for text, members in groups[len(groups) - fitting :]:
         weights = seen.area[members][:, None]
         middle = (seen.middle[members] * weights).sum(0) / weights.sum()
-        area = float(weights.sum())
-        width, height = text_extent(text, face)
-        box = spots.nearest((float(middle[0]), float(middle[1])), (width, height))
+        box = spots.nearest((float(middle[0]), float(middle[1])), text_extent(text, face))
         if box is None:
+            without += members
             continue
         placed.append((text, box))
-        near = seen.ids[max(box[1] - 2, 0) : box[3] + 2, max(box[0] - 2, 0) : box[2] + 2]
-        if not any((near == member).any() for member in members) or area < width * height / 2:
-            end = (min(max(middle[0], box[0]), box[2] - 1), min(max(middle[1], box[1]), box[3] - 1))
-            draw.line([tuple(middle), end], fill=_CHIP, width=1)
-            draw.ellipse([middle[0] - 1, middle[1] - 1, middle[0] + 1, middle[1] + 1], fill=_CHIP)
+        _lead(draw, seen, members, middle, box)
     for text, box in placed:
         draw.rectangle([box[0], box[1], box[2] - 1, box[3] - 1], fill=_CHIP)
         _write(draw, text, box, face, _TEXT)
-    return [box for _, box in placed]
+    return [box for _, box in placed], tuple(seen.scene.placements[n].id for n in sorted(without))
+
+
+def _lead(draw: "ImageDraw", seen: _Seen, members: list[int], middle: NDArray[np.float64], box: Box) -> None:
+    """A line from a name to its object, where they do not touch or the object is small."""
+    near = seen.ids[max(box[1] - 2, 0) : box[3] + 2, max(box[0] - 2, 0) : box[2] + 2]
+    small = seen.area[members].sum() < (box[2] - box[0]) * (box[3] - box[1]) / 2
+    if small or not any((near == member).any() for member in members):
+        end = (min(max(middle[0], box[0]), box[2] - 1), min(max(middle[1], box[1]), box[3] - 1))
+        draw.line([tuple(middle), end], fill=_CHIP, width=1)
+        draw.ellipse([middle[0] - 1, middle[1] - 1, middle[0] + 1, middle[1] + 1], fill=_CHIP)
 
 
 def _groups(seen: _Seen, names: dict[str, str], face: int) -> list[tuple[str, list[int]]]:
