@@ -90,7 +90,8 @@ def answers(model: HfModel, chat, n: int = 1, seed: int = 0) -> list[str]:
 
 @pytest.fixture(params=["tiny", "third"])
 def family(request) -> Pretrained:
-    return request.getfixturevalue(request.param)
+    found: Pretrained = request.getfixturevalue(request.param)
+    return found
 
 
 def test_what_is_kept_of_the_chats_before_changes_no_answer(family):
