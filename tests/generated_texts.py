@@ -71,7 +71,7 @@ def _wrong_type(draw: random.Random) -> str:
     answer = _answer(draw)
     # An optional part that is null is as good as left out; every other piece of junk is none of an answer's types.
     name = draw.choice(["id", *NEEDED[answer.get("action", "add")]])
-    unlike = [j for j in _JUNK if not (name == "yaw" and type(j) in (int, float) and abs(j) <= 3600)]  # type: ignore[arg-type,operator]
+    unlike = [j for j in _JUNK if not (name == "yaw" and type(j) in (int, float) and abs(float(str(j))) <= 3600)]
     unlike = [j for j in unlike if not (name in ("id", "other") and j == "chair_1")]
     return _step(draw, answer | {name: draw.choice(unlike)})
 

@@ -58,7 +58,7 @@ def players(
         briefer: who understands the prompt; who is named as the policy, or else the grammar, where it is left out.
         planner: who decides on the room and the order; likewise, or else the embedded expert.
         mode: whether a model is asked for one object after the other, or once for all of them.
-        fill: for the grammar, how much it adds.
+        fill: for who reads, how much is added to what the prompt names.
         seed: for the samples of models that read and plan.
         source: for models that plan.
         sight: for models that place.
@@ -158,7 +158,7 @@ def _briefer(briefer: Briefer | str, who: _Who, fill: Fill, seed: int) -> Briefe
     found = who(briefer)
     if found is None:
         return GrammarBriefer(fill)
-    return found if isinstance(found, Replay) else ModelBriefer(found, seed=seed)
+    return found if isinstance(found, Replay) else ModelBriefer(found, fill=fill, seed=seed)
 
 
 def _planner(planner: Planner | str, who: _Who, seed: int, source: AssetSource | None) -> Planner:

@@ -11,6 +11,7 @@ from thinkblox.assets.stand_ins import noun_of
 from thinkblox.brief import Brief
 from thinkblox.chat import ChatModel
 from thinkblox.errors import InputError
+from thinkblox.fills import Fill
 from thinkblox.knowledge.rooms import room_types
 from thinkblox.observe import kinds_of
 from thinkblox.plan import Plan
@@ -27,8 +28,10 @@ MAX_PROMPT = 20_000
 class ModelBriefer:
     """Lets a model understand prompts: it lists what belongs into the room, and what is to stand by what."""
 
-    def __init__(self, model: ChatModel, *, seed: int = 0) -> None:
+    def __init__(self, model: ChatModel, *, fill: Fill = "essentials", seed: int = 0) -> None:
+        """Take a model; with the fill "named", what it adds of its own is left out unless it carries what is named."""
         self._model = model
+        self._fill = fill
         self._seed = seed
 
     def brief(self, prompt: str) -> Brief:
@@ -45,9 +48,9 @@ class ModelBriefer:
             raise InputError(f"the prompt is {len(prompt)} characters long; at most {MAX_PROMPT} are read")
         rng = np.random.default_rng((self._seed, 1))
         chat = objects_chat(prompt)
-        return agreed(
-            self._model, chat, ObjectSet, lambda said: _usable(said, prompt), what="the objects of the room", rng=rng
-        )
+        what = "the objects of the room"
+        brief = agreed(self._model, chat, ObjectSet, lambda said: _usable(said, prompt), what=what, rng=rng)
+        return _only_named(brief) if self._fill == "named" else brief
 
 
 class ModelPlanner:
@@ -105,3 +108,17 @@ def _usable(said: ObjectSet, prompt: str) -> Brief:
     )
     plan_room(brief, rng=0)
     return brief
+
+
+def _only_named(brief: Brief) -> Brief:
+    """The brief without what the prompt does not name, but for what carries what it does."""
+    kept = {request.key for request in brief.requests if request.asked}
+    carried = [r for r in brief.relations if r.kind in ("on", "inside") and not r.negated]
+    for _ in brief.requests:
+        kept |= {anchor for relation in carried if relation.subject in kept for anchor in relation.anchors}
+    gone = {request.key for request in brief.requests} - kept
+    return structs.replace(
+        brief,
+        requests=tuple(r for r in brief.requests if r.key in kept),
+        relations=tuple(r for r in brief.relations if r.subject not in gone and gone.isdisjoint(r.anchors)),
+    )
