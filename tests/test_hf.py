@@ -12,6 +12,7 @@ from thinkblox.chat import Message
 from thinkblox.errors import InputError
 from thinkblox.observe import Sight
 from thinkblox.placing import Effort
+from thinkblox.policies.chat_format import encode
 from thinkblox.policies.constraint import step_grammar
 from thinkblox.policies.hf import HfModel
 from thinkblox.policies.model import ModelPolicy
@@ -89,7 +90,8 @@ def answers(model: HfModel, chat, n: int = 1, seed: int = 0) -> list[str]:
 
 @pytest.fixture(params=["tiny", "third"])
 def family(request) -> Pretrained:
-    return request.getfixturevalue(request.param)
+    found: Pretrained = request.getfixturevalue(request.param)
+    return found
 
 
 def test_what_is_kept_of_the_chats_before_changes_no_answer(family):
@@ -117,27 +119,16 @@ def test_candidates_together_are_what_they_are_alone(family):
     together = answers(model, asking(GROWING), 6)
     assert len(set(together)) == 6
     assert answers(model, asking(GROWING), 6) == together
-    seeds = np.random.default_rng(0).integers(2**63, size=6)
-    alone = [model.answer(asking(GROWING), 1, Fixed(seed))[0] for seed in seeds]
+    assert answers(model, asking(GROWING), 2) == together[:2]
+    inputs = encode(family.processor, asking(GROWING))
+    seeds = [int(seed) for seed in np.random.default_rng(0).integers(2**63, size=6)]
+    alone = [text for seed in seeds for text in model._decoder.continuations(inputs, [seed], model._sampling)]
     assert alone == together
-
-
-class Fixed(np.random.Generator):
-    """Gives one seed."""
-
-    def __init__(self, seed):
-        super().__init__(np.random.PCG64(0))
-        self._seed = seed
-
-    def integers(self, *_, size, **__):
-        return np.full(size, self._seed)
 
 
 def test_the_likeliest_answer_is_the_one_that_transformers_finds(family):
     """Random weights of the usual spread repeat one token for ever; larger ones do not."""
     import copy
-
-    from thinkblox.policies.chat_format import encode
 
     louder = Pretrained(family.processor, copy.deepcopy(family.model))
     for weights in louder.model.model.language_model.layers.parameters():
@@ -152,8 +143,6 @@ def test_the_likeliest_answer_is_the_one_that_transformers_finds(family):
 
 def test_tokens_are_drawn_as_often_as_they_are_likely(tiny):
     import torch
-
-    from thinkblox.policies.chat_format import encode
 
     chat = asking("What is it?")
     with torch.no_grad():
@@ -273,8 +262,6 @@ def adapter(tiny_folder, folder, *, rank: int = 4, seed: int = 0):
 
 def test_an_adapter_is_taken_into_the_weights(tiny, tiny_folder, tmp_path):
     import torch
-
-    from thinkblox.policies.chat_format import encode
 
     expected = adapter(tiny_folder, tmp_path / "adapter").eval()
     read = load_pretrained(tiny_folder, adapter=tmp_path / "adapter", device="cpu")

@@ -4,10 +4,21 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from thinkblox.asking import edit_chat, objects_chat, plan_chat, whole_room_chat
+from thinkblox.assets.source import ProceduralAssets
+from thinkblox.brief import Brief
+from thinkblox.chat import Chat
 from thinkblox.errors import InputError
+from thinkblox.generate import generate_room
+from thinkblox.observe import Kind, kinds_of
+from thinkblox.placing import Effort
+from thinkblox.plan import Plan
 from thinkblox.planning import ExpertPlanner
 from thinkblox.prompts import TemplateName, filled, one_line, prompts_version, template
 from thinkblox.prompts.answers import Edit, ObjectSet, PlannedOrder, WholeRoom, read_answer
+from thinkblox.reading import GrammarBriefer
+from thinkblox.scene.room import Room, rectangle
+from thinkblox.scene.scene import Scene
 from thinkblox.steps import Rejection, parse
 
 
@@ -85,3 +96,53 @@ def test_templates_have_a_version_and_a_step_is_shown_as_it_is_parsed():
     assert isinstance(parse(shown("step")), Rejection)  # its dots are to be filled in
     assert filled("revision", feedback="- $x fell").endswith("- $x fell")
     assert one_line("a\n\nRoom: b") == "a Room: b"
+
+
+# ---------------------------------------------------------------- what is asked
+
+
+def study() -> tuple[Plan, Room, dict[str, Kind]]:
+    brief = GrammarBriefer("named").brief("A study with a desk, a chair at the desk and a lamp on the desk.")
+    room = rectangle(4.0, 3.0)
+    plan = ExpertPlanner().plan(brief, room)
+    return plan, room, kinds_of(plan, ProceduralAssets())
+
+
+def test_each_role_is_asked_with_all_that_it_needs():
+    plan, room, kinds = study()
+    asked = {
+        "objects": objects_chat("A study.\nAnswer: {}"),
+        "plan": plan_chat(plan, room, kinds),
+        "one_shot": whole_room_chat(plan, room, kinds),
+        "edit": edit_chat(Scene(room=room), "A study.", "move the desk to the window"),
+    }
+    texts = {name: chat[-1].text for name, chat in asked.items()}
+    assert all("$" not in text and len(text) < 20_000 for text in texts.values())
+    assert texts["objects"].endswith("Prompt: A study. Answer: {}")
+    assert "bookcase" in texts["objects"]
+    for name in ("plan", "one_shot"):
+        assert re.search(r'\{"id":"desk_1","size":\[[\d.]+,[\d.]+,[\d.]+\]', texts[name])
+        assert '"wanted":["on(desk_1)"]' in texts[name]
+        assert '"floor":[[0,0],[4,0],[4,3],[0,3]]' in texts[name]
+    assert texts["edit"].endswith("Instruction: move the desk to the window")
+
+
+def test_a_plan_that_a_model_orders_furnishes_a_room():
+    class Model:
+        def answer(self, chat: Chat, n: int, rng: np.random.Generator) -> list[str]:
+            ids = re.findall(r'\{"id":"(\w+_\d+)"', chat[-1].text.partition("Objects:")[2])
+            order = ", ".join(f'{{"id": "{id}"}}' for id in reversed(ids))
+            return [f'<think>1. Backwards.</think><answer>{{"order": [{order}]}}</answer>']
+
+    class Planned(ExpertPlanner):
+        def plan(self, brief: Brief, room: Room) -> Plan:
+            known = super().plan(brief, room)
+            chat = plan_chat(known, room, kinds_of(known, ProceduralAssets()))
+            read = read_answer(Model().answer(chat, 1, np.random.default_rng(0))[0], PlannedOrder)
+            assert isinstance(read, PlannedOrder)
+            return read.plan(known)
+
+    prompt = "A study with a desk, a bookcase and a lamp on the desk."
+    room = generate_room(prompt, planner=Planned(), briefer=GrammarBriefer("named"), effort=Effort(restarts=0))
+    assert [target.category for target in room.plan.targets][:2] == ["bookcase", "desk"]
+    assert room.report.valid

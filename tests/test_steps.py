@@ -2,6 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.bench.texts import outcomes
 from thinkblox.steps import MAX_TEXT, Rejection, Step, parse, write_step
 
 GOOD = '<think>1. Here.</think><answer>{"id": "bed_1", "position": [1, 2, 0], "yaw": 90, "size": [2, 1.6, 1]}</answer>'
@@ -74,3 +75,7 @@ def test_what_is_written_is_read_back(position, yaw, size):
     assert step.position == pytest.approx(position, abs=1e-4)
     assert abs((step.yaw - yaw + 180) % 360 - 180) <= 0.006
     assert step.size == pytest.approx(size, abs=1e-4)
+
+
+def test_generated_texts_are_steps_or_rejections_with_a_reason():
+    assert sum(outcomes(1500, seed=1).values()) == 1500

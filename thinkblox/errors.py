@@ -7,3 +7,14 @@ class ThinkBloxError(Exception):
 
 class InputError(ThinkBloxError):
     """An input that cannot be used (prompt, room, file, folder): says what was wrong, where, and what to do."""
+
+
+class NoAnswerError(InputError):
+    """A model was asked and did not answer, or not with a text; it may answer the next time."""
+
+
+class UnavailableError(InputError):
+    """Whoever plays a role cannot play it at all: a server is gone or refuses the key, a trace has another room in it.
+
+    A room that was begun is broken off, and what was tried until then is kept.
+    """

@@ -12,19 +12,20 @@ from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.dressing import dress, undress
 from thinkblox.episode import Episode, Round
-from thinkblox.errors import InputError
-from thinkblox.fills import FILLS, Fill
+from thinkblox.errors import InputError, UnavailableError
+from thinkblox.fills import Fill
 from thinkblox.headline import UNKNOWN
 from thinkblox.judging import asset_for
+from thinkblox.modes import Mode
 from thinkblox.observe import kinds_of
 from thinkblox.orders import ORDERS, Order
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import ExpertPlanner, is_open, larger, reordered, with_surfaces
+from thinkblox.planning import is_open, larger, reordered, with_surfaces
+from thinkblox.players import Players, players
 from thinkblox.policies import Briefer, Planner, Policy
-from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.prompts import prompts_version
-from thinkblox.reading import GrammarBriefer
+from thinkblox.replaying import Replay
 from thinkblox.reporting import report_on
 from thinkblox.scene.asset import Asset, Mount
 from thinkblox.scene.room import Room
@@ -68,6 +69,18 @@ class Generation:
         return next((entry.attempt for entry in self.trace if entry.kept), 0)
 
 
+class BrokenOffError(InputError):
+    """A room was begun, and whoever plays a role could not go on: says who, why, and what to do.
+
+    Attributes:
+        episode: what was tried until then; of an attempt before that, if there was one, the best is kept.
+    """
+
+    def __init__(self, why: str, episode: Episode) -> None:
+        super().__init__(why)
+        self.episode = episode
+
+
 @dataclass(frozen=True)
 class Progress:
     """What is told after each object: which, whether it stands, its number of how many, and the attempt from 0."""
@@ -92,9 +105,10 @@ def generate_room(
     *,
     seed: int = 0,
     room: Room | None = None,
-    policy: Policy | None = None,
-    briefer: Briefer | None = None,
-    planner: Planner | None = None,
+    policy: Policy | str | None = None,
+    briefer: Briefer | str | None = None,
+    planner: Planner | str | None = None,
+    mode: Mode = "progressive",
     source: AssetSource | None = None,
     effort: Effort | None = None,
     tolerances: Tolerances | None = None,
@@ -110,9 +124,11 @@ def generate_room(
         prompt: what the room should be, in a sentence or more.
         seed: every random choice follows from it; the same prompt and seed give the same scene.
         room: a room to furnish; made from the prompt when not given. Its surfaces are chosen where it has none.
-        policy: who proposes; the embedded expert when not given.
-        briefer: who understands the prompt; the grammar when not given.
-        planner: who decides on the room and the order of its objects; the embedded expert when not given.
+        policy: who proposes; the embedded expert when not given. Or who that is in a word: "hf:PATH_OR_ID[+ADAPTER]",
+            "openai:BASE_URL#MODEL" and "replay:TRACE" play the other two roles as well, unless those are given.
+        briefer: who understands the prompt, or that in a word; the grammar when not given, as for "expert".
+        planner: who decides on the room and the order of its objects, or that in a word; else the embedded expert.
+        mode: whether a model is asked for one object after the other, or once for the layout of the whole room.
         source: where assets come from; the catalogue of procedural furniture when not given.
         effort: how hard to try.
         tolerances: what counts as valid.
@@ -126,23 +142,25 @@ def generate_room(
         on_object: called after each object.
 
     Raises:
-        InputError: the prompt, the seed or the room cannot be used.
+        InputError: the prompt, the seed or the room cannot be used, or a model that reads or plans gives nothing that
+            can be used.
+        BrokenOffError: a room was begun, and a model or a trace could not go on; it has what was tried until then.
     """
     _check_arguments(prompt, seed, room)
-    planner = planner or ExpertPlanner()
-    _check_roles(policy=policy, briefer=briefer, planner=planner, source=source)
-    if fill not in FILLS:
-        raise InputError(f"fill is {fill!r}; it must be one of {', '.join(FILLS)}")
     if order not in ORDERS:
         raise InputError(f"order is {order!r}; it must be one of {', '.join(ORDERS)}")
-    brief = _made("briefer", (briefer or GrammarBriefer(fill)).brief(prompt), Brief)
+    cast = players(policy, briefer=briefer, planner=planner, mode=mode, fill=fill, seed=seed, source=source)
+    _check_roles(policy=cast.policy, briefer=cast.briefer, planner=cast.planner, source=source)
+    _check_play(cast, prompt, seed, mode, fill)
+    planner = cast.planner
+    brief = _made("briefer", cast.briefer.brief(prompt), Brief)
     source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
-    effort = effort or Effort()
+    effort = _effort_for(cast, effort or Effort())
     until = time.monotonic() + effort.seconds
 
-    def furnished(floor: Room, effort: Effort, first: int = 0) -> Generation:
+    def furnished(floor: Room, effort: Effort, first: int) -> Generation:
         plan = _made("planner", planner.plan(brief, floor), Plan)
         plan = reordered(plan, order, lambda target: _usual(target, source), seed)
         if on_plan is not None and not first:
@@ -150,7 +168,7 @@ def generate_room(
         return furnish(
             plan,
             Scene(prompt=prompt, seed=seed, room=with_surfaces(floor, brief, seed)),
-            policy=policy or ExpertPolicy(),
+            policy=cast.policy,
             source=source,
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
@@ -160,19 +178,46 @@ def generate_room(
             until=until,
         )
 
-    if not grows or not effort.restarts:
-        return furnished(room, effort)
-    made = [furnished(room, replace(effort, restarts=0))]
+    def wider(factor: float) -> Room:
+        return _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
+
+    made: list[Generation] = []
+    try:
+        if grows and effort.restarts:
+            _furnish_growing(made, furnished, room, wider, effort, until)
+        else:
+            made.append(furnished(room, effort, 0))
+    except InputError as error:
+        if not made:
+            raise
+        raise BrokenOffError(str(error), _best(made).episode) from error
+    return _best(made)
+
+
+def _furnish_growing(
+    made: list[Generation],
+    furnished: Callable[[Room, Effort, int], Generation],
+    room: Room,
+    wider: Callable[[float], Room],
+    effort: Effort,
+    until: float,
+) -> None:
+    """Furnish a room whose size is left open, and wider ones while that helps; add each to `made`."""
+    once = replace(effort, restarts=0)
+    made.append(furnished(room, once, 0))
     for factor in GROWTH:
         if not _lacks_floor(made[-1]) or time.monotonic() >= until:
             break
-        wider = _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
-        made.append(furnished(wider, replace(effort, restarts=0), len(made)))
+        made.append(furnished(wider(factor), once, len(made)))
         if len(made) > 2 and _faults(made[-1].report) >= _faults(made[-2].report):
             break
-    best = min(made, key=lambda each: _faults(each.report))
+    best = _best(made)
     if any(_faults(best.report)) and time.monotonic() < until:
-        made.append(furnished(best.scene.room, replace(effort, restarts=effort.restarts - 1), len(made)))
+        again = replace(effort, restarts=effort.restarts - 1)
+        made.append(furnished(best.scene.room, again, len(made)))
+
+
+def _best(made: Sequence[Generation]) -> Generation:
     return min(made, key=lambda each: _faults(each.report))
 
 
@@ -230,6 +275,19 @@ def _check_roles(**players: object) -> None:
             )
 
 
+def _check_play(cast: Players, prompt: str, seed: int, mode: Mode, fill: Fill) -> None:
+    for replay in {id(r): r for r in (cast.policy, cast.briefer, cast.planner) if isinstance(r, Replay)}.values():
+        replay.check(prompt, seed)
+    if mode == "one-shot" and fill == "lived-in":
+        raise InputError("a lived-in room is filled after it is furnished, object by object; one-shot cannot do that")
+
+
+def _effort_for(cast: Players, effort: Effort) -> Effort:
+    """Not more than those who play can make use of."""
+    rounds = effort.rounds if cast.rounds is None else min(effort.rounds, cast.rounds)
+    return replace(effort, rounds=rounds, restarts=0 if cast.once else effort.restarts)
+
+
 def furnish(
     plan: Plan,
     scene: Scene,
@@ -247,29 +305,41 @@ def furnish(
 
     Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
     is over [s]. With `lived_in` the room is dressed after that.
+
+    Raises:
+        BrokenOffError: the policy cannot go on.
     """
     makeable, refused = _makeable(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
     made: list[_Attempt] = []
-    for number in range(first, first + 1 + effort.restarts):
-        made.append(_Attempt(loop, scene, number, judged, on_object, refused))
-        last = _faults(made[-1].report)
-        if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
-            break
-    best = min(made, key=lambda attempt: _faults(attempt.report))
-    if lived_in:
-        makeable = best.dress(loop, judged, on_object, len(made) - 1)
-    episode = Episode(
-        prompt=scene.prompt,
-        seed=scene.seed,
-        room=scene.room,
-        plan=makeable,
-        kinds=kinds_of(makeable, source),
-        assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
-        rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
-        prompts=prompts_version(),
-    )
-    return Generation(best.world.scene, best.report, episode)
+
+    def episode(best: _Attempt, plan: Plan) -> Episode:
+        return Episode(
+            prompt=scene.prompt,
+            seed=scene.seed,
+            room=scene.room,
+            plan=plan,
+            kinds=kinds_of(plan, source),
+            assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
+            rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
+            prompts=prompts_version(),
+        )
+
+    try:
+        for number in range(first, first + 1 + effort.restarts):
+            made.append(_Attempt(scene, number, judged, refused))
+            made[-1].furnish(loop, judged, on_object)
+            last = _faults(made[-1].report)
+            if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
+                break
+        best = min(made, key=lambda attempt: _faults(attempt.report))
+        if lived_in:
+            makeable = best.dress(loop, judged, on_object, len(made) - 1)
+    except UnavailableError as error:
+        whole = [attempt for attempt in made if attempt.finished] or made
+        best = min(whole, key=lambda attempt: _faults(attempt.report) if attempt.finished else ())
+        raise BrokenOffError(str(error), episode(best, makeable)) from error
+    return Generation(best.world.scene, best.report, episode(best, makeable))
 
 
 def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
@@ -300,26 +370,22 @@ def _faults(report: Report) -> tuple[int, ...]:
 class _Attempt:
     """One go at a whole room."""
 
-    def __init__(
-        self,
-        loop: Loop,
-        scene: Scene,
-        number: int,
-        judged: Judged,
-        on_object: Callable[[Progress], None],
-        refused: Sequence[Absence],
-    ) -> None:
+    def __init__(self, scene: Scene, number: int, judged: Judged, refused: Sequence[Absence]) -> None:
         self.world = World(scene, tolerances=judged.tolerances, requirements=judged.requirements)
         self.rounds: list[Round] = []
         self.assets: dict[str, Asset] = {}
         self.number = number
-        absent = self.absent = list(refused)
-        total = len(loop.plan.targets)
+        self.absent = list(refused)
+        self.finished = False
+
+    def furnish(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None]) -> None:
+        """Place one object after the other; raises UnavailableError when the policy cannot go on."""
+        seed, total, absent = self.world.scene.seed, len(loop.plan.targets), self.absent
         for count, target in enumerate(loop.plan.targets, 1):
-            why = loop.over or self._place(loop, target, number, np.random.default_rng((scene.seed, number, count)))
+            why = loop.over or self._place(loop, target, np.random.default_rng((seed, self.number, count)))
             if why:
                 absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=why))
-            on_object(Progress(target, not why, count, total, number))
+            on_object(Progress(target, not why, count, total, self.number))
         self.report = report_on(
             self.world.scene,
             loop.plan,
@@ -327,6 +393,7 @@ class _Attempt:
             tolerances=judged.tolerances,
             requirements=judged.requirements,
         )
+        self.finished = True
 
     def dress(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None], last: int) -> Plan:
         """Add what makes it look lived in, as far as everything stays valid; returns the plan with that."""
@@ -357,11 +424,13 @@ class _Attempt:
         self.assets |= done.assets
         return done.loop.plan
 
-    def _place(self, loop: Loop, target: Target, number: int, rng: np.random.Generator) -> str:
+    def _place(self, loop: Loop, target: Target, rng: np.random.Generator) -> str:
         """Place one object; says why when it could not be placed."""
         placing = Placing(self.world, loop, target, rng)
-        grown = placing.run()
+        try:
+            grown = placing.run()
+        finally:
+            self.assets |= placing.assets
+            self.rounds += [structs.replace(r, attempt=self.number) for r in placing.rounds]
         self.world = placing.world if grown is None else grown
-        self.assets |= placing.assets
-        self.rounds += [structs.replace(r, attempt=number) for r in placing.rounds]
         return "" if grown is not None else placing.reason or "no place was found"

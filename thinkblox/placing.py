@@ -12,7 +12,7 @@ from msgspec import structs
 from thinkblox.assets.source import AssetSource
 from thinkblox.committing import commit
 from thinkblox.episode import Round, RoundKind
-from thinkblox.errors import InputError
+from thinkblox.errors import InputError, UnavailableError
 from thinkblox.feedback import feedback_line
 from thinkblox.judging import Proposal, Try, asset_for, measured, proposed, rejected, understand
 from thinkblox.observe import Kind, Observation, observe
@@ -122,7 +122,11 @@ class Placing:
         return self.world.scene
 
     def run(self) -> World | None:
-        """Place the object; None when no pose was found that may stand."""
+        """Place the object; None when no pose was found that may stand.
+
+        Raises:
+            UnavailableError: the policy cannot go on, for this or any other object.
+        """
         feedback: tuple[str, ...] = ()
         for number in range(self.loop.effort.rounds):
             if self.loop.over:
@@ -195,6 +199,8 @@ class Placing:
             if isinstance(answers, str | bytes):
                 raise TypeError(f"it gave one {type(answers).__name__}; a list of texts is wanted")
             texts.extend(islice(answers, most))
+        except UnavailableError:
+            raise
         except Exception as error:  # a policy is anybody's code, and the rest of the room can do without it
             why = " ".join(f"the policy failed: {type(error).__name__}: {error}".split())[:500]
             texts.append(rejected("", Rejection(reason="policy", message=why.encode("utf-8", "replace").decode())))

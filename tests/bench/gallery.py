@@ -13,6 +13,7 @@ from PIL import Image
 from tests.bench.rooms import PROMPTS
 from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.generate import generate_room
+from thinkblox.observe import Observation, Sight
 from thinkblox.sim.render import contact_sheet, render_preview, render_top
 
 SHOWN = (
@@ -39,15 +40,30 @@ def overview() -> Image.Image:
     return sheet
 
 
+def sight(observation: Observation) -> Image.Image:
+    """What a model is shown at one step: the three views, and the object to place."""
+    size = 448
+    sheet = Image.new("RGB", (2 * size, 2 * size), (240, 237, 230))
+    *views, target = observation.images(Sight(size=size))
+    for number, picture in enumerate(views):
+        sheet.paste(picture, (number % 2 * size, number // 2 * size))
+    sheet.paste(target, (3 * size // 2 - target.width // 2, 3 * size // 2 - target.height // 2))
+    return sheet
+
+
 def main() -> int:
     """Draw every picture into the folder."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("docs/pictures"))
     out = parser.parse_args().out
     out.mkdir(parents=True, exist_ok=True)
-    scene = generate_room(SHOWN).scene
+    shown = generate_room(SHOWN)
+    scene = shown.scene
     render_preview(scene).save(out / "preview.png", optimize=True)
     render_top(scene).save(out / "top.png", optimize=True)
+    steps = [decision.observation for decision in shown.episode.decisions()]
+    last = next(o for o in reversed(steps) if o.asset.mount == "floor" and o.asset.front == "one")
+    sight(last).save(out / "sight.png", optimize=True)
     overview().save(out / "rooms.png", optimize=True)
     assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE) if not CATALOGUE[name].plain]
     contact_sheet(assets, columns=14, size=110).quantize(256).save(out / "catalogue.png", optimize=True)

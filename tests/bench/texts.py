@@ -1,20 +1,25 @@
 """The longest that a text of each kind takes to be read, in CPU time: answers of a policy, and prompts.
 
-python -m tests.bench.texts [--times N]
+With --generated, that many answers by chance are read too: none may raise, all that are steps are read as such, and
+every other is rejected with a reason.
+
+python -m tests.bench.texts [--times N] [--generated N]
 """
 
 import argparse
 import contextlib
 import platform
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator
 from importlib.metadata import version
 from pathlib import Path
 
+from tests.generated_texts import generated
 from thinkblox.errors import InputError
 from thinkblox.phrases import constraints, planned_constraints
 from thinkblox.reading import read_brief
-from thinkblox.steps import MAX_TEXT, Step, parse
+from thinkblox.steps import MAX_TEXT, Rejection, Step, parse
 
 ANSWER = '<answer>{"id": "chair_1", "position": [1.0, 2.0, 0.0], "yaw": 90.0, "size": [0.5, 0.5, 0.9]}</answer>'
 ROOM = MAX_TEXT - len(f"<think></think>{ANSWER}")
@@ -101,11 +106,30 @@ def table(name: str, read: Callable[[str], object], texts: dict[str, str], times
         print(f"{taken * 1000:10.1f}  {kind}")
 
 
+def outcomes(count: int, seed: int = 0) -> Counter[tuple[str, str]]:
+    """How many generated texts of each sort were read as what; raises AssertionError where one was read wrongly."""
+    found: Counter[tuple[str, str]] = Counter()
+    for sort, text, is_step in generated(count, seed):
+        read = parse(text)
+        assert isinstance(read, Step) == is_step, (sort, text[:500], read)
+        assert isinstance(read, Step) or read.message, (sort, text[:500])
+        found[sort, read.reason if isinstance(read, Rejection) else "step"] += 1
+    return found
+
+
 def main() -> int:
     """Print the worst of each."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--times", type=int, default=3)
+    parser.add_argument("--generated", metavar="N", type=int, default=0)
     arguments = parser.parse_args()
+    if arguments.generated:
+        start = time.process_time()
+        found = outcomes(arguments.generated)
+        taken = time.process_time() - start
+        print(f"{arguments.generated} generated answers in {taken:.1f} s of CPU, by sort and outcome")
+        for (sort, outcome), number in sorted(found.items()):
+            print(f"{number:10d}  {sort}: {outcome}")
     print("CPU time [ms], worst kinds of text first")
     table("parse", _parsed, dict(answers()), arguments.times)
     table("parse and planned_constraints", _planned, dict(answers()), arguments.times)

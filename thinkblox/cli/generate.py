@@ -8,15 +8,19 @@ from thinkblox.cli.options import natural, seconds, whole
 from thinkblox.cli.progress import ObjectBar
 from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
+from thinkblox.errors import InputError
 from thinkblox.fills import FILLS
+from thinkblox.modes import MODES
 from thinkblox.orders import ORDERS
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
+    from thinkblox.generate import BrokenOffError
 
 STATUS = (
     "exit status: 0 all as asked; 1 written, but something asked for was not placed, does not stand as asked or did not"
-    " pass; 2 the input cannot be used, nothing was written; 70 a fault of ours; 130 stopped, it says what was written"
+    " pass; 2 the input cannot be used, nothing was written, or a model"
+    " cannot go on, and what was tried is kept; 70 a fault of ours; 130 stopped, it says what was written"
 )
 
 
@@ -36,6 +40,7 @@ def add_command(commands: "Commands") -> None:
         default="essentials",
         help="what is added: only what carries things, what makes such a room (essentials), or a lived-in room",
     )
+    add_roles(parser)
     parser.add_argument(
         "--order",
         choices=ORDERS,
@@ -50,6 +55,17 @@ def add_command(commands: "Commands") -> None:
     parser.set_defaults(run=_generate)
 
 
+def add_roles(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say who plays which role."""
+    who = "expert, hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
+    roles = parser.add_argument_group("who furnishes", f"WHO is {who}")
+    roles.add_argument("--policy", metavar="WHO", default="expert", help="who says where things go (expert)")
+    roles.add_argument("--reader", metavar="WHO", help="who understands the prompt (as --policy)")
+    roles.add_argument("--planner", metavar="WHO", help="who decides what is placed when (as --policy)")
+    asks = "ask a model for one object after the other (progressive), or once for the whole room"
+    roles.add_argument("--mode", choices=MODES, default="progressive", help=asks)
+
+
 def _candidates(text: str) -> int:
     return whole(text, 1, 256)
 
@@ -57,7 +73,7 @@ def _candidates(text: str) -> int:
 def _generate(arguments: argparse.Namespace) -> int:
     from thinkblox import printing
     from thinkblox.exporters.folder import check_folder
-    from thinkblox.generate import generate_room
+    from thinkblox.generate import BrokenOffError, generate_room
     from thinkblox.placing import Effort
     from thinkblox.saving import save_room
     from thinkblox.scene.room import Room
@@ -66,16 +82,23 @@ def _generate(arguments: argparse.Namespace) -> int:
     check_folder(arguments.out, overwrite=arguments.overwrite)
     room = None if arguments.room is None else read_json(arguments.room, Room)
     with ObjectBar(quiet=arguments.json) as progress:
-        result = generate_room(
-            arguments.prompt,
-            seed=arguments.seed,
-            room=room,
-            effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
-            fill=arguments.fill,
-            order=arguments.order,
-            on_plan=progress.begin,
-            on_object=progress.tell,
-        )
+        try:
+            result = generate_room(
+                arguments.prompt,
+                seed=arguments.seed,
+                room=room,
+                policy=arguments.policy,
+                briefer=arguments.reader,
+                planner=arguments.planner,
+                mode=arguments.mode,
+                effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
+                fill=arguments.fill,
+                order=arguments.order,
+                on_plan=progress.begin,
+                on_object=progress.tell,
+            )
+        except BrokenOffError as error:
+            raise _kept(error, arguments.out) from error
         progress.end(result)
     heed_stops()
     save_room(result, arguments.out, pictures=not arguments.no_pictures, overwrite=arguments.overwrite)
@@ -86,3 +109,14 @@ def _generate(arguments: argparse.Namespace) -> int:
         say(printing.outcome(result.report))
         say(f"written to {arguments.out}")
     return 0 if result.report.complete else 1
+
+
+def _kept(error: "BrokenOffError", out: Path) -> InputError:
+    """Write what was tried beside the folder of a room that did not come about; returns the error that says where."""
+    from thinkblox.exporters.folder import made_parents
+    from thinkblox.whole_file import write_whole
+
+    trace = out.with_name(f"{out.name}.trace.jsonl")
+    with made_parents(trace):
+        write_whole(trace, error.episode.to_jsonl())
+    return InputError(f"{error}; the room was broken off, and what was tried until then is in {trace}")

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,8 @@ from numpy.typing import NDArray
 from thinkblox.policies.constraint import Constraint
 
 END = "</answer>"
+_PIECE = 512
+"""Tokens of a prompt that are computed together after some that are kept."""
 _TAIL = 24
 """Tokens in which the end is looked for: none of its characters takes more than a token."""
 
@@ -84,21 +87,17 @@ class Decoder:
         until = time.monotonic() + sampling.seconds
         with torch.inference_mode():
             logits, cache, position = self._read(inputs)
+            branches = _Branches(cache, len(seeds), sampling.tokens, logits.device)
             rows = [_Row(seed, constraint.matcher() if constraint else None) for seed in seeds]
-            if len(rows) > 1:
-                cache.batch_repeat_interleave(len(rows))
-                logits = logits.expand(len(rows), -1)
-            open_rows = rows
+            logits = logits.expand(len(rows), -1)
+            going = list(range(len(rows)))
             for _ in range(sampling.tokens):
-                tokens = self._choose(logits, open_rows, sampling)
-                added = [self._add(row, token) for row, token in zip(open_rows, tokens, strict=True)]
-                going = [number for number, goes_on in enumerate(added) if goes_on]
+                tokens = self._choose(logits, [rows[number] for number in going], sampling)
+                added = [self._add(rows[number], token) for number, token in zip(going, tokens, strict=True)]
+                going = [number for number, goes_on in zip(going, added, strict=True) if goes_on]
                 if not going or time.monotonic() >= until:
                     break
-                if len(going) < len(open_rows):
-                    cache.batch_select_indices(torch.tensor(going, device=logits.device))
-                    open_rows = [open_rows[n] for n in going]
-                logits = self._step([row.tokens[-1] for row in open_rows], cache, position)
+                logits = self._step([rows[number].tokens[-1] for number in going], going, branches, position)
                 position += 1
         self.counts.made += sum(len(row.tokens) for row in rows)
         return [self._text(row) for row in rows]
@@ -115,35 +114,43 @@ class Decoder:
         types = (ids == self._image_token).int()
         positions, _ = model.model.get_rope_index(ids, mm_token_type_ids=types, image_grid_thw=grid)
         said = ids[0].tolist()
+        text = said.index(self._image_token) if self._image_token in said else len(said)
         known = _common(self._kept.tokens, said[:-1])
         cache = DynamicCache()
         for number, (keys, values) in enumerate(self._kept.layers if known else ()):
             cache.update(keys[:, :, :known], values[:, :, :known], number)
         pictures = {} if grid is None else {"pixel_values": inputs["pixel_values"], "image_grid_thw": grid}
-        out = model(
-            input_ids=ids[:, known:],
-            position_ids=positions[:, :, known:],
-            past_key_values=cache,
-            use_cache=True,
-            logits_to_keep=1,
-            **pictures,
-        )
+        # After something that is kept, attention is computed for what is masked too: so not for all at once.
+        bounds = [known, *(range(known + _PIECE, text, _PIECE) if known else ()), len(said)]
+        for begin, end in pairwise(bounds):
+            out = model(
+                input_ids=ids[:, begin:end],
+                position_ids=positions[:, :, begin:end],
+                past_key_values=cache,
+                use_cache=True,
+                logits_to_keep=1,
+                **(pictures if end == len(said) else {}),
+            )
         if self._reuse:
-            length = said.index(self._image_token) if self._image_token in said else len(said)
-            layers = [(layer.keys[:, :, :length], layer.values[:, :, :length]) for layer in cache.layers]
-            self._kept = _Kept(said[:length], layers)
+            layers = [(layer.keys[:, :, :text], layer.values[:, :, :text]) for layer in cache.layers]
+            self._kept = _Kept(said[:text], layers)
         self.counts.prompt += len(said)
         self.counts.reused += known
         return out.logits[:, -1].to(torch.float32), cache, int(positions.max()) + 1
 
-    def _step(self, tokens: list[int], cache: Any, position: int) -> Any:
-        """The logits (rows, vocabulary) after one token more in each row."""
+    def _step(self, tokens: list[int], going: list[int], branches: "_Branches", position: int) -> Any:
+        """The logits (rows, vocabulary) after one token more in each row that goes on."""
         import torch
 
-        ids = torch.tensor(tokens, device=self._model.device)[:, None]
-        positions = torch.full((3, len(tokens), 1), position, device=ids.device)
-        out = self._model(input_ids=ids, position_ids=positions, past_key_values=cache, use_cache=True)
-        return out.logits[:, -1].to(torch.float32)
+        ids = torch.tensor([tokens], device=self._model.device)
+        out = self._model(
+            input_ids=ids,
+            position_ids=torch.full((3, 1, len(tokens)), position, device=ids.device),
+            attention_mask=branches.grown(going),
+            past_key_values=branches.cache,
+            use_cache=True,
+        )
+        return out.logits[0].to(torch.float32)
 
     def _choose(self, logits: Any, rows: Sequence["_Row"], sampling: Sampling) -> list[int]:
         """A token for each row."""
@@ -180,6 +187,34 @@ class Decoder:
         text = str(self._tokenizer.decode(row.tokens))
         head, end, _ = text.partition(END)
         return head + end
+
+
+class _Branches:
+    """The continuations of one prompt in one cache of batch size 1: each sees the prompt and its own tokens.
+
+    So the prompt's keys and values are there once, however many go on from it.
+    """
+
+    def __init__(self, cache: Any, count: int, tokens: int, device: Any) -> None:
+        import torch
+
+        self.cache = cache
+        self._count = count
+        self._length = cache.get_seq_length()
+        self._sees = torch.zeros((count, self._length + count * tokens), dtype=torch.bool, device=device)
+        self._sees[:, : self._length] = True
+
+    def grown(self, going: list[int]) -> Any:
+        """The mask (1, 1, rows, tokens) for one token more in each row that goes on; None where all see all."""
+        if self._count == 1:
+            return None
+        import torch
+
+        new = torch.arange(self._length, self._length + len(going), device=self._sees.device)
+        rows = torch.tensor(going, device=self._sees.device)
+        self._sees[rows, new] = True
+        self._length += len(going)
+        return self._sees[rows, : self._length][None, None]
 
 
 class _Row:

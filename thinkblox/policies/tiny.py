@@ -57,7 +57,7 @@ class TinySize(Value, frozen=True, kw_only=True):
 
     Attributes:
         hidden, layers, heads: of the language model; `hidden` is a multiple of 4 times `heads`.
-        vocabulary: tokens, the special ones included.
+        vocabulary: most tokens, the special ones included; fewer where the texts give no more.
         vision_hidden, vision_layers: of the vision tower, which has 4 heads.
         context: longest text and images together [tokens].
         pixels: images are shrunk to at most this many pixels.

@@ -2,6 +2,10 @@
 
 from collections.abc import Collection
 
+from msgspec import structs
+
+from thinkblox.assets import GENERAL_WORDS
+from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import kinds_of_room
 from thinkblox.knowledge.senses import senses_of
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -25,6 +29,25 @@ def choose_senses(draft: Draft, expected: Collection[str] = ()) -> None:
         final = [_sense(thing, draft.room, company, bonds.get(id(thing), [])) for thing in draft.things]
         for thing, noun in zip(draft.things, final, strict=True):
             thing.noun = noun
+
+
+def with_senses(brief: Brief) -> Brief:
+    """A brief of anybody's with a category in place of every general word."""
+    mentions = {
+        r.key: Mention(r.category, r.count, attributes=list(r.attributes), asked=r.asked) for r in brief.requests
+    }
+    bonds = [
+        Bond(r.kind, mentions[r.subject], tuple(mentions.get(a, a) for a in r.anchors), r.each, r.asked)
+        for r in brief.relations
+        if not r.negated
+    ]
+    choose_senses(Draft(things=list(mentions.values()), bonds=bonds, room=brief.room_type))
+    general = (r.category in GENERAL_WORDS for r in brief.requests)
+    found = (
+        structs.replace(r, category=mentions[r.key].noun) if is_general else r
+        for r, is_general in zip(brief.requests, general, strict=True)
+    )
+    return structs.replace(brief, requests=tuple(found))
 
 
 def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> str:
