@@ -28,15 +28,18 @@ OBJECTS, ROLLOUTS, GROUPS = 20, 8, 8
 
 def demonstrations(scenes: int) -> None:
     """Make one shard, in this process."""
-    for words, size in (("compact", 112), ("full", 168)):
-        recipe = Recipe(scenes=scenes, block=scenes, seed=1, sight=Sight(size=size, views=1, words=words))
+    sights = (Sight(size=112, views=1, words="compact"), Sight(size=168, views=1))
+    for sight in sights:
+        recipe = Recipe(scenes=scenes, block=scenes, seed=1, sight=sight)
         with tempfile.TemporaryDirectory() as folder:
             begun = time.process_time()
             count = make_shard(recipe, Path(folder), 0)
             spent = time.process_time() - begun
         steps = sum(count.demonstrations.values())
         rate = f"{steps / spent:.1f} per core second"
-        print(f"{steps} demonstrations of {count.scenes} rooms, two views of {size} px: {rate}")
+        print(
+            f"{steps} demonstrations of {count.scenes} rooms, {sight.words} words, two views of {sight.size} px: {rate}"
+        )
 
 
 def rewards() -> None:
