@@ -6,8 +6,8 @@
 - **Build**: `build_spec` makes the MjSpec that is measured and exported.
 - **Anyone's model**: a `Subject` comes from `subject_of` a scene or `open_model` of a file; `model_report` and
   `run_suite`, by one of `SUITES`, measure it.
-- **Draw**: `render_preview` a room, `render_top` its plan, `render_marked` the plan with ids, `room_views` with all
-  marks for a policy; `render_asset`, `render_target` and `contact_sheet` draw things; `cast` from a `Camera` gives a
+- **Draw**: `render_preview` a room, `render_top` its plan, `room_views` with all marks for a
+  policy; `render_asset`, `render_target` and `contact_sheet` draw things; `cast` from a `Camera` gives a
   `Frame` of ids and depths.
 """
 
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
         cast,
         contact_sheet,
         render_asset,
-        render_marked,
         render_preview,
         render_target,
         render_top,
@@ -58,7 +57,6 @@ __all__ = [
     "model_report",
     "open_model",
     "render_asset",
-    "render_marked",
     "render_preview",
     "render_target",
     "render_top",
@@ -74,7 +72,6 @@ _RENDER = (
     "cast",
     "contact_sheet",
     "render_asset",
-    "render_marked",
     "render_preview",
     "render_target",
     "render_top",

@@ -20,7 +20,6 @@ from thinkblox.sim.render import (
     contact_sheet,
     plan_of,
     render_asset,
-    render_marked,
     render_preview,
     render_top,
 )
@@ -73,7 +72,7 @@ def test_pictures_have_their_size_and_show_something(room: Room, furnished: bool
     scene = Scene(room=room)
     if furnished:
         scene = put(scene, BOX, (1.0, 1.0, 0.0))
-    for render in (render_preview, render_top, render_marked):
+    for render in (render_preview, render_top):
         picture = render(scene, size=96)
         assert picture.size == (96, 96)
         assert picture.mode == "RGB"
@@ -82,7 +81,7 @@ def test_pictures_have_their_size_and_show_something(room: Room, furnished: bool
 
 def test_the_same_scene_gives_the_same_bytes() -> None:
     scene = put(put(Scene(room=OPEN, seed=3), BOX, (1.0, 1.0, 0.0), 30.0), LAMP, (2.0, 1.5, 2.0), 0.0, "ceiling")
-    for render in (render_preview, render_top, render_marked):
+    for render in (render_preview, render_top):
         assert render(scene, size=128).tobytes() == render(scene, size=128).tobytes()
 
 

@@ -2,7 +2,6 @@
 
 from thinkblox.sim.render.camera import Camera, framed, plan_camera
 from thinkblox.sim.render.frame import NOTHING, ROOM, Frame, cast
-from thinkblox.sim.render.marked import render_marked
 from thinkblox.sim.render.plan_view import plan_of, render_top
 from thinkblox.sim.render.portrait import contact_sheet, render_asset
 from thinkblox.sim.render.preview import best_view, render_preview
@@ -22,7 +21,6 @@ __all__ = [
     "plan_camera",
     "plan_of",
     "render_asset",
-    "render_marked",
     "render_preview",
     "render_target",
     "render_top",
