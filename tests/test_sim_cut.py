@@ -170,6 +170,14 @@ def test_what_floats_above_a_candidate_falls_on_it() -> None:
     assert agree(cut, whole)
 
 
+def test_what_floats_falls_on_what_stands_squarely_below() -> None:
+    placed = scene(ROOM, (put(CRATE, 1.0, 1.2, 0.6), CRATE))
+    below = put(vase(), 1.0, 1.02, id="new_1")
+    cut, whole = World(placed).check([below], vase())[0], whole_room(placed).check([below], vase())[0]
+    assert not cut.valid
+    assert agree(cut, whole)
+
+
 def test_candidates_do_not_depend_on_each_other() -> None:
     case = step(12, 5)
     together = World(case.scene).check(case.candidates, case.asset)
