@@ -131,10 +131,20 @@ def nothing_is_flung(placed: Scene) -> bool:
     return all(max(verdict.depth, verdict.boundary) <= FLUNG for verdict in verify(placed).objects)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(calm())
 def test_any_room(case: tuple[Scene, Placement, Asset]) -> None:
-    placed, placement, kind = case
+    cut_is_whole(*case)
+
+
+@pytest.mark.slow
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(calm())
+def test_hundreds_of_rooms(case: tuple[Scene, Placement, Asset]) -> None:
+    cut_is_whole(*case)
+
+
+def cut_is_whole(placed: Scene, placement: Placement, kind: Asset) -> None:
     assume(nothing_is_flung(placed))
     cut = World(placed).check([placement], kind)[0]
     whole = whole_room(placed).check([placement], kind)[0]
