@@ -188,6 +188,13 @@ def test_what_floats_falls_on_what_stands_squarely_below() -> None:
     assert agree(cut, whole)
 
 
+def test_what_touches_something_fixed_above_it_floats() -> None:
+    shelf = put(SHELF, 1.0, 1.2, 0.998, id="shelf_1", on="north_wall")
+    placed = scene(ROOM, (put(CRATE, 1.0, 1.2, 0.6), CRATE), (shelf, SHELF))
+    cut = World(placed).check([put(vase(), 1.0, 1.02, id="new_1")], vase())[0]
+    assert not cut.valid
+
+
 def test_candidates_do_not_depend_on_each_other() -> None:
     case = step(12, 5)
     together = World(case.scene).check(case.candidates, case.asset)
