@@ -165,21 +165,27 @@ def _largest_rectangle(free: BaseGeometry) -> tuple[float, float, float, float] 
     x0, y0, x1, y1 = free.bounds
     if _is_round(free):
         return (x0, y0, x1, y1)
+    if free.area > (1.0 - 1e-9) * (x1 - x0) * (y1 - y0):
+        return (x0, y0, x1, y1) if min(x1 - x0, y1 - y0) >= NARROWEST else None
     xs, ys = np.linspace(x0, x1, _CELLS + 1), np.linspace(y0, y1, _CELLS + 1)
     (west, south), (east, north) = np.meshgrid(xs[:-1], ys[:-1]), np.meshgrid(xs[1:], ys[1:])
     cells = shapely.box(west.ravel(), south.ravel(), east.ravel(), north.ravel())
-    shapely.prepare(free)
-    inside = shapely.covers(free.buffer(1e-4, join_style="mitre"), cells).reshape(_CELLS, _CELLS)
-    best = max(_rectangles(inside, (x1 - x0) / _CELLS, (y1 - y0) / _CELLS), default=None)
-    if best is None:
+    wide = free.buffer(1e-4, join_style="mitre")
+    shapely.prepare(wide)
+    inside = shapely.covers(wide, cells).reshape(_CELLS, _CELLS)
+    if not inside.any():
         return None
-    _, row, rows, column, columns = best
+    row, rows, column, columns = _most_cells(inside, (x1 - x0) / _CELLS, (y1 - y0) / _CELLS)
     found = (float(xs[column]), float(ys[row]), float(xs[column + columns]), float(ys[row + rows]))
     return found if min(found[2] - found[0], found[3] - found[1]) >= NARROWEST else None
 
 
-def _rectangles(inside: NDArray[np.bool_], width: float, height: float) -> Iterator[tuple[float, int, int, int, int]]:
-    """Rectangles of cells that are inside: area, first row, rows, first column, columns."""
+def _most_cells(inside: NDArray[np.bool_], width: float, height: float) -> tuple[int, int, int, int]:
+    """First row, rows, first column and columns of the largest rectangle of cells that are inside.
+
+    Of several as large it is the one whose first row, then rows, then first column is the greatest.
+    """
+    largest, best = 0.0, (0, 0, 0, 0)
     run = np.zeros(inside.shape[1], dtype=int)
     for row in range(inside.shape[0]):
         run = np.where(inside[row], run + 1, 0)
@@ -188,8 +194,12 @@ def _rectangles(inside: NDArray[np.bool_], width: float, height: float) -> Itera
             start = column
             while stack and stack[-1][1] >= tall:
                 start, rows = stack.pop()
-                yield rows * height * (column - start) * width, row - rows + 1, rows, start, column - start
+                area = rows * height * (column - start) * width
+                if area >= largest:
+                    found = (row - rows + 1, rows, start, column - start)
+                    largest, best = area, found if area > largest else max(best, found)
             stack.append((start, tall))
+    return best
 
 
 def room_under(links: Sequence[Link], height: float) -> tuple[float, float] | None:

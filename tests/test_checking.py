@@ -179,6 +179,29 @@ def test_options_of_models_are_refused_for_scenes(room: Path) -> None:
         verify_file(room, VerifyOptions(robot=("crate_1",)))
 
 
+@pytest.mark.parametrize(
+    ("option", "value"),
+    [
+        ("sizes", "nowhere.json"),
+        ("assets", "nowhere"),
+        ("height", 2.5),
+        ("room", "bedroom"),
+        ("short_side", 3.0),
+        ("room_size", (4.0, 3.0)),
+    ],
+)
+def test_options_of_layouts_are_refused_for_scenes_and_models(
+    room: Path, tmp_path: Path, option: str, value: object
+) -> None:
+    model = tmp_path / "room.xml"
+    model.write_text(SCENE.format(x=2))
+    options = VerifyOptions(**{option: value})  # type: ignore[arg-type]
+    name = f"--{option.replace('_', '-')}"
+    for path, what in ((room, "one of our own scenes"), (model, "a model")):
+        with pytest.raises(InputError, match=f"{name}: only for layouts of other generators, and this is {what}"):
+            verify_file(path, options)
+
+
 def test_the_models_in_a_folder_are_listed(tmp_path: Path) -> None:
     for name in ("a.xml", "b.urdf", "notes.txt"):
         (tmp_path / name).write_text("x")

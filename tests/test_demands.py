@@ -155,14 +155,15 @@ def test_a_room_that_is_given_is_held_against_the_prompt() -> None:
 
 
 def test_at_least_is_enough_even_where_more_were_planned() -> None:
-    few = made(brief(request("bed", 9, least=1)), room=rectangle(4.0, 3.0)).report
+    small = rectangle(3.2, 2.6)
+    few = made(brief(request("bed", 3, least=1)), room=small).report
     demand = next(d for d in few.demands if d.kind == "count")
     assert demand.holds
     assert demand.wanted == "at least 1"
     assert any(absence.asked for absence in few.absent)
-    all_asked = made(brief(request("bed", 9)), room=rectangle(4.0, 3.0)).report
+    all_asked = made(brief(request("bed", 3)), room=small).report
     assert not all_asked.complete
-    assert any(phrase.startswith("bed: ") and phrase.endswith("asked for 9") for phrase in shortfalls(all_asked))
+    assert any(phrase.startswith("bed: ") and phrase.endswith("asked for 3") for phrase in shortfalls(all_asked))
 
 
 def test_the_middle_stays_free() -> None:

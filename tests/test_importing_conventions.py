@@ -61,6 +61,22 @@ def test_what_is_a_box_for_want_of_a_mesh_is_said(tmp_path, format):
     assert layout.substituted == expected
 
 
+@pytest.mark.parametrize("format", FORMATS)
+def test_options_that_change_nothing_are_named(tmp_path, format):
+    sizes = tmp_path / "table" / "sizes.json"
+    sizes.parent.mkdir()
+    sizes.write_text('{"piano": [1, 1, 1]}')
+    given = {"height": 9.0, "short_side": 3.0, "room_size": (4.0, 3.0), "sizes": sizes}
+    said = " ".join(read_layout(write(tmp_path, format), format=format, **given).notes)
+    assert ("option height was not used" in said) == (format not in ("layoutgpt", "il3d"))
+    assert ("option short-side was not used" in said) == (format != "layoutgpt")
+    assert ("option room-size was not used" in said) == (format not in ("idesign", "metaspatial"))
+    assert "table of sizes was not used" in said
+    sizes.write_text('{"desk": [0.7, 1.4, 0.75], "desk_1": [0.7, 1.4, 0.75]}')
+    said = " ".join(read_layout(write(tmp_path, format), format=format, sizes=sizes).notes)
+    assert "not used" not in said
+
+
 THINGS = st.builds(
     Thing,
     name=st.just("chair"),

@@ -12,8 +12,9 @@ from thinkblox.assets import make_asset
 from thinkblox.assets.source import ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.errors import InputError
+from thinkblox.feedback import feedback_line
 from thinkblox.generate import Generation, generate_room
-from thinkblox.judging import judge, judge_all
+from thinkblox.judging import Try, judge, judge_all
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort
@@ -82,6 +83,31 @@ def test_the_shift_that_is_named_helps() -> None:
     said = policy.seen[1].feedback[0].partition("move at least ")[2].split(" m towards ")
     assert said[1] == "+x"
     assert furnished(Answers([chair(0.2 + float(said[0]), 1.5)])).report.valid
+
+
+BANNER = asset("banner", (0.03, 3.8, 0.6), mount="wall", mass=3.0)
+PODIUM = asset("podium", (3.8, 2.8, 0.5))
+SMALL = {
+    "wall": (asset("picture", (0.03, 0.5, 0.4), mount="wall", mass=1.0), 2.0, 2.985, 1.5, 270.0, "north_wall"),
+    "floor": (asset("chest", (0.4, 0.4, 0.4)), 2.0, 1.5, 0.0, 0.0, "floor"),
+    "surface": (asset("tray", (0.3, 0.3, 0.3), mount="surface", mass=1.0), 2.0, 1.5, 0.0, 0.0, "floor"),
+}
+NOWHERE = {
+    "wall": "no free place was found along north_wall at this height; another height or another wall may have one",
+    "floor": "no free place was found within 10 m, turned as it is; another turn may find one",
+    "surface": "no free place was found at this height within 10 m, turned as it is; another surface may have one",
+}
+
+
+@pytest.mark.parametrize("mount", SMALL)
+def test_where_no_free_place_was_found_says_where_it_looked(mount: str) -> None:
+    kind, x, y, z, yaw, on = SMALL[mount]
+    full = scene(ROOM, (put(BANNER, 2.0, 2.985, 1.4, 270.0, on="north_wall"), BANNER), (put(PODIUM, 2.0, 1.5), PODIUM))
+    placement = put(kind, x, y, z, yaw, on=on)
+    verdict = World(full).check([placement], kind)[0]
+    assert "collision" in verdict.reasons
+    said = feedback_line(full, placement.id, Try(placement=placement, verdict=verdict), kind)
+    assert said.endswith(f"; {NOWHERE[mount]}")
 
 
 def picture(yaw: float, x: float = 2.0) -> str:

@@ -72,7 +72,13 @@ def misfit(name: str, size: Vec3 | None) -> float:
     return float(np.abs([*(lo - (-x / 2, -y / 2, 0.0)), *(hi - (x / 2, y / 2, z))]).max())
 
 
-def test_each_fills_its_box_exactly() -> None:
+def test_each_fills_its_box_at_its_least_or_greatest_size() -> None:
+    misfits = {name: misfit(name, kind.size_range[n % 2]) for n, (name, kind) in enumerate(PLAIN.items())}
+    assert {name for name, by in misfits.items() if by > 2e-6} == set()
+
+
+@pytest.mark.slow
+def test_each_fills_its_box_at_any_of_its_sizes() -> None:
     sizes = {name: (None, kind.size, kind.size_range[0], kind.size_range[1]) for name, kind in PLAIN.items()}
     assert {name for name in PLAIN if max(misfit(name, size) for size in sizes[name]) > 2e-6} == set()
 

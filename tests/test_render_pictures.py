@@ -11,10 +11,10 @@ from thinkblox.scene.asset import Asset, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene
-from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.sim.render import (
     NOTHING,
     ROOM,
+    Marking,
     best_view,
     cast,
     contact_sheet,
@@ -22,6 +22,7 @@ from thinkblox.sim.render import (
     render_asset,
     render_preview,
     render_top,
+    room_views,
 )
 from thinkblox.sim.render.curtains import curtain_ends
 from thinkblox.sim.render.foreground import in_the_way
@@ -177,7 +178,8 @@ def test_what_hangs_from_the_ceiling_hides_nothing_in_the_plan() -> None:
     scene = put(Scene(room=OPEN), BOX, (2.0, 1.5, 0.0))
     lit = put(scene, LAMP, (2.0, 1.5, 2.0), 0.0, "ceiling")
     middle = slice(62, 66)
-    without, under = pixels(render_marked(scene, size=128, marked=())), pixels(render_marked(lit, size=128, marked=()))
+    bare = Marking(grid=False, ids=False, fronts=False)
+    without, under = (pixels(room_views(s, size=128, count=1, marking=bare)[0].picture) for s in (scene, lit))
     assert (without[middle, middle] == under[middle, middle]).all()
 
 
@@ -227,20 +229,6 @@ def test_portraits_and_contact_sheets() -> None:
     sheet = contact_sheet([BOX, PICTURE, LAMP], columns=2, size=64)
     assert sheet.width == 128
     assert sheet.height > 128
-
-
-def test_a_target_is_marked_in_another_colour() -> None:
-    scene = put(Scene(room=OPEN), BOX, (2.0, 1.5, 0.0))
-    plain, target = render_marked(scene, size=128), render_marked(scene, size=128, targets=("box_1",))
-    assert plain.tobytes() != target.tobytes()
-
-
-TALL_BOX = asset("wardrobe", (0.6, 1.0, 2.0), front="one")
-LIVED_IN = Surfaces(
-    floor=Covering(laying="planks", colour=(0.7, 0.6, 0.5)),
-    walls=Covering(laying="paint", colour=(0.9, 0.9, 0.9)),
-    curtains=(0.2, 0.3, 0.6),
-)
 
 
 def test_a_tall_piece_on_a_cut_wall_is_seen_through() -> None:

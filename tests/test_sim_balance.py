@@ -50,10 +50,20 @@ def test_near_an_edge_nothing_is_believed(over: float) -> None:
     assert verdict.rest is None or verdict.rest > 0.04 or verdict.tilt < 0.01
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(calm())
 def test_any_room_gives_the_same_reasons_without_it(case: tuple[Scene, Placement, Asset]) -> None:
-    room, placement, kind = case
+    same_without_it(*case)
+
+
+@pytest.mark.slow
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(calm())
+def test_hundreds_of_rooms_give_the_same_reasons_without_it(case: tuple[Scene, Placement, Asset]) -> None:
+    same_without_it(*case)
+
+
+def same_without_it(room: Scene, placement: Placement, kind: Asset) -> None:
     assume(nothing_is_flung(room))
     quick = World(room).check([placement], kind)[0]
     with pytest.MonkeyPatch.context() as patch:

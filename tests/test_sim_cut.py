@@ -131,10 +131,20 @@ def nothing_is_flung(placed: Scene) -> bool:
     return all(max(verdict.depth, verdict.boundary) <= FLUNG for verdict in verify(placed).objects)
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(calm())
 def test_any_room(case: tuple[Scene, Placement, Asset]) -> None:
-    placed, placement, kind = case
+    cut_is_whole(*case)
+
+
+@pytest.mark.slow
+@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(calm())
+def test_hundreds_of_rooms(case: tuple[Scene, Placement, Asset]) -> None:
+    cut_is_whole(*case)
+
+
+def cut_is_whole(placed: Scene, placement: Placement, kind: Asset) -> None:
     assume(nothing_is_flung(placed))
     cut = World(placed).check([placement], kind)[0]
     whole = whole_room(placed).check([placement], kind)[0]
@@ -168,6 +178,21 @@ def test_what_floats_above_a_candidate_falls_on_it() -> None:
     cut, whole = World(placed).check([ball], BALL)[0], whole_room(placed).check([ball], BALL)[0]
     assert "pushes" in whole.reasons
     assert agree(cut, whole)
+
+
+def test_what_floats_falls_on_what_stands_squarely_below() -> None:
+    placed = scene(ROOM, (put(CRATE, 1.0, 1.2, 0.6), CRATE))
+    below = put(vase(), 1.0, 1.02, id="new_1")
+    cut, whole = World(placed).check([below], vase())[0], whole_room(placed).check([below], vase())[0]
+    assert not cut.valid
+    assert agree(cut, whole)
+
+
+def test_what_touches_something_fixed_above_it_floats() -> None:
+    shelf = put(SHELF, 1.0, 1.2, 0.998, id="shelf_1", on="north_wall")
+    placed = scene(ROOM, (put(CRATE, 1.0, 1.2, 0.6), CRATE), (shelf, SHELF))
+    cut = World(placed).check([put(vase(), 1.0, 1.02, id="new_1")], vase())[0]
+    assert not cut.valid
 
 
 def test_candidates_do_not_depend_on_each_other() -> None:

@@ -23,6 +23,8 @@ OURS = "thinkblox"
 DEMANDS = "What the prompt asks for is not looked at here; of our own rooms, the report of `generate` says it."
 MODELS = ("mjcf", "urdf")
 MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
+LAYOUT_OPTIONS = ("assets", "height", "room", "short_side", "sizes", "room_size")
+"""Attributes of VerifyOptions that say what a layout of another generator leaves open."""
 RANGES = {"height": (1.5, 50.0), "short_side": (0.5, 100.0), "max_move": (0.0, 100.0)}
 """Between what a length of VerifyOptions must be [m]; above 0 in any case."""
 SIDES = (0.5, 100.0)
@@ -101,8 +103,7 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
     _check_numbers(reading, timeout)
     _check_targets(reading)
     kind = _format_of(path, reading.format)
-    if kind not in MODELS and (reading.root or reading.fixed_base or reading.exclude or reading.robot):
-        raise InputError(f"{path}: --root, --fixed-base, --exclude and --robot are for models, which are MJCF or URDF")
+    _check_purpose(path, kind, reading)
     from thinkblox.sim.workers.guard import guarded
 
     # This process loads no more than it takes to read the answer: the child is what a caller waits for.
@@ -176,6 +177,18 @@ def _check_numbers(reading: VerifyOptions, timeout: object) -> None:
         raise InputError(f"the seed is {reading.seed!r}; it must be a whole number from 0 to 2^63 - 1")
     if not _is_length(timeout):
         raise InputError(f"a timeout of {timeout!r} s is none; give seconds, more than 0")
+
+
+def _check_purpose(path: Path, kind: str, reading: VerifyOptions) -> None:
+    """Refuse options that a file of this kind has no use for."""
+    if kind not in MODELS and (reading.root or reading.fixed_base or reading.exclude or reading.robot):
+        raise InputError(f"{path}: --root, --fixed-base, --exclude and --robot are for models, which are MJCF or URDF")
+    if kind not in (OURS, *MODELS):
+        return
+    useless = [f"--{name.replace('_', '-')}" for name in LAYOUT_OPTIONS if getattr(reading, name) is not None]
+    if useless:
+        what = "one of our own scenes" if kind == OURS else "a model"
+        raise InputError(f"{path}: {', '.join(useless)}: only for layouts of other generators, and this is {what}")
 
 
 def _is_length(value: object) -> bool:

@@ -11,6 +11,7 @@ from typing import Literal, NamedTuple
 import msgspec
 
 from thinkblox.errors import InputError
+from thinkblox.json_faults import json_fault
 from thinkblox.judging import Try
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.plan import Plan
@@ -214,7 +215,7 @@ def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> 
     try:
         line = decoder.decode(text)
     except (InputError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise InputError(f"{where}: {error}") from error
+        raise InputError(f"{where}: {json_fault(error, text, Line)}") from error
     refuse_double_keys(text, where)
     return line
 

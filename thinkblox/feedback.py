@@ -47,10 +47,21 @@ def _shift(scene: Scene, placement: Placement, asset: Asset, verdict: Verdict) -
         return ""
     found = nearest_shift(scene, asset, placement, clear_of=verdict.blocked)
     if found is None:
-        return "nothing within 10 m of there seems free"
+        return _no_place(scene, asset, placement)
     parts = [
         f"{math.ceil(abs(part) * 100 - 1e-6) / 100:.2f} m towards {'+' if part > 0 else '-'}{axis}"
         for axis, part in zip("xyz", found, strict=True)
         if abs(part) >= FELT
     ]
     return f"move at least {' and '.join(parts)}" if parts else ""
+
+
+def _no_place(scene: Scene, asset: Asset, placement: Placement) -> str:
+    """That the search found nothing, where it looked, and where it did not."""
+    if asset.mount == "wall":
+        walls = {wall.name for wall in scene.room.walls}
+        where = f"along {placement.support}" if placement.support in walls else "along the wall"
+        return f"no free place was found {where} at this height; another height or another wall may have one"
+    if asset.mount == "surface":
+        return "no free place was found at this height within 10 m, turned as it is; another surface may have one"
+    return "no free place was found within 10 m, turned as it is; another turn may find one"

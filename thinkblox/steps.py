@@ -22,6 +22,7 @@ from msgspec import Meta
 
 from thinkblox.checked import ObjectId
 from thinkblox.errors import InputError
+from thinkblox.json_faults import json_fault
 from thinkblox.value import Value, Vec3, refuse_double_keys
 
 MAX_TEXT = 20_000
@@ -145,7 +146,7 @@ def decoded(answer: str, kind: type[A]) -> A | Rejection:
         read = msgspec.json.decode(answer, type=kind)
         refuse_double_keys(answer.encode(), "the answer")
     except msgspec.ValidationError as error:
-        return Rejection(reason="fields", message=f"the answer's object is wrong: {error}")
+        return Rejection(reason="fields", message=f"the answer's object is wrong: {json_fault(error, answer, Answer)}")
     except InputError as error:
         return Rejection(reason="json", message=str(error))
     except (msgspec.DecodeError, RecursionError) as error:

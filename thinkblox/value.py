@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.plain_text import escaped
+from thinkblox.json_faults import json_fault
 from thinkblox.regular_file import read_regular
 
 Vec2 = tuple[float, float]
@@ -48,14 +48,13 @@ def from_json(data: bytes | str, kind: type[V], *, where: str = "JSON") -> V:
     """Read `kind` from JSON text.
 
     Raises:
-        InputError: not JSON, a missing or unknown key, a wrong type or a value out of range; names the path in the
-            document and `where` it came from.
+        InputError: not JSON, a missing or unknown key, a wrong type or a value out of range; names `where` it came from
+            and the line and column, or the path in the document, and for an unknown key those that there are.
     """
     try:
         return msgspec.json.decode(data, type=kind)
     except (InputError, msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        # A key that is not known stands in the message as it was read.
-        raise InputError(f"{where}: {escaped(str(error))}") from error
+        raise InputError(f"{where}: {json_fault(error, data, kind)}") from error
 
 
 def read_json(path: Path, kind: type[V]) -> V:

@@ -98,9 +98,22 @@ class Neighbours:
             id = self._placements[number].id
             if id not in found and self._floats(number, margin):
                 group = self.hanging_together((id,), margin)
-                if all(self._floats(self._number[other], margin) for other in group):
+                if id not in self._carried(group, margin):
                     found |= group
         return found
+
+    def _carried(self, group: Collection[str], margin: float) -> set[str]:
+        """Those of a group that stand on the floor, are fixed, or touch one of these that begins no higher."""
+        carried = {id for id in group if not self._floats(self._number[id], margin)}
+        ahead = list(carried)
+        while ahead:
+            number = self._number[ahead.pop()]
+            highest = self._around.low[number, 2] - margin
+            touching = self.meetings(self._boxes_of(number), margin).keys() & set(group)
+            new = {id for id in touching - carried if self._around.low[self._number[id], 2] >= highest}
+            carried |= new
+            ahead += sorted(new)
+        return carried
 
     def _floats(self, number: int, margin: float) -> bool:
         return self._solids[number].asset.free and bool(self._around.low[number, 2] > margin)

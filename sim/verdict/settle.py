@@ -43,17 +43,18 @@ class SettledState(Value, kw_only=True, frozen=True):
 
 def diverged(data: mujoco.MjData) -> bool:
     """Whether the engine warned of numbers that blew up or of a buffer that overflowed."""
-    return any(data.warning[int(kind)].number for kind in WARNINGS)
+    numbers = data.warning.number
+    return bool(numbers.any()) and any(numbers[int(kind)] for kind in WARNINGS)
 
 
 def motion_between(start: NDArray[np.float64], end: NDArray[np.float64], *, unstable: bool = False) -> Motion:
     """Motion of one free body between two of its seven-number poses (position, quaternion wxyz)."""
-    if unstable or not np.all(np.isfinite(end)):
+    if unstable or not np.isfinite(end).all():
         return Motion(unstable=True)
-    moved = end[:3] - start[:3]
+    x, y, z = (end[:3] - start[:3]).tolist()
     return Motion(
-        drift=round(math.hypot(moved[0], moved[1]), 6),
-        drop=round(max(0.0, -float(moved[2])), 6),
+        drift=round(math.hypot(x, y), 6),
+        drop=round(max(0.0, -z), 6),
         tilt=round(turn(start[3:7], end[3:7]), 4),
     )
 
@@ -62,7 +63,7 @@ def turn(first: NDArray[np.float64], second: NDArray[np.float64]) -> float:
     """Angle between two orientations wxyz [degrees]."""
     difference = np.zeros(3)
     mujoco.mju_subQuat(difference, first, second)
-    return math.degrees(float(np.linalg.norm(difference)))
+    return math.degrees(math.sqrt(difference.dot(difference)))
 
 
 def settle(scene: Scene, *, physics: Physics | None = None) -> SettledState:

@@ -185,7 +185,8 @@ class _Track:
     def look(self) -> NDArray[np.float64]:
         """The poses now, (n, 7)."""
         now: NDArray[np.float64] = self._data.qpos[self._poses]
-        shift = np.linalg.norm(now[:, :3] - self.start[:, :3], axis=1)
+        moved = now[:, :3] - self.start[:, :3]
+        shift = np.sqrt((moved * moved).sum(axis=1))
         aligned = np.abs((now[:, 3:] * self.start[:, 3:]).sum(axis=1)).clip(0.0, 1.0)
         farthest = shift + 2.0 * np.sqrt(1.0 - aligned**2) * self._radii
         self.farthest = np.fmax(self.farthest, np.where(np.isfinite(farthest), farthest, np.inf))

@@ -276,11 +276,14 @@ class World:
 
         What lies or stands for good soon, and what falls far, is measured among sleepers. What is still undecided then
         is near an edge, leans, wobbles or trembles: it is watched from the beginning with everything awake. So is what
-        moves or presses too much, for sleepers do not give way as they do awake.
+        moves or presses too much, for sleepers do not give way as they do awake, and what has something floating over
+        it, for a sleeper does not fall.
         """
-        settled, there = self._wide_enough(candidate, asset, awake=False)
-        if not settled.decided or self._doubtful(settled):
-            settled, there = self._wide_enough(candidate, asset, awake=True)
+        boxes = piece_boxes(solid_of(asset), candidate)
+        asleep = not self._neighbours.falling_on(boxes, NARROW.gap)
+        settled, there = self._wide_enough(candidate, asset, boxes, awake=not asleep)
+        if asleep and (not settled.decided or self._doubtful(settled)):
+            settled, there = self._wide_enough(candidate, asset, boxes, awake=True)
         blames = settled.motion.restless or disturbs(settled.motion.pushed, self._tolerances) or self._pressed(settled)
         if not blames:
             return settled
@@ -293,8 +296,10 @@ class World:
             return False
         return bool(judge_motion(motion, self._tolerances) or self._pressed(settled))
 
-    def _wide_enough(self, candidate: Placement, asset: Asset, *, awake: bool) -> tuple[Settled, frozenset[str]]:
-        boxes, cut = piece_boxes(solid_of(asset), candidate), NARROW
+    def _wide_enough(
+        self, candidate: Placement, asset: Asset, boxes: Boxes, *, awake: bool
+    ) -> tuple[Settled, frozenset[str]]:
+        cut = NARROW
         seconds = self._physics.settle_time if awake else min(SOON, self._physics.settle_time)
         there = self._within(boxes, cut)
         settled = self._stage(asset, there, awake).settle(CANDIDATE, candidate, seconds=seconds)

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from codecs import BOM_UTF8
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
@@ -11,6 +12,7 @@ import msgspec
 from thinkblox.errors import InputError
 from thinkblox.evaluation import rows
 from thinkblox.evaluation.annotations import Annotation, RoomDemand
+from thinkblox.json_faults import json_fault, place_in
 from thinkblox.regular_file import read_regular
 
 R = TypeVar("R")
@@ -37,11 +39,11 @@ def read_annotations(path: Path) -> tuple[Annotation, ...]:
     Raises:
         InputError: the file cannot be read, or something in it is wrong; names the entry, the column and the row.
     """
-    data = read_regular(path, most=MAX_BYTES)
+    data = read_regular(path, most=MAX_BYTES).removeprefix(BOM_UTF8)
     try:
-        text = data.decode("utf-8-sig")
+        text = data.decode()
     except UnicodeDecodeError as error:
-        raise InputError(f"{path}: is not UTF-8: {error}") from error
+        raise InputError(f"{path}: is not UTF-8: {place_in(data, error.start)}") from error
     try:
         found = _from_csv(text) if path.suffix.lower() == ".csv" else _from_json(text)
     except InputError as error:
@@ -62,7 +64,8 @@ def _from_json(text: str) -> tuple[Annotation, ...]:
     try:
         entries = msgspec.json.decode(text, type=list[dict[str, Any]])
     except (msgspec.MsgspecError, RecursionError) as error:
-        raise InputError(f"is no list of annotated prompts: {error}") from error
+        fault = json_fault(error, text, list[dict[str, Any]])
+        raise InputError(f"is no list of annotated prompts: {fault}") from error
     return tuple(_json_entry(number, raw) for number, raw in enumerate(entries, 1))
 
 
@@ -71,7 +74,7 @@ def _json_entry(number: int, raw: dict[str, Any]) -> Annotation:
     try:
         entry = msgspec.convert(raw, _Entry)
     except msgspec.ValidationError as error:
-        raise InputError(f"{where}: {error}") from error
+        raise InputError(f"{where}: {json_fault(error, b'', _Entry)}") from error
     return Annotation(
         id=entry.id,
         style=entry.style,

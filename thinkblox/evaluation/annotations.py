@@ -98,7 +98,7 @@ class ElementRelation(Row, frozen=True):
         return f"{self.amount} {self.relation}: {self.category} -> {self.element}"
 
 
-class RoomDemand(msgspec.Struct, frozen=True):
+class RoomDemand(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What the prompt says of the room.
 
     Attributes:

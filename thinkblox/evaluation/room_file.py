@@ -1,16 +1,14 @@
 """What the judge reads of a finished room: records of its own, so that no code of the scene stands behind them."""
 
 from pathlib import Path
-from typing import TypeVar
 
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.regular_file import read_regular
+from thinkblox.value import read_json
 
 Vec2 = tuple[float, float]
 Vec3 = tuple[float, float, float]
-S = TypeVar("S", bound=msgspec.Struct)
 
 
 class ShapeRecord(msgspec.Struct, frozen=True):
@@ -113,7 +111,7 @@ class ReportRecord(msgspec.Struct, frozen=True):
 
 def read_scene(folder: Path) -> SceneRecord:
     """The scene.json of an output folder; raises InputError."""
-    scene = _read(folder / "scene.json", SceneRecord)
+    scene = read_json(folder / "scene.json", SceneRecord)
     for placement in scene.placements:
         if placement.asset not in scene.assets:
             raise InputError(f"{folder / 'scene.json'}: {placement.id} shows {placement.asset!r}, which is not there")
@@ -125,11 +123,4 @@ def read_scene(folder: Path) -> SceneRecord:
 
 def read_report(folder: Path) -> ReportRecord:
     """The report.json of an output folder; raises InputError."""
-    return _read(folder / "report.json", ReportRecord)
-
-
-def _read(path: Path, kind: type[S]) -> S:
-    try:
-        return msgspec.json.decode(read_regular(path), type=kind)
-    except (msgspec.MsgspecError, UnicodeDecodeError, RecursionError) as error:
-        raise InputError(f"{path}: {error}") from error
+    return read_json(folder / "report.json", ReportRecord)

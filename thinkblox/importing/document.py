@@ -11,6 +11,7 @@ import msgspec
 from msgspec import Meta
 
 from thinkblox.errors import InputError
+from thinkblox.json_faults import place_in
 from thinkblox.regular_file import read_regular
 
 MAX_BYTES = 64_000_000
@@ -93,6 +94,8 @@ def _parsed(path: Path, data: bytes) -> Any:
         raise InputError(f"{path}: {error}") from error
     except RecursionError as error:
         raise InputError(f"{path}: is nested too deeply to be a layout") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: is not UTF-8: {place_in(data, error.start)}") from error
     except ValueError as error:
         raise InputError(f"{path}: is not JSON: {error}") from error
 

@@ -1,7 +1,7 @@
 """A layout of another generator as one of our scenes."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -32,6 +32,13 @@ FRONTS = (
     "Whether what hangs on a wall has its front to the room is not judged: no layout says that its meshes face"
     " the way its format wants."
 )
+
+_MEANT_FOR = {
+    "room": ("holodeck", "layoutgpt", "sceneeval"),
+    "short_side": ("layoutgpt",),
+    "room_size": ("idesign", "metaspatial"),
+}
+"""The formats that know each of these options."""
 
 
 class ForeignLayout(Value, frozen=True, kw_only=True):
@@ -82,10 +89,12 @@ def read_layout(
     document = read_document(path)
     name = _format_of(document, format)
     _check_options(path, assets, height, short_side)
+    given = {"room": room, "short_side": short_side, "room_size": room_size}
     roots = ((Path(assets),) if assets is not None else ()) + (path.absolute().parent,)
     library = Library(roots=roots, sizes=read_sizes(Path(sizes)) if sizes is not None else {})
-    draft = _sized(_draft(document, name, library, room, short_side, _room_size(room_size)), library)
-    return _layout(document, draft, name, height)
+    draft = _draft(document, name, library, room, short_side, _room_size(room_size))
+    unused = _unused(name, given, draft, height, library.sizes)
+    return _layout(document, replace(_sized(draft, library), notes=(*unused, *draft.notes)), name, height)
 
 
 def _format_of(document: Document, format: str | None) -> str:
@@ -114,17 +123,39 @@ def _room_size(size: Sequence[float] | None) -> Sequence[float] | None:
     return size
 
 
+def _unused(
+    format: str, given: Mapping[str, object], draft: LayoutDraft, height: float | None, sizes: Sizes
+) -> tuple[str, ...]:
+    """Notes on what was given to read a layout and changed nothing."""
+    notes = [
+        f"The option {name.replace('_', '-')} was not used: it is for {' and '.join(_MEANT_FOR[name])}, not {format}."
+        for name, value in given.items()
+        if value is not None and format not in _MEANT_FOR[name]
+    ]
+    if height is not None and draft.outline.height is not None:
+        notes.append(f"The option height was not used: the layout says {draft.outline.height:.4g} m.")
+    # SceneEval puts the library before the name, and its reader looks for what follows.
+    if sizes and not any(size_in(sizes, *_names(item), item.sought.partition(".")[2]) for item in draft.items):
+        notes.append("The table of sizes was not used: it names nothing that the layout places.")
+    return tuple(notes)
+
+
 def _sized(draft: LayoutDraft, library: Library) -> LayoutDraft:
     """The draft with the sizes of the user's own table."""
     return replace(draft, items=tuple(_given(item, library.sizes) for item in draft.items))
 
 
 def _given(item: Item, sizes: Sizes) -> Item:
-    size = size_in(sizes, item.name, item.kind, item.sought)
+    size = size_in(sizes, *_names(item))
     if size is None:
         return item
     x, y, z = (length * factor for length, factor in zip(size, item.scale, strict=True))
     return replace(item, size=(x, y, z))
+
+
+def _names(item: Item) -> tuple[str, ...]:
+    """By which a table of sizes may speak of it."""
+    return (item.name, item.kind, item.sought)
 
 
 def _draft(
