@@ -110,3 +110,14 @@ def test_training_reads_a_chat_as_it_is_read_at_run_time(tiny_folder):
     shown = encode(processor, chat)
     assert trained["input_ids"].equal(shown["input_ids"])
     assert trained["pixel_values"].equal(shown["pixel_values"])
+
+
+def test_other_tools_in_the_process_read_it_without_torchvision(tiny_folder):
+    code = (
+        "from thinkblox.policies.processors import use_without_torchvision\n"
+        "use_without_torchvision()\n"
+        "from transformers import AutoProcessor\n"
+        f"print(type(AutoProcessor.from_pretrained({str(tiny_folder)!r})).__module__)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "thinkblox.policies.processors"
