@@ -11,6 +11,7 @@ from thinkblox.scene.asset import Asset, Link, Shape, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.sim.render import (
     NOTHING,
     ROOM,
@@ -229,6 +230,14 @@ def test_portraits_and_contact_sheets() -> None:
     sheet = contact_sheet([BOX, PICTURE, LAMP], columns=2, size=64)
     assert sheet.width == 128
     assert sheet.height > 128
+
+
+TALL_BOX = asset("wardrobe", (0.6, 1.0, 2.0), front="one")
+LIVED_IN = Surfaces(
+    floor=Covering(laying="planks", colour=(0.7, 0.6, 0.5)),
+    walls=Covering(laying="paint", colour=(0.9, 0.9, 0.9)),
+    curtains=(0.2, 0.3, 0.6),
+)
 
 
 def test_a_tall_piece_on_a_cut_wall_is_seen_through() -> None:
