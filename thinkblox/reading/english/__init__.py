@@ -14,6 +14,12 @@ from thinkblox.reading.tokens import Token
 __all__ = ["known_share", "read_english"]
 _POINTS = re.compile(r"\b(?:i\.e\.|e\.g\.|etc\.|approx\.|incl\.|ca\.|resp\.|vs\.|max\.|min\.)", re.IGNORECASE)
 """Abbreviations whose points end no sentence."""
+_HALF = re.compile(r"\bhalf an?(?= (?:met(?:re|er)|foot|inch|yard)\b)", re.IGNORECASE)
+"""Half of a unit of length, which is a number."""
+_ONE = re.compile(
+    r"\ban?(?= (?:met(?:re|er)|foot|yard) (?:away|apart|from|in front|behind|above|below|off)\b)", re.IGNORECASE
+)
+"""One of a unit of length where it says how far off something is."""
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
@@ -22,6 +28,8 @@ _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
+    text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
+    text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = _spelt_out(lexicon.tokens(text))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word or token.text) for token, word in zip(tokens, meant, strict=True)]

@@ -13,6 +13,7 @@ _LINKS: dict[str, Fate] = {
     "mutual": "related",
     "verbs": "related",
     "negations": "constraint",
+    "corrections": "constraint",
 }
 """What becomes of words between noun phrases, by section of the grammar; the others are filler."""
 _IDLE = ("be", "other", "put", "serve")
@@ -52,9 +53,17 @@ class Account:
         for at in range(start, min(end, len(self._tokens))):
             self._fates[at] = fate
 
+    def is_lost(self, start: int, end: int) -> bool:
+        """Whether all of these tokens were said not to be understood."""
+        return all(fate == "not_understood" for fate in self._fates[start:end])
+
     def text(self, start: int, end: int) -> str:
         """The tokens from `start` to before `end` as they were written."""
         return " ".join(token.shown for token in self._tokens[start:end])
+
+    def all_words(self) -> list[str]:
+        """All tokens as they were written, marks among them."""
+        return [token.shown for token in self._tokens]
 
     def words(self) -> tuple[Word, ...]:
         """Every word and number in order, each once."""

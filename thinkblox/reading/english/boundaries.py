@@ -76,11 +76,16 @@ class Boundaries(State):
         self.verb = ""
         if kind == "stop":
             self.referents.parted = None
+            self.meanings.sided, self.meanings.room_side = None, ""
             self.fresh.clear()
         if self.subject is not None and self.subject.thing is not None:
             self.referents.topics.append(self.subject.thing)
         elif things and not self.excluding:
             self.referents.topics.append(things[0])
+        its = [f for f in self.front if f.used and f.where.noun is not None and f.where.noun.kind == "pronoun"]
+        side = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        if kind == "semicolon" and its and side is not None and side.kind == "part" and side.det == "my":
+            self.referents.topics += [a for a in its[-1].anchors[:1] if isinstance(a, Mention)]
         self._begin()
         self.front, self.sequence = front, sequence
         self.opening = None
@@ -93,7 +98,7 @@ class Boundaries(State):
     def _join(self, link: Connector) -> None:
         match link.value:
             case "and" | "or":
-                if link.value == "or" and self._is_choice():
+                if link.value == "or" and (self._is_choice_of_places() or self._is_choice()):
                     self._lose_choice(link)
                     return
                 before = self._before()
@@ -103,7 +108,7 @@ class Boundaries(State):
                 self.excluding |= keep
                 if link.text.lower() in grammar().lists["together"] and self.predicate:
                     self.together = self.subject
-            case "but" if self._all_but():
+            case "but" if self._all_but() or self._all_but_one(link):
                 pass
             case "but":
                 negated = self.negating
@@ -132,9 +137,29 @@ class Boundaries(State):
         if not noun.count or (thing.count or 0) <= noun.count:
             return False
         self._go_past(noun)
+        before = self.draft.bonds[-1] if self.draft.bonds else None
         self.referents.leave_out(thing, noun.count)
+        if before is not None and before.each and thing in before.anchors:
+            left_out = set(map(id, self.referents.parts.get(thing, ())))
+            before.anchors = tuple(a for a in before.anchors if id(a) not in left_out)
+        if noun.side or noun.ordinal:
+            self._lose(noun.start, noun.end)
         self.frontier[-1].things = [thing]
         self.each = True
+        return True
+
+    def _all_but_one(self, link: Connector) -> bool:
+        """Whether "every easel but the middle one" leaves out one that is not counted out; that is not understood."""
+        said, noun = self._before(), self._next_noun()
+        several = isinstance(said, Noun) and (said.det in ("each", "all", "both") or said.value in ("each", "all"))
+        if not several or noun is None or noun is not self.peek() or noun.kind not in ("number", "pronoun", "thing"):
+            return False
+        after = self.peek(1)
+        if after is not None and not self._is_link(after, "mark") and not self._is_link(after, "prepositions"):
+            return False
+        self._go_past(noun)
+        self._spend(noun)
+        self._lose(link.start, noun.end)
         return True
 
     def _is_choice(self) -> bool:
@@ -146,6 +171,11 @@ class Boundaries(State):
             return False
         anchor = self._is_link(self._before(2), "prepositions")
         return not noun.definite or (before.definite and (anchor or self.referents.named(noun) is None))
+
+    def _is_choice_of_places(self) -> bool:
+        """Whether "by the window or at the foot of the bed" leaves open where something is."""
+        denied = self.excluding or self.negating or self.draft.empty
+        return not denied and self._is_link(self.peek(), "prepositions") and isinstance(self._before(), Noun)
 
     def _lose_choice(self, link: Connector) -> None:
         """Keep the first of two to choose from; the other, with all that is said of it, is not understood."""

@@ -8,6 +8,7 @@ from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measur
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.surfaces import surface_at
+from thinkblox.reading.english.turns import correction_at
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
@@ -73,10 +74,10 @@ class Cutter:
         token = self.tokens[self.at]
         if token.kind == "mark" and token.text in _QUOTES and (quoted := self._quoted()) is not None:
             return quoted
-        if (whole := self._surface() or self._unread()) is not None:
+        if (whole := self._surface() or self._correction() or self._unread()) is not None:
             return whole
-        if self._is_decade():
-            return Connector("fillers", "words", self.at, self.at + 2, token.shown)
+        if length := self._numbering():
+            return Connector("fillers", "words", self.at, self.at + length, token.shown)
         if token.kind == "mark":
             value = _MARKS.get(token.text)
             return Connector("mark", value, self.at, self.at + 1, token.shown) if value else None
@@ -109,6 +110,19 @@ class Cutter:
         text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
         return Stray(self.at, self.at + unread, text)
 
+    def _correction(self) -> Connector | None:
+        """Read "no, make that" where one noun phrase ends the clause: what it corrects may be found."""
+        length = correction_at(self.tokens, self.at)
+        if not length or not self.made or self.at + length >= len(self.tokens):
+            return None
+        noun = self._phrases.read(self.at + length)
+        if noun is None or noun.kind not in ("thing", "number") or noun.definite or not (noun.det or noun.count):
+            return None
+        if noun.end < len(self.tokens) and self.tokens[noun.end].kind != "mark":
+            return None
+        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+        return Connector("corrections", "replace", self.at, self.at + length, text)
+
     def _surface(self) -> SaidSurface | None:
         """Read what floor or walls are like; where they are a place for something, that is noted and they stay one."""
         found = surface_at(self.tokens, self.at, self._is_room_at)
@@ -129,6 +143,16 @@ class Cutter:
         if not isinstance(last, Connector):
             return False
         return last.sort in ("prepositions", "inverses", "participles") and last.value not in ("with", "of", "as")
+
+    def _numbering(self) -> int:
+        """How many tokens a number has that counts nothing: "(a)", "the 1950s"."""
+        return 3 if self._is_item() else 2 if self._is_decade() else 0
+
+    def _is_item(self) -> bool:
+        """Whether "(a)", "(2)" numbers what is listed."""
+        inner = self._text_at(self.at + 1)
+        brackets = (self.tokens[self.at].text, self._text_at(self.at + 2)) == ("(", ")")
+        return brackets and len(inner) == 1 and inner.isalnum()
 
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""

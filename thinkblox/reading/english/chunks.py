@@ -35,7 +35,10 @@ class Noun:
         named: the head is in the catalogue or another list of ours.
         material: what the same words say as an adjective ("glass").
         within: it names a part of the thing ("the oven handle").
+        degree: "larger", "oldest", where that tells it from others of its kind.
         fates: what becomes of words of the phrase that ask for nothing, by token.
+        total: of how many a number is said to be a part ("five of the eight chairs"); 0 where nothing is said.
+        fraction: "three out of every four" is (3, 4).
         share: "half as many" is 0.5; 0 where it is not said of something else's number.
     """
 
@@ -68,8 +71,11 @@ class Noun:
     owner: str = ""
     named: bool = True
     share: float = 0.0
+    total: int = 0
+    fraction: tuple[int, int] = (0, 0)
     material: str = ""
     within: bool = False
+    degree: str = ""
     fates: dict[int, Fate] = field(default_factory=dict)
 
     @property

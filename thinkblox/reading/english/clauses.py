@@ -3,9 +3,9 @@
 from collections.abc import Callable, Mapping
 
 from thinkblox.reading.draft import Draft
+from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.pronouns import Pronouns
 from thinkblox.reading.english.state import LOOKAHEAD
 
 
@@ -14,7 +14,7 @@ def _sorts(text: str) -> list[tuple[str, str]]:
     return [(sort, text) for sort, _ in grammar().phrases.get(tuple(text.split()[-1:]), ())]
 
 
-class Clauses(Pronouns):
+class Clauses(Audit):
     """Reads the chunks of one text."""
 
     def read(self) -> Draft:
@@ -37,6 +37,7 @@ class Clauses(Pronouns):
                     self.draft.surfaces.append(chunk.request)
         self._begin()
         self._drop_groups()
+        self._audit()
         self.draft.account = self.account.words()
         return self.draft
 
@@ -69,14 +70,22 @@ class Clauses(Pronouns):
                 self._verb(link)
             case "negations":
                 self._negation(link)
-            case "mutual":
-                self._mutual(link)
-                self.predicate |= link.text.lower().startswith(("face ", "are ", "stand "))
+            case _:
+                self._say_of_all(link)
+
+    def _say_of_all(self, link: Connector) -> None:
+        """Read a correction, or how several stand to each other."""
+        if link.sort == "corrections":
+            self._correct(link)
+        elif link.sort == "mutual":
+            self._mutual(link)
+            self.predicate |= link.text.lower().startswith(("face ", "are ", "stand "))
 
     def _noun(self, noun: Noun) -> None:
         self._as_seat(noun)
         self.draft.style += noun.styles if not self.excluding else []
         if noun.kind == "thing" and self._is_label(noun):
+            self._spend(noun)
             return
         readers: Mapping[NounKind, Callable[[Noun], None]] = {
             "thing": self._thing,
@@ -104,20 +113,18 @@ class Clauses(Pronouns):
         if noun.det == "no" or (self.excluding and not self.excepting):
             self._exclude(noun)
             return
-        if self._is_capacity(noun):
-            return
-        if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
-            return
-        if self._is_mood(noun):
-            (self.draft.style if not noun.named else self.draft.unknown).append(noun.text.lower())
+        if self._names_nothing(noun):
+            self._spend(noun)
             return
         word = noun.text.rpartition(" ")[2].lower()
         if noun.definite and word in grammar().lists["parts"] and self._is_link(self.peek(), "prepositions", "of"):
             whole = self._next_noun(1)
             if whole is not None and whole.kind == "thing":
+                self._spend(noun)
                 self._go_past(whole)
                 noun = whole
         if self._is_adjective(noun):
+            self._spend(noun)
             self._adjective(Adjective(noun.start, noun.end, noun.text, [noun.material]))
             return
         if self.separator and self._is_new_clause(noun):
@@ -126,6 +133,9 @@ class Clauses(Pronouns):
             self.referents.topics += topic
             self._begin()
             self.separator = kept
+        if self._is_definition(noun):
+            self._define(noun)
+            return
         known = self._known(noun)
         if known:
             self._take_known(noun, known)
@@ -133,10 +143,33 @@ class Clauses(Pronouns):
             put = isinstance(last, Connector) and last.sort == "negations" and last.text.lower().endswith(" put")
             self.negating = noun.det == "none" or (self.negating and put)
             return
+        self._take_new(noun)
+
+    def _take_new(self, noun: Noun) -> None:
+        """Ask for a thing that was not named before; a share of nothing is not understood."""
+        if noun.fraction[1]:
+            self._lose(noun.start, noun.end)
+            return
         self.barred = None
         thing = self._new(noun)
         self._take(thing, noun)
         self.negating |= noun.det == "none"
+
+    def _names_nothing(self, noun: Noun) -> bool:
+        """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""
+        if self._is_capacity(noun):
+            return True
+        if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
+            return True
+        if not (self._is_mood(noun) or self._is_of_room(noun)):
+            return False
+        (self.draft.style if not noun.named else self.draft.unknown).append(noun.text.lower())
+        return True
+
+    def _is_of_room(self, noun: Noun) -> bool:
+        """Whether words that nobody knows only say what kind of room comes: "an instagram ready kitchen"."""
+        room = self._next_noun()
+        return not noun.named and not self.draft.things and room is not None and room.kind == "room"
 
     def _is_mood(self, noun: Noun) -> bool:
         """Whether words that nobody knows only say how it is to feel: "nail salon, instagram ready"."""

@@ -4,11 +4,13 @@ from dataclasses import replace
 
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.attach import bind
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.looks import Descriptions
 from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.referents import last_word
 
 
 class Groups(Descriptions):
@@ -37,6 +39,38 @@ class Groups(Descriptions):
         self.subject = None
         self.pending = frame
         self.each = False
+
+    def _is_definition(self, noun: Noun) -> bool:
+        """Whether "a booth is a table with two benches" says what several that are called so are."""
+        verb, what = self.peek(), self._next_noun(1)
+        if noun.det not in ("a", "each") or noun.count not in (None, 1) or noun.attributes or noun.every:
+            return False
+        if not (self._is_link(verb, "verbs", "be", "consist") or self._is_made_of()) or what is None:
+            return False
+        return what.kind == "thing" and what.det in ("a", "another", "") and (what.det == "a" or what.count is not None)
+
+    def _is_made_of(self) -> bool:
+        """Whether "consists of", "is made up of" comes."""
+        made = self.peek(1) if self._is_link(self.peek(), "verbs", "be") else self.peek()
+        return (
+            isinstance(made, Connector)
+            and made.sort == "inverses"
+            and made.text.lower().startswith(("consist", "made"))
+        )
+
+    def _define(self, noun: Noun) -> None:
+        """Let what a group is said to be stand for each of its members; without a group it is not understood."""
+        group = self.referents.named(noun)
+        self._spend(noun)
+        if group is None or not group.many or last_word(group) != noun.word:
+            verb = self.peek()
+            self._lose(noun.start, verb.end if verb is not None else noun.end)
+            return
+        self.at += 1 if self._next_noun() is not self._next_noun(1) or self._is_link(self.peek(), "verbs") else 0
+        self.referents.settle(group)
+        bonds = self.draft.bonds_of(group)
+        self._dissolve(group)
+        self.clause.inherited = bonds
 
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""
@@ -106,7 +140,11 @@ class Groups(Descriptions):
         node = self.frontier[-1] if self.frontier else None
         if node is None or node.frame is None:
             return
-        for thing in node.frame.members if node.frame.head is not None else node.things:
+        head = node.frame.head
+        for thing in node.frame.members if head is not None else node.things:
+            loose = head is not None and head.things and not self.draft.bonds_of(thing)
+            if head is not None and loose and head.things[-1].many:
+                bind(self.draft, Bond("next_to", thing, (head.things[-1],), implied=True))
             for bond in self.draft.bonds_of(thing):
                 if any(isinstance(a, Mention) for a in bond.anchors):
                     bond.each = True

@@ -29,6 +29,7 @@ class Having(Groups):
             return
         if kind == "inside" and noun is not None and self._is_described(noun, head):
             head.things[-1].attributes.append("filled")
+            self._spend(noun)
             self._go_past(noun)
             return
         if noun is not None and noun.kind == "part" and noun.det == "my" and kind == "with":
@@ -74,6 +75,7 @@ class Having(Groups):
 
     def _feature(self, thing: Mention, noun: Noun) -> None:
         """Note a part that a thing is to have: drawers and doors can be made in any number."""
+        self._spend(noun)
         plain = not (noun.attributes or noun.unshown or noun.size)
         if noun.count and noun.word in COUNTED_PARTS and plain:
             thing.attributes.append(f"{noun.count}-{noun.word}s")

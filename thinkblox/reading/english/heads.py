@@ -141,9 +141,8 @@ class Heads(Modifiers):
 
     def _headless(self, noun: Noun, at: int, end: int, units: Units) -> Noun | None:
         """A number, "the left one", or a pronoun."""
-        if self._is_one(end) and noun.det == "each":
-            noun.kind, noun.value, noun.end = "pronoun", "each", end + 1
-            return self._finished(noun)
+        if (some := self._told_apart(noun, at, end)) is not None:
+            return some
         if self._is_one(end) and (noun.det or units.adjectives) and not noun.of_known:
             noun.kind, noun.end = "number", end + 1
             noun.plural = self.tokens[end].text == "ones"
@@ -159,7 +158,7 @@ class Heads(Modifiers):
             if not counted or pronoun.length > 1:
                 noun.kind, noun.value, noun.end = "pronoun", pronoun.value, noun.start + pronoun.length
                 return self._finished(noun)
-        if noun.count is not None or noun.rows or noun.of_known:
+        if noun.count is not None or noun.rows or noun.of_known or noun.share:
             noun.kind, noun.end = "number", longest
             return self._finished(noun)
         if noun.det in ("other", "half") and units.adjectives:
@@ -174,6 +173,29 @@ class Heads(Modifiers):
             noun.attributes.clear()
             return self._finished(noun)
         return None
+
+    def _told_apart(self, noun: Noun, at: int, end: int) -> Noun | None:
+        """Read "the larger one", "every other one", "each one"."""
+        if noun.degree and noun.det in ("the", "my"):
+            return self._one_by_degree(noun, max(at, end))
+        if noun.every and not noun.counted and noun.det == "each":
+            noun.kind, noun.end = "number", end + self._is_one(end)
+            return self._finished(noun)
+        if self._is_one(end) and noun.det == "each":
+            noun.kind, noun.value, noun.end = "pronoun", "each", end + 1
+            return self._finished(noun)
+        return None
+
+    def _one_by_degree(self, noun: Noun, end: int) -> Noun:
+        """Read "the larger one", "the smallest of them", "the older of which"."""
+        end += self._is_one(end)
+        noun.plural = self._text(end - 1, end) == "ones"
+        if self._text(end, end + 1) == "of":
+            end += {"which": 2, "them": 2, "these": 2, "those": 2}.get(self._text(end + 1, end + 2), 0)
+            end += 3 if self._text(end + 1, end + 3) in ("the two", "the three", "these two") else 0
+        noun.kind, noun.end, noun.of_known = "number", end, True
+        noun.count = noun.count or (None if noun.plural else 1)
+        return self._finished(noun)
 
     def _sorted_out(self, noun: Noun) -> None:
         """Keep of the modifiers that nobody knows those that change what one sees."""

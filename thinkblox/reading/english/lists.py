@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.ties import Ties
 
@@ -22,12 +22,22 @@ class Memberships(Ties):
             self._place_with(thing, self.together)
         before = frame.members[-1:]
         self._member(thing, frame)
+        self.draft.bonds += [replace(bond, subject=thing) for bond in frame.inherited]
+        frame.inherited = []
         self._push(Node([thing], frame, each=noun.each))
+        if before and self._comes_then(before[0]):
+            bind(self.draft, Bond("next_to", thing, (before[0],)))
         if self.sequence and before and before[0] is not thing:
             bind(self.draft, Bond(relation_kind(self.sequence), thing, (before[0],)))
         if frame.head is None:
             self.subject, self.predicate = None, False
             self._apply_front([thing])
+
+    def _comes_then(self, before: Mention) -> bool:
+        """Whether "a fridge in the corner, then a stove" says that one stands beside the other."""
+        said = self._before()
+        then = isinstance(said, Connector) and said.text.lower() in ("then", "and then")
+        return then and any(not bond.implied for bond in self.draft.bonds_of(before))
 
     def _place_with(self, thing: Mention, subject: Node) -> None:
         """Put a thing where the subject of the clause was just said to be."""
@@ -122,6 +132,12 @@ class Memberships(Ties):
             thing = things[-1]
             off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted")
             wall = front.anchors and isinstance(front.anchors[0], str)
+            top = (
+                not wall and isinstance(front.anchors[0], Mention) and self._belongs(front.anchors[0].noun, "surfaces")
+            )
+            if listed and off and top and self.habits.is_in(thing.noun, "tables", "desks", "beds", "lounges"):
+                self.front.remove(front)
+                continue
             if listed and (off and not wall) and not self.clause.closing:
                 self.front.remove(front)
                 continue

@@ -5,10 +5,13 @@ from itertools import pairwise
 
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
+from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
 
+_OFFSETS = ("in_front_of", "behind", "above", "left_of", "right_of", "to", "outside", "between")
+"""Prepositions before which a length says how far off something is."""
 _BESIDE, _NEAR = 0.5, 1.5
 """How far things beside, and near, each other are at most [m]."""
 _ROOMY = 3.0
@@ -21,6 +24,8 @@ class Descriptions(Rooms):
     def _adjective(self, said: Adjective) -> None:
         """Read "the sofa is red", "three of them chrome", "leave the middle free"."""
         self.draft.style += said.styles if not self.predicate else []
+        if self._is_another_like(said):
+            return
         if self.leaving or (self.predicate and self.subject is not None and self.subject.thing is None):
             return
         node = self.frontier[-1] if self.frontier else None
@@ -34,6 +39,31 @@ class Descriptions(Rooms):
             thing.attributes += said.attributes if not self.negating else []
             thing.unshown += said.unshown if not self.negating else []
             thing.states += said.states if not self.negating else []
+
+    def _is_another_like(self, said: Adjective) -> bool:
+        """Read "a blue quilt on one and a yellow on the other", the second without its noun."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        nodes = [n for n in reversed(self.frontier) if n.frame is not None and n.things]
+        placed = (n for n in nodes if any(not b.implied for b in self.draft.bonds_of(n.things[-1])))
+        node = next(placed, None) if not self.predicate else None
+        last = node.things[-1] if node is not None else None
+        if (
+            noun is None
+            or last is None
+            or node is None
+            or node.frame is None
+            or not self.separator
+            or not (said.attributes or said.unshown)
+        ):
+            return False
+        if noun.kind not in ("number", "pronoun") or noun.value in ("it", "them") or last.many:
+            return False
+        more = self._copy_of(last)
+        more.attributes, more.unshown = [*said.attributes], [*said.unshown]
+        self._push(Node([more], node.frame))
+        node.frame.members.append(more)
+        self.separator = ""
+        return True
 
     def _look(self, thing: Mention, noun: Noun) -> None:
         thing.attributes += noun.attributes
@@ -99,9 +129,8 @@ class Descriptions(Rooms):
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
         if roomy and not self.draft.sizes and not told:
             self.draft.sizes.append(size)
-        elif isinstance(following, Connector) and self._is_link(following, "prepositions", "from", "far", "away"):
-            self._lose(measured.start, following.end)
-            self._stand_off(following, size)
+        elif self._keeps_off(measured, following, told=told):
+            pass
         elif isinstance(following, Noun) and following.kind == "thing" and not following.size:
             following.size = size
         elif (isinstance(before, Noun) and before.kind == "room") or not self.draft.things or thing is None or ceiling:
@@ -112,6 +141,21 @@ class Descriptions(Rooms):
             thing.size = thing.size or size
         else:
             self.draft.sizes.append(size)
+
+    def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
+        """Whether a length says how far off something is: "2 m from it", "2 m in front of it", "1 m apart"."""
+        if not isinstance(following, Connector):
+            return False
+        if self._is_link(following, "prepositions", "from", "far", "away"):
+            self._lose(measured.start, following.end)
+            self._stand_off(following, measured.size)
+            return True
+        apart = following.text.lower() in ("apart", "away", "off")
+        off = apart or (not told and self._is_link(following, "prepositions", *_OFFSETS))
+        if not off or len(measured.size.lengths) != 1 or measured.size.area is not None:
+            return False
+        self._lose(measured.start, measured.end)
+        return True
 
     def _stand_off(self, following: Connector, size: Size) -> None:
         """Take "3 m from" for the relation that it comes nearest to; how far exactly is not kept."""

@@ -27,6 +27,10 @@ _WHOLE_BY = {"foot": "at_foot_of", "long_side": "at_long_side", "short_side": "a
 """The relation that tells which thing has such a part."""
 
 
+_TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
+"""Relations to other things rather than to places: "facing the others"."""
+
+
 class Meanings:
     """Finds what prepositional phrases mean; names things that they name for the first time."""
 
@@ -36,6 +40,7 @@ class Meanings:
         self.place: Meaning | None = None
         self.anchor: tuple[str, Mention] | None = None
         self.sided: tuple[str, Mention] | None = None
+        self.room_side = ""
 
     def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
         """The relation that `where` gives to `subjects`; None when it says nothing about them.
@@ -46,7 +51,11 @@ class Meanings:
             likely: what a pronoun would mean first.
             noun: the noun of the subject to come.
         """
-        meaning = self._of(where, subjects, likely, noun)
+        if where.word == "sides":
+            meaning = self._of(replace(where, word="next_to"), subjects, likely, noun)
+            meaning = replace(meaning, both=True) if meaning is not None else None
+        else:
+            meaning = self._of(where, subjects, likely, noun)
         return meaning if meaning is not None and meaning.anchors else None
 
     def _of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
@@ -101,14 +110,15 @@ class Meanings:
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         kind = self._kind(where.word)
-        if where.word in ("of", "for", "as", "with", "to", "from"):
+        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything":
             return None
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
                 return Meaning(kind, self.referents.several(subjects, kind), told=True)
             if said.value == "one":
                 return self._one_of(kind, subjects)
-            found = self._single(kind, subjects, likely, noun)
+            last = self.referents.last(subjects) if said.text.lower() == "that" else None
+            found = last or self._single(kind, subjects, likely, noun)
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
         if said.value in ("former", "latter"):
@@ -116,10 +126,11 @@ class Meanings:
             return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
             return self._other(kind, subjects)
+        two = self.referents.both(subjects) if said.text.lower().startswith("both") else ()
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
             plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
-        anchors = (
+        anchors = two or (
             tuple(plural[:1])
             if plural and (kind != "between" or likely[:1] == plural[:1])
             else self.referents.several(subjects, kind)
@@ -139,6 +150,10 @@ class Meanings:
         whole = self.referents.parted
         if whole is None and self.anchor is not None and kind == self.anchor[0] and not self.anchor[1].many:
             return self._fitting(Meaning(kind, (self.name.another(self.anchor[1]),), told=True), subjects)
+        if whole is None and kind in _TOWARDS:
+            kin = [t for t in self.referents.draft.things if subjects and t.noun == subjects[-1].noun]
+            kin = [t for t in kin if t not in subjects]
+            return Meaning(kind, tuple(kin[:1]), told=True) if len(kin) == 1 else None
         if whole is None and self.place is not None:
             return Meaning(self.place.kind, self.place.anchors)
         self.referents.parted = None
@@ -165,7 +180,7 @@ class Meanings:
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
-        times = 2 if said.det == "each" else 1
+        times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told)
 
@@ -194,7 +209,7 @@ class Meanings:
 
     def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        if said.det == "my" or self.sided is None or {self.sided[0], said.value} != {"left", "right"}:
+        if self.sided is None or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None
 
@@ -214,6 +229,8 @@ class Meanings:
         """Whether "the middle", "the left" without a thing are of the room."""
         if said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the":
             return True
+        if said.det == "the" and {said.value, self.room_side} == {"left", "right"}:
+            return True
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
         if said.value == "middle" and said.det != "my" and not (alone and likely):
             return True
@@ -225,6 +242,7 @@ class Meanings:
     def _of_room(self, said: Noun, subjects: list[Mention]) -> Meaning | None:
         if said.value == "middle":
             return Meaning("in_centre", ("centre",))
+        self.room_side = said.value
         wall = _ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):
             return None

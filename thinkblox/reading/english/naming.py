@@ -1,5 +1,8 @@
 """Which thing a noun phrase names: a known one, or a new one."""
 
+from dataclasses import replace
+
+from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
@@ -12,12 +15,22 @@ class Naming(Several):
 
     def _known(self, noun: Noun) -> list[Mention]:
         """The things that a noun phrase points back to."""
+        known = self._pointed_at(noun)
+        if known:
+            self._spend(noun)
+        return known
+
+    def _pointed_at(self, noun: Noun) -> list[Mention]:
         if noun.det == "each" and noun.every:
             return self._every(noun)
         if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
             return list(seats)
         if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
             return self._all_named(noun)
+        if noun.total > (noun.count or 0) and noun.kind == "thing" and self.referents.named(noun) is None:
+            self._new(replace(noun, count=noun.total, plural=True, ordinal=0, of_known=False, total=0))
+        if noun.degree and noun.det in ("the", "my"):
+            return self._by_degree(noun)
         if noun.of_known or noun.ordinal or noun.side or noun.det == "other":
             found = self.some_of(noun, besides=[])
             return [found] if found is not None else []
@@ -27,6 +40,19 @@ class Naming(Several):
         if noun.definite or (bare and self._is_repeated(noun)):
             return self._definite(noun)
         return self._one_and_other(noun)
+
+    def _by_degree(self, noun: Noun) -> list[Mention]:
+        """What "the larger table" is: one of several; of two that were told apart, the one said to be large."""
+        family = self.referents.every(noun)
+        looks = LOOKS_BY_DEGREE.get(degree_of(noun.degree), ())
+        told = [t for t in family if set(looks) & {*t.attributes, *t.unshown}]
+        if len(family) > 1 and len(told) == 1:
+            noun.unshown = [word for word in noun.unshown if word != noun.degree]
+            return told
+        if sum(self.referents.total(t) for t in family) < 2:
+            return family
+        part = self.some_of(noun, [])
+        return [part] if part is not None else []
 
     def _as_seat(self, noun: Noun) -> None:
         """Read "every place", "each setting" as the seats that were named."""
@@ -81,11 +107,11 @@ class Naming(Several):
             return []
         for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
             if self._is_link(chunk, "mark", "stop"):
-                return []
+                return self._one_named(noun) if self._is_link(self.peek(), "verbs") and not self.clause.members else []
             if isinstance(chunk, Noun) and (chunk.det == "other" or chunk.value == "other"):
                 break
         else:
-            return []
+            return self._one_named(noun) if self._is_link(self.peek(), "verbs") and not self.clause.members else []
         whole = self.referents.named(noun)
         family = self.referents.family(whole) if whole is not None else []
         if len(family) > 1:
@@ -111,6 +137,7 @@ class Naming(Several):
 
     def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
         """The things that a noun phrase after a preposition means, and whether they were known."""
+        self._spend(noun)
         if places := self._group_or_seats(noun):
             return places, True
         known = [t for t in self._known(noun) or self._one_named(noun) if t not in besides or noun.plural]
@@ -156,6 +183,7 @@ class Naming(Several):
 
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
+        self._spend(noun)
         count = noun.count if noun.count is not None else (None if noun.plural else 1)
         if noun.value == "seat" and not noun.named:
             noun.value = "chair"

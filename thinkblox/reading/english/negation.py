@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.english.positions import Positions
 
 
@@ -71,6 +72,12 @@ class Negation(Positions):
                 self.draft.excluded.update(grammar().lists["on_walls"])
                 self.at += 2
                 self.excluding = False
+                if self._is_link(self.peek(), "joins", "but") or self._is_link(self.peek(), "prepositions", "except"):
+                    self.at += 1
+                    self.front = [Awaited(Where("on", noun), Meaning("on", (noun.value,)))]
+            elif noun is not None and noun.kind in ("number", "pronoun", "part"):
+                self._lose(after.start - 1, noun.end)
+                self._go_past(noun)
             elif noun is not None and noun.kind == "thing":
                 self.at += 1
                 self._set_front(self._read_where(after))
@@ -81,6 +88,7 @@ class Negation(Positions):
         noun = self._next_noun()
         named = self._next_noun(2) if self._is_link(self.peek(1), "verbs", "be") else None
         if noun is not None and noun.kind == "thing" and named is not None and named.det == "a":
+            self._spend(noun)
             self.at += 2
             return
         if noun is not None and noun.kind == "thing" and not self.clause.members and self.pending is None:
@@ -92,9 +100,11 @@ class Negation(Positions):
     def _exclude(self, noun: Noun) -> None:
         after = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "except") else None
         if after is not None and after.kind in ("number", "pronoun"):
+            self._spend(noun)
             self._go_past(after)
             self._take(self._new(replace(noun, det="a", count=after.count or 1, plural=False)), noun)
             return
+        self._spend(noun)
         self.draft.excluded.add(noun.value)
         self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
 
 
@@ -17,7 +17,9 @@ class Listed:
         closing: an "and" was read, so that the next member is the last.
         told: the relation of a member to the head was said in words ("next to it").
         grouped: said of every group of the head ("every island has a plant").
+        contents: it says what its head is filled with ("a basket of towels"), so that what follows is about the head.
         members: what it lists.
+        inherited: what was said of the group that its first member stands for.
     """
 
     head: "Node | None" = None
@@ -27,7 +29,9 @@ class Listed:
     closing: bool = False
     told: bool = False
     grouped: bool = False
+    contents: bool = False
     members: list[Mention] = field(default_factory=list)
+    inherited: list[Bond] = field(default_factory=list)
 
 
 @dataclass(eq=False)

@@ -4,9 +4,12 @@ from dataclasses import replace
 
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.verbs import Verbs
+
+_SIDES = ("in_front_of", "behind", "left_of", "right_of", "under", "above", "opposite")
+"""Relations that one thing can have to another one at a time."""
 
 
 class Numbers(Verbs):
@@ -17,10 +20,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._again_with(noun):
-            return
-        if self._is_one_more(noun):
-            self._add_one(noun)
+        if self._again_with(noun) or self._adds(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -36,11 +36,27 @@ class Numbers(Verbs):
             return
         whole = self._whole([])
         if whole is not None:
+            aside = self._list_of(whole)
             self._some(whole, noun)
+            self.aside = aside or self.aside
         elif noun.count and not self.draft.things:
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _adds(self, noun: Noun) -> bool:
+        """Read numbers that ask for more of the same: "as many on the right", "three of roses", "and a red one"."""
+        if noun.share:
+            self._as_many(noun)
+            return True
+        looks = Adjective(noun.start, noun.end, noun.text, [*noun.attributes], [], [*noun.unshown])
+        one = noun.det == "a" and noun.text.lower().endswith(" one")
+        if self._more_of(noun) or (one and self._is_another_like(looks)):
+            return True
+        if self._is_one_more(noun):
+            self._add_one(noun)
+            return True
+        return False
 
     def _again_with(self, noun: Noun) -> bool:
         """Read "four round tables with three chairs and two square ones with four": four of the same."""
@@ -54,6 +70,36 @@ class Numbers(Verbs):
         self.pending.each |= had[-1].each
         more = self._copy_of(had[-1].subject)
         more.count, more.plural = noun.count, noun.count > 1
+        self._take(more, noun)
+        return True
+
+    def _as_many(self, noun: Noun) -> None:
+        """Read "six lockers on the left and as many on the right": as many more."""
+        last = next((t for t in reversed(self.clause.members) if t in self.draft.things and t.count), None)
+        if last is None or not self.separator or not self._is_link(self.peek(), "prepositions"):
+            self._lose(noun.start, noun.end)
+            return
+        more = self._copy_of(last)
+        more.count = max(1, int(self.referents.total(last) * noun.share))
+        more.plural = more.count > 1
+        self._take(more, noun)
+
+    def _more_of(self, noun: Noun) -> bool:
+        """Read "five buckets of tulips, three of roses and one with sunflowers": three more, filled with others."""
+        last = self.draft.things[-1] if self.draft.things else None
+        what = self._next_noun(1)
+        if last is None or " of " not in last.text or what is None or what.kind != "thing" or what.definite:
+            return False
+        filled = self._is_link(self.peek(), "prepositions", "of")
+        filled |= self.adding and self._is_link(self.peek(), "prepositions", "with")
+        if not filled or noun.of_known or noun.ordinal or not self.separator:
+            return False
+        self.adding = True
+        self._go_past(what)
+        self._spend(what)
+        more = self._copy_of(last)
+        more.count, more.plural = noun.count or 1, (noun.count or 1) > 1
+        more.text = f"{last.text.partition(' of ')[0]} of {what.text}"
         self._take(more, noun)
         return True
 
@@ -115,8 +161,9 @@ class Numbers(Verbs):
 
     def _the_one(self, noun: Noun) -> None:
         """Speak of "the left one", "the second"; a verb left out is that of the one before."""
-        part = self.some_of(noun, [])
+        part = self.some_of(noun, []) or self._one_past(noun)
         if part is None:
+            self._lose(noun.start, noun.end)
             return
         self._look(part, noun)
         self._resume([part], noun)
@@ -125,6 +172,14 @@ class Numbers(Verbs):
             self.at += 1
             self.subject = self.frontier[0]
             self._open_of_subject("with" if self.said == "have" else self.said)
+
+    def _one_past(self, noun: Noun) -> Mention | None:
+        """Read "a rack holds five cues; the sixth lies on the table": one more of the same."""
+        whole = self._whole([])
+        family = self.referents.family(whole) if whole is not None else []
+        if whole is None or noun.ordinal != sum(self.referents.total(t) for t in family) + 1:
+            return None
+        return self._copy_of(whole)
 
     def _is_total(self, noun: Noun, whole: Mention) -> bool:
         """Whether a number only sums up: "as many mats as there are machines, five"."""
@@ -165,7 +220,8 @@ class Numbers(Verbs):
             part = self._copy(whole, count * times)
             self._speak_of_part(part, noun)
             return
-        if whole.count is not None and count * times == whole.count and whole is not self.referents.parted:
+        same = whole.count is not None and count * times == whole.count and whole is not self.summed
+        if same and whole is not self.referents.parted:
             self._resume([whole], noun or Noun("number", "", 0, 0))
             self.counted.add(whole)
             return
@@ -177,16 +233,22 @@ class Numbers(Verbs):
             whole.count = total
             whole.vague = False
             self.summed = whole
+            self.summed_looks = ([*whole.attributes], [*whole.unshown], [*whole.states])
             part = whole
         elif self.summed is whole and whole.count is not None and not self.referents.parted:
             part = self._copy(whole, total)
+            part.attributes, part.unshown, part.states = ([*looks] for looks in self.summed_looks)
         else:
             part = self.referents.part(whole, min(total, whole.count or total))
         self._speak_of_part(part, noun)
 
     def _is_more(self, whole: Mention, noun: Noun | None) -> bool:
         """Whether a number adds to what was placed: "two chairs on each side and one at each end"."""
-        if self.separator != "and" or whole is self.referents.parted or whole is self.whole:
+        link = self.peek()
+        placed = [b.kind for b in self.draft.bonds_of(whole) if not b.implied and b.kind in _SIDES]
+        elsewhere = isinstance(link, Connector) and link.value in _SIDES and placed and link.value not in placed
+        beyond = self.separator == "comma" and (whole in self.multiplied or bool(elsewhere))
+        if (self.separator != "and" and not beyond) or whole is self.referents.parted or whole is self.whole:
             return False
         if noun is not None and (noun.of_known or noun.attributes or noun.unshown):
             return False
@@ -205,6 +267,15 @@ class Numbers(Verbs):
         self.clause = frame
         self.subject = None
         self.predicate = False
+
+    def _list_of(self, part: Mention) -> tuple[Node, Listed] | None:
+        """The list of what each of several has that a thing, or what it was parted from, belongs to."""
+        family = self.referents.family(part)
+        for node in reversed(self.frontier):
+            head = node.frame.head if node.frame is not None else None
+            if head is not None and node.frame is not None and any(t in node.frame.members for t in family):
+                return (head, node.frame) if node.frame.each else None
+        return None
 
     def _copy(self, whole: Mention, count: int) -> Mention:
         part = replace(

@@ -2,6 +2,7 @@
 
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
+from thinkblox.reading.adjectives import degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.heads import Heads
@@ -27,10 +28,22 @@ class PhraseReader(Heads):
         if pronoun is not None and pronoun.value in ("former", "latter"):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
             return self._finished(noun)
+        if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
+            after = self._known(start + pronoun.length, "attribute", "style")
+            if after is not None and not self._starts_noun(start + pronoun.length + after.length):
+                noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
+                return self._finished(noun)
         at = self._before(noun, start)
-        if noun.ordinal and self._number(at) is not None:
-            noun.kind, noun.end = "number", at
-            return self._finished(noun)
+        if noun.ordinal and (number := self._number(at)) is not None:
+            several = not self._starts_noun(at + number[1])
+            if noun.ordinal != 1 and not several:
+                noun.kind, noun.end = "number", at
+                return self._finished(noun)
+            noun.end, noun.count, noun.plural = at + number[1], number[0], number[0] > 1
+            if several:
+                noun.kind = "number"
+                return self._finished(noun)
+            noun.of_known, at = True, noun.end
         self.group = noun.det in ("all", "both", "other", "half", "none")
         if self._part(noun, at, after_preposition=after_preposition):
             return self._finished(noun)
@@ -214,6 +227,12 @@ class PhraseReader(Heads):
             return 1
         if token.text.endswith("ly") and len(token.text) > 4 and self._known(at + 1, "object") is None:
             return 1 if self._starts_noun(at + 1) and not units.nouns else 0
+        if not units.nouns and token.text in grammar().lists["shades"] and self._is_colour(at + 1):
+            self._idle(noun, at, at + 1)
+            units.adjectives += 1
+            return 1
+        if not units.nouns and degree_of(token.text):
+            return self._degree(noun, at, units)
         if units.nouns and self._ends_before(at, units):
             return 0
         if not units.nouns and token.text.endswith(_ENDINGS) and self._starts_noun(at + 1) and self._has_noun(at + 1):
@@ -221,6 +240,21 @@ class PhraseReader(Heads):
             units.adjectives += 1
             return 1
         units.nouns.append(Unit(token.shown))
+        return 1
+
+    def _is_colour(self, at: int) -> bool:
+        """Whether a colour or material comes."""
+        said = self._known(at, "attribute")
+        return said is not None and said.entry.value in LOOKS
+
+    def _degree(self, noun: Noun, at: int, units: Units) -> int:
+        """Take "larger", "oldest" before a noun, or for one of several: "the smaller of them"."""
+        follows = self._starts_noun(at + 1)
+        if not (follows or self._is_one(at + 1) or noun.det in ("the", "my")):
+            return 0
+        noun.degree = self.tokens[at].text
+        noun.unshown.append(noun.degree)
+        units.adjectives += 1
         return 1
 
     def _between_words(self, noun: Noun, at: int, units: Units) -> int | None:

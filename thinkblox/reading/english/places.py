@@ -52,7 +52,7 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
     spread = (several or times) if (each or several) else 0
     if said.det == "both":
         spread = 2
-    if "all" in text.split() or "four walls" in text:
+    if "all" in text.split() or ("four walls" in text and not said.total):
         spread = 4
     kind = "on" if word in ("on", "on_top") else "against_wall" if word in _AT_WALL or word == "in_front_of" else ""
     return Meaning(kind, (name,), times=times, spread=spread) if kind else None

@@ -5,6 +5,7 @@ from dataclasses import replace
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -12,6 +13,7 @@ from thinkblox.reading.english.subjects import Subjects
 
 _FRONTS = 20
 """Most relations that wait for their subject."""
+_OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
 
@@ -30,6 +32,12 @@ class Positions(Subjects):
             return self._which(where)
         if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
             return where
+        whole = self.referents.named(chunk) if chunk.every and chunk.counted else None
+        if chunk.every and chunk.counted and not (whole is not None and whole.many):
+            several = replace(chunk, det="", every=0, counted=False, count=chunk.every, plural=True)
+            self.chunks[index], self.at = several, index
+            where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
+            return where
         self._as_seat(chunk)
         where.noun = chunk
         self.at = index + 1
@@ -39,7 +47,21 @@ class Positions(Subjects):
                 self._go_past(where.whole)
         if link.value == "between":
             where.second = self._second(chunk)
+        if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
+            where.whole = self._whole_of_other_side(chunk)
         return where
+
+    def _whole_of_other_side(self, side: Noun) -> Noun | None:
+        """The tank of "one on the left and one on the right of the tank"."""
+        at = 1 if self._is_link(self.peek(), "mark", "comma") else 0
+        at += 1 if self._is_link(self.peek(at), "joins", "and") else 0
+        other, link, part = self.peek(at), self.peek(at + 1), self.peek(at + 2)
+        parted = isinstance(other, Noun) and other.kind in ("number", "pronoun") and self._is_link(link, "prepositions")
+        if not at or not parted or not isinstance(part, Noun) or part.value != _OTHER_SIDE[side.value]:
+            return None
+        if part.text.lower().endswith("of it"):
+            return Noun("pronoun", "it", side.start, side.end, "it")
+        return self._next_noun(at + 4) if self._is_link(self.peek(at + 3), "prepositions", "of") else None
 
     def _second(self, first: Noun) -> Noun | None:
         """The other of "between A and B"; goes past it."""
@@ -75,9 +97,29 @@ class Positions(Subjects):
         return where
 
     def _where(self, where: Where) -> None:
-        """Say where something is: of what was named, or of what comes."""
+        """Say where something is; a position that changes nothing is not understood."""
+        before = self._state_of_reading()
+        self._say_where(where)
+        if self._state_of_reading() == before:
+            self._lose_where(where)
+
+    def _state_of_reading(self) -> tuple[object, ...]:
+        """What a position changes: bonds, counts, what waits for its subject, exclusions, openings, the room."""
+        draft = self.draft
+        bonds = [(b, b.kind, b.each, b.spread, b.anchors) for b in draft.bonds[-_FRONTS:]]
+        counts = [(t.count, len(t.per), len(t.unshown)) for t in draft.things[-_FRONTS:]]
+        said = (len(draft.bonds), len(draft.things), len(draft.unknown), len(draft.excluded), draft.room)
+        return (*said, bonds, counts, list(self.front), [(g.kind, g.wall) for g in draft.openings])
+
+    def _say_where(self, where: Where) -> None:
+        """Bind what was named, or what comes, to where it is said to be."""
         self.negating = False
         if where.noun is None and where.text.lower() in ("in", "into"):
+            return
+        if self._stands_on_part(where):
+            return
+        if self._is_side_of_owner(where):
+            self._lose_where(where)
             return
         if where.word == "halfway":
             where.noun = None
@@ -96,6 +138,24 @@ class Positions(Subjects):
         elif fronted or where.noun is not None:
             self._set_front(where)
 
+    def _stands_on_part(self, where: Where) -> bool:
+        """Note what a thing stands on that is a part of it: "a toolbox on wheels", "a stool on three legs"."""
+        noun, thing = where.noun, self.frontier[-1].thing if self.frontier else None
+        if where.word != "on" or noun is None or thing is None or noun.kind != "thing" or noun.det:
+            return False
+        if noun.word not in grammar().lists["props"] or self.referents.named(noun) is not None:
+            return False
+        thing.unshown.append(f"on {noun.text.lower()}")
+        self._spend(noun)
+        return True
+
+    def _is_side_of_owner(self, where: Where) -> bool:
+        """Whether "the far side" is rather that of what has the thing: "an island with four stools on the far side"."""
+        noun, node = where.noun, self.frontier[-1] if self.frontier else None
+        if noun is None or noun.kind != "place" or noun.word != "side" or where.whole is not None:
+            return False
+        return node is not None and node.frame is not None and node.frame.head is not None
+
     def _is_elsewhere(self, where: Where, noun: Noun) -> bool:
         """Take what follows a preposition without being a thing or place that others could stand to."""
         if noun.kind in ("people", "abstract"):
@@ -109,10 +169,13 @@ class Positions(Subjects):
                 self._lose_where(where)
             return True
         if noun.kind == "room":
-            if where.word == "in" and not self.draft.room:
+            if noun.count or noun.each:
+                self._lose(where.start, noun.end)
+            elif where.word == "in" and not self.draft.room:
                 self._room(noun)
             return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
+            self._spend(noun)
             self.draft.excluded.add(noun.value)
             return True
         return False
@@ -139,13 +202,22 @@ class Positions(Subjects):
 
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
-        noun = where.noun
+        noun, whole = where.noun, where.whole
+        several = noun is not None and noun.kind == "people" and noun.of_known
+        if whole is not None and whole.kind in ("thing", "pronoun") and noun is not None:
+            self._lose(where.start, whole.end)
+        elif noun is not None and self.draft.things and (several or self._is_telling(noun)):
+            self._lose(where.start, noun.end)
         if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
             self.frontier, self.subject, self.predicate = [], None, False
             self.clause = Listed(None, "list", times=self.draft.people, each=True)
             self.separator = ""
             if self._is_link(self.peek(), "mark", "comma"):
                 self.at += 1
+
+    def _is_telling(self, noun: Noun) -> bool:
+        """Whether a noun that is no thing says how something is to stand: "at right angles", "in three colours"."""
+        return noun.kind == "abstract" and noun.text.rpartition(" ")[2].lower() in grammar().lists["telling"]
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things

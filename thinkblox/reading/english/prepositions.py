@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from thinkblox.reading.english.chunks import Connector
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
@@ -21,7 +21,7 @@ class Prepositions(Negation):
             case "without" | "instead":
                 self._exclude_next()
             case "except":
-                self._except_next()
+                self._except_next(link)
             case "of":
                 self._of()
             case "for":
@@ -34,9 +34,23 @@ class Prepositions(Negation):
                 self._began = self.at - 1
                 self._where(self._read_where(link))
 
-    def _except_next(self) -> None:
-        if not self._all_but():
+    def _except_next(self, link: Connector) -> None:
+        noun = self._next_noun()
+        told = noun is not None and noun.kind in ("number", "pronoun") and self._is_link(self.peek(1), "prepositions")
+        known = noun is not None and noun.kind == "thing" and noun.definite and self.referents.named(noun) is not None
+        if known and noun is not None:
+            self._spend(noun)
+        if noun is not None and (known or (told and (noun.count or 1) == 1 and not noun.of_known)):
+            self._lose_rest(link.start, noun.end)
+        elif not self._all_but():
             self.excepting, self.negating, self.excluding = True, False, False
+
+    def _lose_rest(self, start: int, end: int) -> None:
+        """Go past "except the one nearest the door", which is not understood."""
+        while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
+            self.at += 1
+            end = chunk.end
+        self._lose(start, end)
 
     def _among(self) -> None:
         """Go past "throughout the room"."""
@@ -50,30 +64,51 @@ class Prepositions(Negation):
 
     def _of(self) -> None:
         """Read "shelves of bottles", "a vase of tulips", "the drawers of the cabinet"."""
+        if self._is_link(self.peek(), "joins", "which") and isinstance(self.peek(1), Noun):
+            self.at += 1
+            return
         noun = self._next_noun()
         if noun is None:
             return
         if not self.frontier and not self.clause.members and noun.kind == "thing":
             known, _ = self.anchors(noun, [])
             self.whole = known[0] if known else None
+            self._spend(noun)
             self._go_past(noun)
             return
         head = self.frontier[-1].thing if self.frontier else None
         if noun.kind != "thing" or head is None:
-            self._go_past(noun)
-            if noun.kind == "people" and noun.count:
-                self._people(noun)
+            self._of_no_thing(noun)
             return
         word = last_word(head)
         contents = noun.plural or noun.count is not None or (not noun.det and noun.text.lower().endswith("s"))
         if contents and (word in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves")):
             self._open("inside")
+            if self.pending is not None:
+                self.pending.contents = True
             return
         if noun.definite and not is_small(head):
+            self._spend(noun)
+            before = self._before()
+            each = isinstance(before, Noun) and before.each
             self._go_past(noun)
+            if before is not None and (each or self.referents.named(noun) is None):
+                self._lose(before.start if each else noun.start, noun.end)
             return
         self._go_past(noun)
+        self._spend(noun)
         head.text = f"{head.text} of {noun.text}"
+
+    def _of_no_thing(self, noun: Noun) -> None:
+        """Go past "of the room", "of four people"; "every pew of the left column" is not understood."""
+        self._spend(noun)
+        before = self._before()
+        each = isinstance(before, Noun) and before.each
+        self._go_past(noun)
+        if each and noun.kind in ("number", "part", "abstract") and noun.det in ("the", "my"):
+            self._lose(before.start if before is not None else noun.start, noun.end)
+        if noun.kind == "people" and noun.count:
+            self._people(noun)
 
     def _for(self, link: Connector) -> None:
         noun = self._next_noun()
@@ -81,7 +116,9 @@ class Prepositions(Negation):
             return
         thing = self.frontier[-1].thing if self.frontier else None
         if noun.kind in ("people", "number") and noun.count and thing is not None:
-            if self.habits.is_in(thing.noun, "tables", "desks"):
+            if thing.seats and thing.seats != noun.count:
+                self._lose(link.start, noun.end)
+            elif self.habits.is_in(thing.noun, "tables", "desks"):
                 thing.seats = noun.count
             self._go_past(noun)
         elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
@@ -96,6 +133,7 @@ class Prepositions(Negation):
             self._go_past(noun)
             self.leaving = False
         else:
+            self._spend(noun)
             self._go_past(noun)
             if noun.kind == "thing" and thing is not None and noun.definite:
                 self._lose(link.start, noun.end)
@@ -103,4 +141,5 @@ class Prepositions(Negation):
     def _as(self) -> None:
         noun = self._next_noun()
         if noun is not None and noun.kind in ("thing", "room", "abstract") and noun.count in (None, 1):
+            self._spend(noun)
             self._go_past(noun)

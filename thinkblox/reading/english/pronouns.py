@@ -49,8 +49,7 @@ class Pronouns(Numbers):
 
     def _one_of_several(self, noun: Noun) -> None:
         """Read "one", "another", "the other", "half", "none" of what was named."""
-        if noun.value == "one" and (before := self._one_before()) is not None:
-            self._take(self._copy_of(before), noun)
+        if noun.value == "one" and self._repeats(noun):
             return
         if noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
@@ -79,6 +78,15 @@ class Pronouns(Numbers):
                 self._part_of(whole, max(1, (whole.count or 2) // 2))
             case _:
                 self._part_of(whole, noun.count or 1)
+
+    def _repeats(self, noun: Noun) -> bool:
+        """Whether "one" is one more of the same."""
+        if self._more_of(noun):
+            return True
+        before = self._one_before()
+        if before is not None:
+            self._take(self._copy_of(before), noun)
+        return before is not None
 
     def _lose_comparison(self, noun: Noun) -> None:
         """Go past "half as long as the sofa": it parts nothing."""

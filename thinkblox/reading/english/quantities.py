@@ -5,6 +5,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
 
+_OF_EVERY = ("out of every", "out of each", "of every", "in every", "of each")
 _WHOLES = ("roll", "string", "bundle", "piece")
 """Measures of which one is one thing: "a roll of paper"."""
 
@@ -14,7 +15,12 @@ class Quantities(Words):
 
     def _before(self, noun: Noun, at: int) -> int:
         while at < len(self.tokens):
-            step = self._quantity(noun, at) or self._determiner(noun, at) or self._measure(noun, at)
+            step = (
+                self._fraction(noun, at)
+                or self._quantity(noun, at)
+                or self._determiner(noun, at)
+                or self._measure(noun, at)
+            )
             step = step or self._ordinal(noun, at) or self._partitive(noun, at) or self._size(noun, at)
             if not step:
                 return at
@@ -38,23 +44,49 @@ class Quantities(Words):
         self._every(noun, at + best.length)
         return best.length + (1 if noun.every == -1 else 0)
 
+    def _fraction(self, noun: Noun, at: int) -> int:
+        """Read "three out of every four", "two thirds of the", "a quarter of them"."""
+        if noun.of_known:
+            return 0
+        said = grammar().at(self.tokens, at, "fractions")
+        if said is not None and noun.count is None and not noun.det:
+            parts, whole = said.value.split("_")
+            noun.fraction = (int(parts), int(whole))
+            after = self.tokens[at + said.length].text if at + said.length < len(self.tokens) else ""
+            known = after in ("the", "these", "those", "them", "which", "my", "our", "all")
+            noun.of_known = known
+            noun.count = 1 if known else None
+            return said.length + 1 if known else 0
+        start = next((n for n in (3, 2) if self._words_at(at, n) in _OF_EVERY), 0)
+        number = self._number(at + start) if start and noun.count else None
+        if number is None or not noun.count or number[0] <= noun.count or not self._starts_noun(at + start + number[1]):
+            return 0
+        noun.fraction, noun.of_known = (noun.count, number[0]), True
+        return start + number[1]
+
+    def _words_at(self, at: int, length: int) -> str:
+        return " ".join(token.text for token in self.tokens[at : at + length])
+
     def _every(self, noun: Noun, at: int) -> None:
         """Read "every second chair", "every two loungers"."""
         if noun.det != "each" or at >= len(self.tokens) or self.tokens[at - 1].text not in ("each", "every"):
             return
+        ordinal = grammar().at(self.tokens, at, "ordinal")
         if self.tokens[at].text in ("second", "other"):
             noun.every, noun.counted = 2, False
+        elif ordinal is not None and int(ordinal.value) > 2:
+            noun.every, noun.counted = int(ordinal.value), False
         elif (number := self._number(at)) is not None and number[0] > 1:
             noun.every, noun.counted = number[0], True
 
     def _ordinal(self, noun: Noun, at: int) -> int:
         token = self.tokens[at].text
-        if noun.every == 2 and token in ("second", "other"):
-            return 1
         found = grammar().at(self.tokens, at, "ordinal")
+        if noun.every and not noun.counted and (token == "other" or found is not None):
+            return 1
         if (
             found is None
-            or noun.det not in ("the", "my", "a")
+            or (noun.det not in ("the", "my", "a") and not noun.of_known)
             or (noun.det == "a" and self._starts_noun(at + found.length))
         ):
             return 0
@@ -189,6 +221,9 @@ class Quantities(Words):
                 noun.least = 1
         noun.det = "" if noun.det in ("a", "another") else noun.det
         inner = self._number(at + found.length)
+        if inner is not None and noun.vague and not (noun.rows or noun.groups):
+            noun.count, noun.vague, noun.least = inner[0] * (outer or 1), False, None
+            return found.length + inner[1]
         if inner is not None and noun.rows + noun.groups > 0:
             noun.count = inner[0] * (noun.rows or noun.groups)
             return found.length + inner[1]
@@ -204,8 +239,10 @@ class Quantities(Words):
         if after in ("the", "these", "those", "my", "our", "their", "his", "her", "its"):
             noun.of_known = True
             number = self._number(at + 2)
-            bare = number is not None and not self._starts_noun(at + 2 + number[1])
-            return 2 + number[1] if number is not None and bare else 2
+            if number is None or (self.thing_at(at + 2) is not None and self._starts_noun(at + 2 + number[1]) is False):
+                return 2 + (number[1] if number is not None else 0)
+            noun.total = number[0] if noun.count is not None else 0
+            return 2 + number[1] if noun.total or not self._starts_noun(at + 2 + number[1]) else 2
         if after in ("them", "which", "whom"):
             noun.of_known = True
             return 2

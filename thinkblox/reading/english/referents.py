@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
@@ -57,7 +58,10 @@ class Referents:
             lambda t: last_word(t) == word,
             lambda t: are_alike(t.noun, noun.value),
         )
-        for things in (said, recent) if noun.attributes else (recent,):
+        shades = COLOURS.keys() & set(noun.attributes)
+        others = [t for t in recent if shades and COLOURS.keys() & set(t.attributes) - shades]
+        fitting = [t for t in recent if t not in others]
+        for things in (said, fitting, recent) if noun.attributes else (recent,):
             for test in tests:
                 if (found := next(filter(test, things), None)) is not None:
                     return found
@@ -85,7 +89,8 @@ class Referents:
             noun = "tv_stand"
         kept = set(self.draft.things)
         candidates = list(dict.fromkeys([*likely, *reversed(self.topics[-3:]), *self._recent()]))
-        candidates = [t for t in candidates if t is not subject and t in kept]
+        others = self.family(subject) if subject is not None else []
+        candidates = [t for t in candidates if t not in others and t in kept]
         sound = [t for t in candidates if fits(t, kind, noun)]
         usual = [t for t in sound if kind in _BY_HABIT and noun and habits.tie(noun, t.noun) == kind]
         owner = subject.owner if subject is not None else None
@@ -128,6 +133,22 @@ class Referents:
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
         return tuple(standing[:1])
+
+    def last(self, subject: Sequence[Mention]) -> Mention | None:
+        """What was spoken of last, furniture before what lies on it."""
+        recent = [t for t in self._recent() if t not in subject]
+        return next((t for t in recent if not is_small(t)), recent[0] if recent else None)
+
+    def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:
+        """What "both" means: two of a kind, or nothing where two others were joined since."""
+        for thing in self._recent():
+            family = [t for t in self.family(thing) if t not in subject]
+            pair = any(thing in p and not any(is_small(t) for t in p) for p in self.pairs)
+            if pair and len(family) < 2:
+                return ()
+            if thing not in subject and sum(self.total(t) for t in family) == 2 and not is_small(thing):
+                return tuple(family)
+        return ()
 
     def of_two(self, which: str) -> Mention | None:
         """The former or the latter of the two things that were spoken of last."""

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.names import identifier_of
 from thinkblox.assets.sizing import people
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
@@ -15,6 +16,9 @@ class Rooms(Memberships):
     """Reads what is said of the room."""
 
     def _room(self, noun: Noun) -> None:
+        if noun.plural and (noun.count or 0) > 1:
+            self._several_spots(noun)
+            return
         if self._is_another_room(noun):
             self.draft.rooms.append(noun.text)
             return
@@ -27,6 +31,13 @@ class Rooms(Memberships):
             self.draft.sizes.append(noun.size)
         if not self.draft.things:
             self.frontier = []
+
+    def _several_spots(self, noun: Noun) -> None:
+        """Read "four reading spots" as groups, of which each is told later; several rooms are not understood."""
+        if noun.word in grammar().lists["groups"]:
+            self._take(self._new(replace(noun, kind="thing", value=identifier_of(noun.word))), noun)
+        else:
+            self._lose(noun.start, noun.end)
 
     def _is_another_room(self, noun: Noun) -> bool:
         """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
@@ -43,6 +54,10 @@ class Rooms(Memberships):
         if self.draft.things or self.draft.room or self.front or self.draft.excluded:
             return False
         after = self.peek()
+        if isinstance(after, Noun) and after.kind == "place" and not after.det and after.start == noun.end:
+            self.at += 1
+            self._room(replace(noun, kind="room", value="room"))
+            return True
         if noun.room:
             self._room(replace(noun, kind="room", value=noun.room))
             return True
@@ -51,6 +66,7 @@ class Rooms(Memberships):
         roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
         whole = self._next_noun(1) if self._is_link(after, "prepositions", "of") and not noun.det else None
         if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
+            self._spend(whole)
             self.at += 2
             self._room(replace(noun, kind="room", value="room"))
             return True

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from thinkblox.reading.adjectives import degree_of
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.boundaries import Boundaries
@@ -25,6 +26,7 @@ class Several(Boundaries):
 
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number, "the left one" or "the other" means."""
+        self._spend(noun)
         whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._whole(besides)
         if whole is None:
             return None
@@ -34,6 +36,8 @@ class Several(Boundaries):
         told = [t for t in [*parts, whole] if noun.side and noun.side == self.sides.get(t)]
         if told:
             return told[0]
+        if noun.degree and (found := self._of_degree(noun, [*parts, whole])) is not None:
+            return found
         if noun.det == "other":
             self.referents.parted = None
             return whole
@@ -42,24 +46,58 @@ class Several(Boundaries):
         part = self.referents.part(whole, count)
         if noun.side:
             self._set_side(part, whole, noun.side)
+        part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
 
-    def _ordinal(self, noun: Noun, whole: Mention) -> Mention:
-        """The first, second, ... of several."""
+    def _of_degree(self, noun: Noun, family: list[Mention]) -> Mention | None:
+        """The one of several that such a degree told already, or the one that is left."""
+        told = [t for t in family if any(degree_of(word) for word in t.unshown)]
+        found = next((t for t in told if noun.degree in t.unshown), None)
+        rest = [t for t in family if t not in told]
+        if found is None and told and len(rest) == 1 and not rest[0].many:
+            found = rest[0]
+            found.unshown.append(noun.degree)
+        return found
+
+    def _ordinal(self, noun: Noun, whole: Mention) -> Mention | None:
+        """The first, second, ... of several; None for one past the last."""
         family = self.referents.family(whole)
-        whole = next((t for t in family if t.many), whole)
+        if noun.ordinal > sum(self.referents.total(t) for t in family) > 1:
+            return None
+        taken = [t for known in self.ordinals.values() for t in known.values()]
+        whole = next((t for t in family if t.many and t not in taken), whole)
         order = self.ordinals.setdefault(family[0] if len(family) > 1 else whole, {})
         for known in self.ordinals.values():
             if noun.ordinal in known and known[noun.ordinal] in family:
                 return known[noun.ordinal]
-        taken = [t for known in self.ordinals.values() for t in known.values()]
+        if (noun.count or 1) > 1 and noun.ordinal == 1 and not order:
+            part = self.referents.part(whole, noun.count or 1)
+            order.update(dict.fromkeys(range(1, (noun.count or 1) + 1), part))
+            return part
+        if (counted := self._counted_to(noun.ordinal, family)) is not None:
+            order[noun.ordinal] = counted
+            return counted
         free = [t for t in family if t not in taken and not t.many]
         part = self.referents.part(whole, 1) if whole.many else (free[-1] if free else whole)
         order[noun.ordinal] = part
         return part
 
+    def _counted_to(self, ordinal: int, family: list[Mention]) -> Mention | None:
+        """The ninth of "nine chairs: four here, four there and the ninth by the door": the one past those told of."""
+        told = [t for t in family if t in self.counted]
+        rest = [t for t in family if t not in self.counted]
+        if len(told) < 2 or len(rest) != 1 or self.ordinals.get(family[0]):
+            return None
+        past = ordinal - sum(self.referents.total(t) for t in told)
+        return rest[0] if past == 1 == rest[0].count else None
+
     def _how_many(self, noun: Noun, whole: Mention) -> int:
         total = whole.count or 2
+        if noun.fraction[1]:
+            total += sum(p.count or 0 for p in self.referents.parts.get(whole, ()))
+            return max(1, total * noun.fraction[0] // noun.fraction[1])
+        if noun.every:
+            return max(1, total // noun.every)
         if noun.det == "half":
             total += sum(p.count or 0 for p in self.referents.parts.get(whole, ()))
             return max(1, total // 2)

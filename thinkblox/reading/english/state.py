@@ -21,6 +21,7 @@ class State(Namer):
     Attributes:
         account: what becomes of every word.
         named_by: the phrases that things were first named by.
+        spent: the phrases, as their first and last tokens, of which something was made.
         draft: what was understood.
         groups: things that stand for several together ("station"), by that word.
         opening: the door or window that was named last.
@@ -34,6 +35,7 @@ class State(Namer):
         multiplied: things of which so many were asked for at each of several places.
         told_later: what "every" named first and whose number came after.
         summed: several without a number, whose parts are being counted.
+        summed_looks: what was said of all of these before.
         each_of: of how many "every two" were the last.
         frontier: what the next words can be about, the outermost first.
         front: relations whose subject is still to come; `held`: the same, outside of a relative clause.
@@ -46,6 +48,8 @@ class State(Namer):
         each: what comes is said of each.
         per_group, crowd: so many of what comes, for so many groups, or people.
         together: with what that was said to be somewhere what comes is ("along with three candles").
+        adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
+        aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last.
         sequence: on which side each of the things that come is of the one before ("from left to right").
     """
@@ -73,11 +77,17 @@ class State(Namer):
         self.multiplied: set[Mention] = set()
         self.told_later: set[Mention] = set()
         self.summed: Mention | None = None
+        self.summed_looks: tuple[list[str], list[str], list[str]] = ([], [], [])
         self.each_of = 0
         self.front: list[Awaited] = []
         self.held: list[Awaited] = []
         self.barred: Noun | None = None
+        self.spent: set[tuple[int, int]] = set()
         self._begin()
+
+    def _spend(self, noun: Noun) -> None:
+        """Note that something was made of a phrase, or that it asks for nothing by itself."""
+        self.spent.add((noun.start, noun.end))
 
     def _begin(self) -> None:
         """Begin a clause; relations for which no subject came are lost."""
@@ -104,6 +114,8 @@ class State(Namer):
         self.held = []
         self.sequence = ""
         self.together: Node | None = None
+        self.adding = False
+        self.aside: tuple[Node, Listed] | None = None
 
     def _lose(self, start: int, end: int) -> None:
         """Note words that name or change a thing and that nothing is made of."""
@@ -113,8 +125,10 @@ class State(Namer):
     def _lose_where(self, where: Where) -> None:
         """Note a relation to a thing or place that could not be made out."""
         nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
-        kinds = ("thing", "part", "place", "number", *(("pronoun",) if where.negated else ()))
-        if nouns and nouns[0].kind in kinds and where.text:
+        kinds = ("thing", "part", "place", "number")
+        other = bool(nouns) and nouns[0].kind == "pronoun"
+        other = other and (where.negated or nouns[0].value in ("other", "all"))
+        if nouns and (nouns[0].kind in kinds or other) and where.text:
             self._lose(where.start, nouns[-1].end)
 
     def peek(self, ahead: int = 0) -> Chunk | None:

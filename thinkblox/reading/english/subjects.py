@@ -39,6 +39,10 @@ class Subjects(Having):
             return self.subject
         if self.predicate and self.subject is not None and len(self.frontier) <= 1:
             return self.subject
+        if where.text.lower().startswith("all ") and self.separator:
+            every = [t for m in self.clause.members if m in self.draft.things for t in self.referents.family(m)]
+            if len(every) > 1:
+                return Node(list(dict.fromkeys(every)), self.clause)
         inner = nodes[0]
         if inner.frame is None:
             return self._past_anchor(nodes, where)
@@ -50,6 +54,8 @@ class Subjects(Having):
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
+        if frame.contents and len(frame.members) == 1:
+            return True
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
         if middle and thing.many and not frame.each:
             return True

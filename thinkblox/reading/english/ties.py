@@ -24,9 +24,19 @@ class Ties(Relating):
             if self._goes_on(frame, thing, noun):
                 frame.closing |= self.separator in ("and", "comma_and")
                 return frame
+        if self.aside is not None and (tie := self._tie(thing, self.aside[1])) is not None and not self._told_apart():
+            (head, frame), self.aside = self.aside, None
+            if tie in _CARRIED or tie == "next_to":
+                self.frontier = [head]
+                return frame
         if self.separator in ("and", "comma_and"):
             self.clause.closing = True
         return self.clause
+
+    def _told_apart(self) -> bool:
+        """Whether what comes says that the thing just named is somewhere by itself."""
+        noun = self._next_noun(1) if self._is_told_next() else None
+        return noun is not None and noun.kind == "place"
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         head = frame.head.thing if frame.head is not None else None
@@ -82,9 +92,15 @@ class Ties(Relating):
         return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
 
     def _is_of(self, frame: Listed, noun: Noun) -> bool | None:
-        if frame.head is not None and self.referents.named(noun) in frame.head.things:
+        found = self.referents.named(noun)
+        if frame.head is not None and found in frame.head.things:
             return True
-        return None if frame.each else False
+        outside = found is not None and not found.many and found not in frame.members
+        carriers = [
+            a for t in (frame.head.things if frame.head else ()) for b in self.draft.bonds_of(t) for a in b.anchors
+        ]
+        outside = outside and found not in carriers
+        return None if frame.each and not outside else False
 
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""

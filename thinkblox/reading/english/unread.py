@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.turns import turn_at
 from thinkblox.reading.tokens import Token
 
 _LONGEST = 10
@@ -15,6 +16,8 @@ _LONGEST = 10
 
 def unread_at(tokens: Sequence[Token], at: int) -> int:
     """How many tokens a stretch that begins at `at` has; 0 where none does."""
+    if length := turn_at(tokens, at):
+        return length
     words = [token.text for token in tokens[at : at + _LONGEST]]
     for reader in (_comparison, _money, _height, _state, _painted):
         if length := reader(words):

@@ -1,0 +1,165 @@
+"""Turns of speech: what is followed, and what is said not to be, so that no room is called all as asked for it."""
+
+import pytest
+
+from thinkblox.brief import Brief
+from thinkblox.reading import read_brief
+
+
+def counted(brief: Brief) -> dict[str, int]:
+    """How many of each category the prompt asks for."""
+    counts: dict[str, int] = {}
+    for request in brief.requests:
+        if request.asked:
+            counts[request.category] = counts.get(request.category, 0) + request.count
+    return counts
+
+
+def related(brief: Brief) -> set[str]:
+    """What was asked for of each thing: "2 chair behind desk"."""
+    return {
+        " ".join([str(brief.request(r.subject).count), r.subject, r.kind, *r.anchors])
+        for r in brief.relations
+        if r.asked
+    }
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        (
+            "Three tables. Each table has four chairs, two on each long side, and two green lamps.",
+            "12 chair, 6 table_lamp",
+        ),
+        (
+            "Living room with a rug, two armchairs (no, three armchairs) and a bookcase.",
+            "1 rug, 3 armchair, 1 bookcase",
+        ),
+        ("Put a bed against the wall. Actually, make it a bunk bed. A desk.", "1 bunk_bed, 1 desk"),
+        ("A double bed, no, make that two single beds, and a wardrobe.", "2 bed, 1 wardrobe"),
+        ("A dining table with six chairs. Actually, eight.", "1 dining_table, 8 chair"),
+        ("An office with five booths; a booth is a desk with two stools. A printer.", "5 desk, 10 stool, 1 printer"),
+        ("Four reading spots: each spot consists of an armchair and a floor lamp.", "4 armchair, 4 floor_lamp"),
+        ("A florist with five buckets of tulips, three of roses and one with lilies.", "9 flower_bucket"),
+        ("Six lockers on the left and as many on the right.", "12 locker"),
+        ("A stack of six books on a desk.", "6 book, 1 desk"),
+        ("Eight bar stools; every other stool has a coat on it.", "8 bar_stool, 4 coat"),
+        ("Two chairs in front of the desk, one behind it.", "3 chair, 1 desk"),
+        ("Twelve chairs; every third chair has a book on it.", "12 chair, 4 book"),
+        (
+            "Three desks, behind each an office chair and in front of each two stools.",
+            "3 desk, 3 office_chair, 6 stool",
+        ),
+        ("A cue rack. This holds five cues; the sixth lies on the pool table.", "1 cue_rack, 6 cue"),
+        ("A dining table with six chairs per side, one at the head.", "1 dining_table, 13 chair"),
+    ],
+)
+def test_so_many_are_read(prompt: str, counts: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    wanted = {category: int(count) for count, category in (item.split() for item in counts.split(", "))}
+    assert {category: counted(brief).get(category) for category in wanted} == wanted
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        ("Nine chairs: four along the left wall, four along the right wall and the ninth by the door.",
+         "1 chair-3 next_to door"),
+        ("A console table, a basket to its left and, to its right, a sofa.", "1 sofa right_of console_table"),
+        ("Two beds, a blue rug under one and a red one under the other.", "1 rug-2 under bed-2"),
+        ("Two beds, blue bedding on one and yellow on the other.", "1 bedding-2 on bed-2"),
+        ("A kitchen: fridge in the corner, then a stove, then a sink.", "1 stove next_to fridge"),
+        ("Four bookcases. The first two hold five boxes each, the third three vases.", "3 vase inside bookcase-2"),
+        ("An aquarium in the middle, two armchairs, one on the left and one on the right of it.",
+         "1 armchair left_of aquarium"),
+        ("A bistro: the table has six chairs, of which two are at the ends.", "2 chair at_short_side dining_table"),
+        ("Two benches, a stove, and boxes under both.", "3 box under bench"),
+        ("A playroom with two tents. One tent is red and has a lantern in it; in the blue tent there are two pillows.",
+         "2 pillow inside tent-2"),
+        ("A washing machine and a basket of towels in front.", "1 basket in_front_of washing_machine"),
+        ("An island and a counter. Three stools at the island, each with a cushion on it, and two mugs on the counter.",
+         "2 cup on counter"),
+    ],
+)  # fmt: skip
+def test_who_stands_where_is_read(prompt: str, relations: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert relations in related(brief)
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "said"),
+    [
+        ("Two chairs left of the hearth, and the same again on the right.", "the same again on the right"),
+        ("Ten desks; four desks out of every five have a lamp.", "out of every five"),
+        ("A vase on the piano. Move the vase to the window.", "Move the vase to the window"),
+        ("A sofa. Actually, I would rather have less.", "Actually , I would rather have less"),
+        ("A desk with a lamp. No, make that a piano.", "No , make that a piano"),
+        ("A wardrobe where the desk would usually be, and a rug.", "where the desk would usually be"),
+        ("A rug shaped like a star and a bed.", "shaped like a star"),
+        ("A tissue box within reach of the sofa.", "within reach of the sofa"),
+        ("A tripod 2 m in front of the desk.", "2 m"),
+        ("Three benches, a vase on the first, and nothing on the last.", "nothing on the last"),
+        ("A stand beside each bed of two beds except the one nearest the door.", "except the one nearest the door"),
+        ("Twelve mats in a three by four grid.", "in a three by four grid"),
+        ("An island with four stools on the far side.", "on the far side"),
+        ("A chair either by the window or at the foot of the bed.", "or at the foot of the bed"),
+        ("A table and four chairs, then take one away.", "take one away"),
+        ("Wine glasses at four of the places.", "at four of the places"),
+        ("Two desks in the back row have no chairs.", "in the back row"),
+        ("A dining table, a rug under everything.", "under everything"),
+        ("A jam jar whose lid is off.", "whose lid is off"),
+    ],
+)
+def test_what_is_not_followed_is_said(prompt: str, said: str) -> None:
+    assert said in read_brief(prompt).unknown
+
+
+@pytest.mark.parametrize("word", ["zorgle", "quibbet", "hampfel"])
+def test_a_thing_that_nobody_knows_is_in_the_room_and_said(word: str) -> None:
+    brief = read_brief(f"A bedroom with a bed and a {word}.")
+    assert word in counted(brief)
+    assert brief.unknown == (f"a {word} (no such thing is known)",)
+
+
+def test_one_thing_of_two_colours_is_said() -> None:
+    assert read_brief("A red chair. The chair is blue.").unknown == ("A red chair: red or blue",)
+    assert read_brief("A chair that is black and white.").unknown == ()
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two suitcases, the smaller of which is open.",
+        "Three tables. The largest table has six chairs.",
+        "Two armchairs; the bigger one is leather.",
+    ],
+)
+def test_the_larger_of_several_is_one_of_them_and_its_size_is_no_thing(prompt: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    marked = [r for r in brief.requests if r.unshown]
+    assert [r.count for r in marked] == [1]
+    assert marked[0].unshown[0] in ("smaller", "largest", "bigger")
+    assert not {"smaller", "largest", "bigger"} & set(counted(brief))
+
+
+def test_the_larger_is_the_one_that_was_called_large() -> None:
+    brief = read_brief("A large table and a small table. A vase stands on the larger table.", fill="named")
+    carriers = [r.anchors for r in brief.relations if r.kind == "on"]
+    assert [brief.request(anchors[0]).attributes for anchors in carriers] == [("large",)]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bedroom, no television. No mirror, no wardrobe, just a bed.",
+        "Make it cosy: a sofa and two lamps.",
+        "We wait in a hall with two benches.",
+        "Three high tables with two stools each.",
+        "A soft pink armchair and a rug.",
+        "A workshop: (a) a workbench; (b) a stool.",
+    ],
+)
+def test_plain_words_are_no_turns(prompt: str) -> None:
+    assert read_brief(prompt).unknown == ()

@@ -1,0 +1,76 @@
+"""What was passed over without becoming anything, and things of which nothing is known: both are said."""
+
+from itertools import pairwise
+
+from thinkblox.assets import CATALOGUE
+from thinkblox.assets.catalogue import GENERAL_WORDS
+from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.stand_ins import stand_in
+from thinkblox.reading.adjectives import adjective_kinds
+from thinkblox.reading.draft import MISSING, Mention
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.corrections import Corrections
+
+_SPELLED = 0.93
+"""How alike two spellings of one name are at least."""
+_ENDINGS = ("ed", "ing", "ly", "less", "able", "ible", "ous", "ful")
+"""How words end that are no names of things, where nobody knows such a thing."""
+
+
+class Audit(Corrections):
+    """Looks over what was read."""
+
+    def _audit(self) -> None:
+        """List what nothing was made of, and what nobody knows."""
+        for chunk in self.chunks:
+            if not isinstance(chunk, Noun) or chunk.kind != "thing" or (chunk.start, chunk.end) in self.spent:
+                continue
+            if not self.account.is_lost(chunk.start, chunk.end):
+                self._lose(chunk.start, chunk.end)
+        for thing in list(self.draft.things):
+            self._find_each(thing)
+            self._contradicts(thing)
+            noun = self.named_by.get(thing)
+            if noun is not None and not _is_known(thing):
+                self._doubt(thing, noun)
+
+    def _find_each(self, thing: Mention) -> None:
+        """Say of "each basin" that no basins were named."""
+        noun = self.named_by.get(thing)
+        if noun is not None and noun.det == "each" and noun.count is None and thing not in self.told_later:
+            self.account.mark(noun.start, noun.end, "not_understood")
+            self.draft.unknown.append(f"{noun.text} (none named)")
+
+    def _contradicts(self, thing: Mention) -> None:
+        """Say of a thing that was given two colours at different places that it cannot have both."""
+        colours = [a for a in dict.fromkeys(thing.attributes) if a in COLOURS]
+        noun = self.named_by.get(thing)
+        if len(colours) < 2 or (noun is not None and set(colours) <= set(noun.attributes)):
+            return
+        text = " ".join(token.lower() for token in self.account.all_words())
+        if not any(
+            f"{a} and {b}" in text or f"{b} and {a}" in text or f"{a} {b}" in text for a, b in pairwise(colours)
+        ):
+            self.draft.unknown.append(f"{thing.text}: {' or '.join(colours)}")
+
+    def _doubt(self, thing: Mention, noun: Noun) -> None:
+        """Say that nothing is known of a thing; what is plainly no name of one is not made."""
+        word = noun.text.rpartition(" ")[2].lower()
+        self.account.mark(noun.start, noun.end, "not_understood")
+        self.draft.unknown.append(f"{noun.text} (no such thing is known)")
+        if word.endswith(_ENDINGS) or adjective_kinds(word):
+            self.draft.drop(thing)
+
+
+def _is_known(thing: Mention) -> bool:
+    """Whether anything is known of such a thing: its shape, its size, or what it is a kind of."""
+    if thing.noun in CATALOGUE or thing.noun in GENERAL_WORDS or thing.noun == MISSING:
+        return True
+    found = stand_in(thing.noun)
+    match found.how:
+        case "plain":
+            return False
+        case "spelling":
+            return found.similarity >= _SPELLED
+        case _:
+            return True

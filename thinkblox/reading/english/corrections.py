@@ -1,0 +1,52 @@
+"""What is said anew of the thing named last: "two armchairs, no, three"; "actually, make it a bunk bed"."""
+
+from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.pronouns import Pronouns
+from thinkblox.reading.english.referents import last_word
+
+_KINS = ("beds", "seats", "tables", "desks", "lamps", "storage", "shelves", "screens", "lounges", "plants", "covers")
+"""Groups of things of which one can be put right as another."""
+_BACK = 3
+"""How many things back a correction reaches."""
+
+
+class Corrections(Pronouns):
+    """Reads corrections."""
+
+    def _correct(self, link: Connector) -> None:
+        """Say the number or the kind of the last thing anew; what it corrects has to be plain."""
+        noun = self._next_noun()
+        if noun is None:
+            self._lose(link.start, link.end)
+            return
+        self._go_past(noun)
+        self._spend(noun)
+        thing = self._corrected(noun)
+        if thing is None:
+            self._lose(link.start, noun.end)
+            return
+        thing.count = noun.count if noun.count is not None else (None if noun.plural else 1)
+        thing.plural, thing.least, thing.most = noun.plural or (noun.count or 1) > 1, noun.least, noun.most
+        if noun.kind == "thing":
+            thing.noun, thing.text = noun.value, noun.text
+            self.named_by[thing] = noun
+        if noun.attributes or noun.unshown:
+            thing.attributes, thing.unshown = [*noun.attributes], [*noun.unshown]
+
+    def _corrected(self, noun: Noun) -> Mention | None:
+        """The thing that a correction is about, unless it was parted, or others are like it."""
+        kept = set(map(id, self.draft.things))
+        spoken = list(dict.fromkeys(t for t in reversed(self.referents.spoken) if id(t) in kept and t.asked))[:_BACK]
+        if noun.kind == "number":
+            found = spoken[0] if spoken and (spoken[0].count or 1) > 1 else None
+        else:
+            found = next((t for t in spoken if self._is_kin(t, noun)), None)
+        if found is None or len(self.referents.family(found)) > 1 or found.groups or found.rows:
+            return None
+        return found
+
+    def _is_kin(self, thing: Mention, noun: Noun) -> bool:
+        if thing.noun == noun.value or last_word(thing) == noun.word:
+            return True
+        return any(self._belongs(thing.noun, group) and self._belongs(noun.value, group) for group in _KINS)

@@ -1,0 +1,100 @@
+"""Turns of speech that are cut out as a whole, since nobody here follows them; and corrections that can be followed."""
+
+from collections.abc import Sequence
+
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.tokens import Token
+
+_LONGEST_TURN = 40
+"""Most tokens of a turn that goes on to the end of a clause."""
+_STOPS = ".;!?)\n"
+_AFTER = ("and", "but", "or", "oh", "well", "then", "now", "please")
+
+
+def correction_at(tokens: Sequence[Token], at: int) -> int:
+    """How many tokens the words before what corrects the last thing have: "no, make that", "actually,"; 0 for none."""
+    if not _begins(tokens, at):
+        return 0
+    end = at
+    if _is_no(tokens, at):
+        end = at + 2
+    while (found := grammar().at(tokens, end, "turns")) is not None and found.value in ("correction", "remake"):
+        end += found.length
+        if end < len(tokens) and tokens[end].text in (",", ":"):
+            end += 1
+    return end - at
+
+
+def turn_at(tokens: Sequence[Token], at: int) -> int:
+    """Read corrections, "the same on the other side", "where the desk would usually be"."""
+    begins = _begins(tokens, at)
+    if begins and _is_no(tokens, at):
+        return _until(tokens, at + 1, sentence=_is_new_sentence(tokens, at)) + 1
+    found = grammar().at(tokens, at, "turns")
+    if found is not None:
+        after = grammar().at(tokens, at + found.length, "determiners", "count")
+        if found.value == "phrase":
+            return found.length
+        if found.value == "clause":
+            return _until(tokens, at, sentence=False)
+        if begins and (found.value != "remake" or after is not None):
+            return _until(tokens, at, sentence=_is_new_sentence(tokens, at))
+    if tokens[at].text == "where":
+        end = _until(tokens, at, sentence=False)
+        said = next((i for i in range(at, at + end) if tokens[i].text in grammar().lists["supposing"]), None)
+        if said is None:
+            return 0
+        being = (i for i in range(said, at + end) if tokens[i].text in ("be", "stand", "go"))
+        return next(being, at + end - 1) + 1 - at
+    if tokens[at].text in ("out", "of", "in") and (length := _of_every(tokens, at)):
+        return length
+    return 0
+
+
+def _is_no(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a correction begins: "no, make that three", "no, three"."""
+    if tokens[at].text not in ("no", "nope") or at + 2 >= len(tokens) or (at and tokens[at - 1].text == "?"):
+        return False
+    if tokens[at + 1].text not in (",", ":", "–", "—"):
+        return False
+    after = grammar().all_at(tokens, at + 2, "determiners", "count", "turns", "negations", "verbs")
+    return any(f.sort in ("count", "turns") or f.value in ("a", "the", "another", "not", "put") for f in after) or (
+        tokens[at + 2].kind == "number"
+    )
+
+
+def _of_every(tokens: Sequence[Token], at: int) -> int:
+    """Read "out of every five", "in every five", without a noun after it."""
+    start = at + 1 if tokens[at].text != "out" else at + 2
+    if start + 1 >= len(tokens) or tokens[start].text not in ("every", "each"):
+        return 0
+    number = grammar().at(tokens, start + 1, "count")
+    length = 1 if tokens[start + 1].kind == "number" else number.length if number is not None else 0
+    return start + 1 + length - at if length else 0
+
+
+def _until(tokens: Sequence[Token], at: int, *, sentence: bool) -> int:
+    """The length up to the end of the sentence, or to the next mark."""
+    for end in range(at + 1, min(len(tokens), at + _LONGEST_TURN)):
+        if tokens[end].kind == "mark" and (not sentence or tokens[end].text in _STOPS):
+            return end - at
+        if not sentence and tokens[end].text == "and" and _is_new_thing(tokens, end + 1):
+            return end - at
+    return min(len(tokens), at + _LONGEST_TURN) - at
+
+
+def _is_new_thing(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "a", "two" comes, and with it something new."""
+    found = grammar().all_at(tokens, at, "determiners", "count")
+    return any(f.sort == "count" or f.value in ("a", "another") for f in found)
+
+
+def _begins(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a clause may begin at `at`."""
+    return at == 0 or tokens[at - 1].kind == "mark" or tokens[at - 1].text in _AFTER
+
+
+def _is_new_sentence(tokens: Sequence[Token], at: int) -> bool:
+    while at and tokens[at - 1].text in _AFTER:
+        at -= 1
+    return at == 0 or tokens[at - 1].text in _STOPS
