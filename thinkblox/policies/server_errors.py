@@ -1,13 +1,14 @@
 """What went wrong between a server and us, in words that say what to do."""
 
 from collections.abc import Callable
-
-import httpx2
-import openai
+from typing import TYPE_CHECKING
 
 from thinkblox.errors import InputError, NoAnswerError, UnavailableError
 from thinkblox.policies.bounded import TooLongError
 from thinkblox.policies.keys import VARIABLES
+
+if TYPE_CHECKING:
+    import openai
 
 _NAMES = " or ".join(VARIABLES)
 
@@ -26,6 +27,9 @@ def error_of(found: Exception, where: str, model: str, show: Callable[[str], str
         show: makes what the server said fit to be shown.
         has_key: whether a key was sent.
     """
+    import httpx2
+    import openai
+
     if isinstance(found, openai.APIStatusError):
         return _refused(found, where, model, show(_words(found)), has_key=has_key)
     if isinstance(found, TimeoutError | openai.APITimeoutError):
@@ -40,7 +44,7 @@ def error_of(found: Exception, where: str, model: str, show: Callable[[str], str
     return NoAnswerError(f"{where}: answered with what cannot be read ({type(found).__name__}: {show(str(found))})")
 
 
-def _refused(found: openai.APIStatusError, where: str, model: str, said: str, *, has_key: bool) -> InputError:
+def _refused(found: "openai.APIStatusError", where: str, model: str, said: str, *, has_key: bool) -> InputError:
     match found.status_code:
         case 401 | 403 if has_key:
             return UnavailableError(f"{where}: refuses the key in {_NAMES} ({said}); set one that it knows")
@@ -59,7 +63,7 @@ def _refused(found: openai.APIStatusError, where: str, model: str, said: str, *,
             return NoAnswerError(f"{where}: refused the request with status {status} ({said})")
 
 
-def _words(found: openai.APIStatusError) -> str:
+def _words(found: "openai.APIStatusError") -> str:
     body = found.body
     inner = body.get("error", body) if isinstance(body, dict) else body
     message = inner.get("message") if isinstance(inner, dict) else inner
