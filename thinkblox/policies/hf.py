@@ -8,9 +8,9 @@ import numpy as np
 from thinkblox.chat import Chat
 from thinkblox.errors import InputError
 from thinkblox.policies.chat_format import encode
-from thinkblox.policies.constraint import Constraint
 from thinkblox.policies.decoding import Counts, Decoder, Sampling
 from thinkblox.policies.pretrained import Pretrained, load_pretrained
+from thinkblox.policies.token_grammar import TokenGrammar
 
 
 class HfModel:
@@ -56,7 +56,7 @@ class HfModel:
         self._processor = read.processor
         self._sampling = Sampling(temperature=temperature, top_p=top_p, tokens=max_new_tokens, seconds=seconds)
         tokenizer = read.processor.tokenizer
-        self._constraint = Constraint(grammar, tokenizer, len(tokenizer)) if grammar is not None else None
+        self._constraint = TokenGrammar(grammar, tokenizer, len(tokenizer)) if grammar is not None else None
         self._context = int(read.model.config.get_text_config().max_position_embeddings)
         self._decoder = Decoder(read.model, tokenizer, image_token=read.processor.image_token_id, reuse=reuse_prefix)
 
