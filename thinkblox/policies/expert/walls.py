@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from thinkblox.knowledge.uses import DOUBLE
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
-from thinkblox.policies.expert.needs import DOUBLE
 from thinkblox.policies.expert.situation import WINDOW_DEPTH, Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, Wall
