@@ -19,7 +19,7 @@ from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import ExpertPlanner, is_open, larger, with_surfaces
+from thinkblox.planning import ExpertPlanner, is_open, larger, varied, with_surfaces
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import GrammarBriefer
@@ -128,12 +128,14 @@ def generate_room(
     if fill not in FILLS:
         raise InputError(f"fill is {fill!r}; it must be one of {', '.join(FILLS)}")
     brief = _made("briefer", (briefer or GrammarBriefer(fill)).brief(prompt), Brief)
+    if briefer is None and fill != "named":
+        brief = varied(brief, seed)
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
     effort = effort or Effort()
     until = time.monotonic() + effort.seconds
 
-    def furnished(floor: Room, effort: Effort, first: int = 0) -> Generation:
+    def furnished(floor: Room, effort: Effort, first: int = 0) -> _Furnished:
         plan = _made("planner", planner.plan(brief, floor), Plan)
         if on_plan is not None and not first:
             on_plan(plan)
@@ -145,14 +147,29 @@ def generate_room(
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
-            lived_in=fill == "lived-in",
             first=first,
             until=until,
         )
 
-    if not grows or not effort.restarts:
-        return furnished(room, effort)
-    made = [furnished(room, replace(effort, restarts=0))]
+    made = [furnished(room, replace(effort, restarts=0) if grows else effort)]
+    if grows and effort.restarts:
+        made += _in_wider_rooms(made[0], brief, planner, furnished, effort, until)
+    best = min(made, key=lambda each: _faults(each.report))
+    if fill == "lived-in":
+        best.dress()
+    return best.generation()
+
+
+def _in_wider_rooms(
+    first: "_Furnished",
+    brief: Brief,
+    planner: Planner,
+    furnished: Callable[..., "_Furnished"],
+    effort: Effort,
+    until: float,
+) -> list["_Furnished"]:
+    """More goes at a room whose size is left open: with more floor while that is what it lacks, then anew."""
+    room, seed, made = first.scene.room, first.scene.seed, [first]
     for factor in GROWTH:
         if not _lacks_floor(made[-1]) or time.monotonic() >= until:
             break
@@ -163,12 +180,12 @@ def generate_room(
     best = min(made, key=lambda each: _faults(each.report))
     if any(_faults(best.report)) and time.monotonic() < until:
         made.append(furnished(best.scene.room, replace(effort, restarts=effort.restarts - 1), len(made)))
-    return min(made, key=lambda each: _faults(each.report))
+    return made[1:]
 
 
-def _lacks_floor(made: Generation) -> bool:
+def _lacks_floor(made: "_Furnished") -> bool:
     """Whether something that stands on the floor is absent, fails, or does not stand as asked."""
-    mounts = {target.id: made.episode.kinds[target.category].mount for target in made.plan.targets}
+    mounts = {target.id: made.loop.kinds[target.category].mount for target in made.loop.plan.targets}
     absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
@@ -221,36 +238,62 @@ def furnish(
     effort: Effort,
     judged: Judged,
     on_object: Callable[[Progress], None],
-    lived_in: bool,
     first: int,
     until: float,
-) -> Generation:
+) -> "_Furnished":
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
 
     Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
-    is over [s]. With `lived_in` the room is dressed after that.
+    is over [s].
     """
     makeable, refused = _makeable(plan, scene, source)
-    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
+    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until)
     made: list[_Attempt] = []
     for number in range(first, first + 1 + effort.restarts):
         made.append(_Attempt(loop, scene, number, judged, on_object, refused))
         last = _faults(made[-1].report)
         if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
-    best = min(made, key=lambda attempt: _faults(attempt.report))
-    if lived_in:
-        makeable = best.dress(loop, judged, on_object, len(made) - 1)
-    episode = Episode(
-        prompt=scene.prompt,
-        seed=scene.seed,
-        room=scene.room,
-        plan=makeable,
-        kinds=kinds_of(makeable, source),
-        assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
-        rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
-    )
-    return Generation(best.world.scene, best.report, episode)
+    return _Furnished(scene, loop, judged, on_object, made)
+
+
+@dataclass
+class _Furnished:
+    """The attempts at one room; the best of them is the room."""
+
+    scene: Scene
+    loop: Loop
+    judged: Judged
+    on_object: Callable[[Progress], None]
+    attempts: list["_Attempt"]
+
+    def __post_init__(self) -> None:
+        self.plan = self.loop.plan
+        self.best = min(self.attempts, key=lambda attempt: _faults(attempt.report))
+
+    @property
+    def report(self) -> Report:
+        """On the best attempt."""
+        return self.best.report
+
+    def dress(self) -> None:
+        """Make the best attempt look lived in."""
+        self.plan = self.best.dress(self.loop, self.judged, self.on_object, len(self.attempts) - 1)
+
+    def generation(self) -> Generation:
+        """The best attempt, with all that led to it."""
+        episode = Episode(
+            prompt=self.scene.prompt,
+            seed=self.scene.seed,
+            room=self.scene.room,
+            plan=self.plan,
+            kinds=kinds_of(self.plan, self.loop.source),
+            assets={id: asset for attempt in self.attempts for id, asset in attempt.assets.items()},
+            rounds=tuple(
+                structs.replace(r, kept=attempt is self.best) for attempt in self.attempts for r in attempt.rounds
+            ),
+        )
+        return Generation(self.best.world.scene, self.best.report, episode)
 
 
 def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:

@@ -8,6 +8,7 @@ from thinkblox.planning.openings import openings_wanted
 from thinkblox.planning.order import plan_brief
 from thinkblox.planning.rooms import is_open, larger, plan_room
 from thinkblox.planning.surfaces import with_surfaces
+from thinkblox.planning.variety import varied
 from thinkblox.scene.room import Room
 
 
@@ -23,4 +24,13 @@ class ExpertPlanner:
         return plan_brief(brief, room)
 
 
-__all__ = ["ExpertPlanner", "is_open", "larger", "openings_wanted", "plan_brief", "plan_room", "with_surfaces"]
+__all__ = [
+    "ExpertPlanner",
+    "is_open",
+    "larger",
+    "openings_wanted",
+    "plan_brief",
+    "plan_room",
+    "varied",
+    "with_surfaces",
+]

@@ -11,7 +11,7 @@ from thinkblox.knowledge.uses import uses
 from thinkblox.scene.rectangles import Array, Rects
 from thinkblox.scene.zones import beside, joined
 from thinkblox.scoring.rating import Case, Rating, rated
-from thinkblox.scoring.standing import Standing, Thing, rects_of
+from thinkblox.scoring.standing import Furnishing, Standing, rects_of
 
 ENOUGH = 0.8
 """Share of such floor that is enough: a nightstand takes a part of the floor beside its bed."""
@@ -46,7 +46,7 @@ def clearance(standing: Standing) -> Rating:
     return rated(cases, doors=len(doors))
 
 
-def _uses(thing: Thing) -> tuple[Use, ...]:
+def _uses(thing: Furnishing) -> tuple[Use, ...]:
     if not thing.is_turned and thing.asset.front == "one":
         return ()
     return uses(thing.placement.category, thing.placement.size, thing.asset.front, thing.asset.clearance)
@@ -63,7 +63,7 @@ def _swings(standing: Standing) -> Rects:
     return Rects.of(rows)
 
 
-def _free(standing: Standing, zones: Rects, owners: list[Thing | None]) -> Array:
+def _free(standing: Standing, zones: Rects, owners: list[Furnishing | None]) -> Array:
     """Share of each zone that is inside the room and in nothing that stays where it is, (n,)."""
     if not len(zones):
         return np.zeros(0)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from thinkblox.scene.rectangles import separation
 from thinkblox.scene.room import turn_between
 from thinkblox.scoring.rating import Case, Rating, plateau, rated
-from thinkblox.scoring.standing import Standing, Thing, rects_of
+from thinkblox.scoring.standing import Furnishing, Standing, rects_of
 
 TOGETHER = 1.5
 """What is further away than this belongs to something else [m]."""
@@ -31,7 +31,7 @@ def distances(standing: Standing) -> Rating:
     return rated(cases)
 
 
-def _nearest(thing: Thing, others: Sequence[Thing]) -> tuple[Thing, float] | None:
+def _nearest(thing: Furnishing, others: Sequence[Furnishing]) -> tuple[Furnishing, float] | None:
     """Whichever is nearest, and how far it is, depth of overlap being less than 0 [m]."""
     found = [other for other in others if other is not thing]
     if not found:
@@ -41,7 +41,7 @@ def _nearest(thing: Thing, others: Sequence[Thing]) -> tuple[Thing, float] | Non
     return found[best], float(gaps[best])
 
 
-def _near(thing: Thing, others: Sequence[Thing]) -> list[Thing]:
+def _near(thing: Furnishing, others: Sequence[Furnishing]) -> list[Furnishing]:
     """The nearest of the others, as many as are worth a look."""
     x, y, _ = thing.placement.position
     found = [other for other in others if other is not thing]
@@ -50,7 +50,7 @@ def _near(thing: Thing, others: Sequence[Thing]) -> list[Thing]:
     return heapq.nsmallest(_LOOKED_AT, found, key=lambda other: math.dist(other.placement.position[:2], (x, y)))
 
 
-def _turn_to(thing: Thing, other: Thing) -> float:
+def _turn_to(thing: Furnishing, other: Furnishing) -> float:
     """Between where one looks who uses a thing and the nearest part of another [degrees]."""
     (x, y, _), (fx, fy, _) = thing.placement.position, other.placement.position
     a, b = other.placement.to_local((x, y))
@@ -62,7 +62,9 @@ def _turn_to(thing: Thing, other: Thing) -> float:
 
 
 def _pairs(
-    subjects: Sequence[Thing], anchors: Sequence[Thing], rate: Callable[[Thing, Thing, float], float]
+    subjects: Sequence[Furnishing],
+    anchors: Sequence[Furnishing],
+    rate: Callable[[Furnishing, Furnishing, float], float],
 ) -> Iterator[Case]:
     for thing in subjects:
         found = _nearest(thing, anchors)
@@ -75,7 +77,7 @@ def _seats(standing: Standing) -> Iterator[Case]:
     tables = [t for t in standing.on_floor if t.facts.is_in("meal_tables", "desks", "counters")]
     seats = [t for t in standing.on_floor if t.facts.is_in("seating") and t.is_moved]
 
-    def drawn_up(seat: Thing, table: Thing, gap: float) -> float:
+    def drawn_up(seat: Furnishing, table: Furnishing, gap: float) -> float:
         turned = plateau(_turn_to(seat, table), -1.0, 0.0, *LOOKS) if seat.is_turned else 1.0
         return plateau(gap, -0.7, -0.4, 0.15, 0.7) * turned
 
@@ -104,7 +106,7 @@ def _screens(standing: Standing) -> Iterator[Case]:
         yield best
 
 
-def _viewing(seat: Thing, screen: Thing, diagonal: float) -> Case:
+def _viewing(seat: Furnishing, screen: Furnishing, diagonal: float) -> Case:
     (x, y, _), (sx, sy, _) = seat.placement.position, screen.placement.position
     away = max(0.0, math.dist((x, y), (sx, sy)) - seat.placement.size[0] / 2)
     turn = turn_between(seat.gaze, math.degrees(math.atan2(sy - y, sx - x)))
@@ -131,7 +133,7 @@ def conversation(standing: Standing) -> Rating:
     return rated(cases)
 
 
-def _talk(seat: Thing, other: Thing) -> Case:
+def _talk(seat: Furnishing, other: Furnishing) -> Case:
     a, b = (t.placement.to_room((t.placement.size[0] / 2, 0.0)) for t in (seat, other))
     away = math.dist(a, b)
     turns = [max(0.0, _turn_to(x, y)) for x, y in ((seat, other), (other, seat))]
@@ -159,7 +161,7 @@ def emphasis(standing: Standing) -> Rating:
     return rated([*cases, *(case for case in centred if case is not None)], points=len(focal))
 
 
-def _centred(standing: Standing, thing: Thing) -> Case | None:
+def _centred(standing: Standing, thing: Furnishing) -> Case | None:
     """How near the middle of its wall something is; None for what stands at no wall, or is one of several there."""
     placement = thing.placement
     back = placement.to_room((-placement.size[0] / 2, 0.0))

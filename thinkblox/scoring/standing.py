@@ -19,7 +19,7 @@ _MOVED = 15.0
 
 
 @dataclass(frozen=True)
-class Thing:
+class Furnishing:
     """A placed thing and what is known of it."""
 
     placement: Placement
@@ -66,26 +66,26 @@ class Standing:
         return self.scene.room
 
     @cached_property
-    def things(self) -> tuple[Thing, ...]:
+    def things(self) -> tuple[Furnishing, ...]:
         """All that can be touched."""
         found = ((p, self.scene.asset_of(p)) for p in self.scene.placements)
-        return tuple(Thing(p, asset, facts_of(p.category)) for p, asset in found if asset.collides)
+        return tuple(Furnishing(p, asset, facts_of(p.category)) for p, asset in found if asset.collides)
 
     @cached_property
-    def on_floor(self) -> tuple[Thing, ...]:
+    def on_floor(self) -> tuple[Furnishing, ...]:
         """What stands on the floor."""
         return tuple(thing for thing in self.things if thing.placement.position[2] <= ON_FLOOR)
 
     @cached_property
-    def large(self) -> tuple[Thing, ...]:
+    def large(self) -> tuple[Furnishing, ...]:
         """What one walks round, and does not draw aside."""
         return tuple(thing for thing in self.on_floor if thing.is_large and not thing.is_moved)
 
-    def of(self, *groups: str) -> tuple[Thing, ...]:
+    def of(self, *groups: str) -> tuple[Furnishing, ...]:
         """What belongs to one of some groups of categories."""
         return tuple(thing for thing in self.things if thing.facts.is_in(*groups))
 
 
-def rects_of(things: Sequence[Thing]) -> Rects:
+def rects_of(things: Sequence[Furnishing]) -> Rects:
     """The boxes around some things."""
     return Rects.of_placements(tuple(thing.placement for thing in things))

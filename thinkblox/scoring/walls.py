@@ -7,7 +7,7 @@ import numpy as np
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 from thinkblox.scene.room import turn_between
 from thinkblox.scoring.rating import Case, Rating, plateau, rated
-from thinkblox.scoring.standing import Standing, Thing, rects_of
+from thinkblox.scoring.standing import Furnishing, Standing, rects_of
 
 WINDOW_DEPTH = 0.3
 """How far into the room a window is kept free of what is higher than its sill [m]."""
@@ -35,7 +35,7 @@ def _mean(cases: list[Case]) -> float:
     return sum(case.score for case in cases) / len(cases) if cases else 1.0
 
 
-def _parallel(standing: Standing, thing: Thing) -> Case | None:
+def _parallel(standing: Standing, thing: Furnishing) -> Case | None:
     placement, walls = thing.placement, standing.room.walls
     turn = min(turn_between(placement.yaw, wall.yaw, period=90.0) for wall in walls)
     near = [wall for wall in walls if min(wall.coordinates(c)[1] for c in placement.corners) < IN_CORNER]
@@ -45,7 +45,7 @@ def _parallel(standing: Standing, thing: Thing) -> Case | None:
     return Case((1.0 + math.cos(math.radians(4.0 * turn))) / 2, says)
 
 
-def _belongs_to_wall(thing: Thing) -> bool:
+def _belongs_to_wall(thing: Furnishing) -> bool:
     first = next(iter(thing.facts.habits), "")
     return thing.is_turned and first.startswith("against_wall")
 
@@ -72,10 +72,10 @@ def daylight(standing: Standing) -> Rating:
     """The share of each window that nothing higher than its sill stands or hangs before.
 
     Neufert: before a window only what is lower than its sill. The score is the mean share over the windows, of what is
-    within WINDOW_DEPTH of them; curtains and what is thinner than 0.1 m count for nothing.
+    within WINDOW_DEPTH of them; curtains, blinds and what is thinner than 0.1 m count for nothing.
     """
     windows = [opening for opening in standing.room.openings if opening.kind == "window"]
-    thick = [thing for thing in standing.things if min(thing.placement.size[:2]) > 0.1]
+    thick = [t for t in standing.things if min(t.placement.size[:2]) > 0.1 and t.facts.hanging.windows == "no"]
     boxes, cases = rects_of(thick), []
     for opening in windows:
         wall, sill = standing.room.walls[opening.wall], opening.sill
