@@ -1,12 +1,13 @@
 """What a prompt leaves open may differ from room to room: other things besides those that everybody expects."""
 
 from collections.abc import Iterator
+from typing import cast
 
 import numpy as np
 from msgspec.structs import replace
 
 from thinkblox.assets import kind_of
-from thinkblox.brief import Brief, Relation, Request
+from thinkblox.brief import Brief, Relation, RelationKind, Request
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import Usual, room_type
 from thinkblox.knowledge.things import are_alike, counts_as
@@ -74,7 +75,7 @@ def _with(brief: Brief, usual: Usual) -> Brief:
     count = min(usual.count, 2) if kind_of(usual.category).mount == "wall" else 1
     request = Request(key=usual.category, category=usual.category, count=count, asked=False)
     relations = tuple(
-        Relation(kind=kind, subject=request.key, anchors=(_anchor(brief, anchors),), asked=False)
+        Relation(kind=cast(RelationKind, kind), subject=request.key, anchors=(_anchor(brief, anchors),), asked=False)
         for kind, anchors, _ in usual.relations
     )
     return replace(brief, requests=(*brief.requests, request), relations=(*brief.relations, *relations))
