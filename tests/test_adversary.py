@@ -18,7 +18,7 @@ def test_a_hunt_is_the_same_twice() -> None:
 
 
 def test_a_verdict_that_believes_at_once_is_fooled(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(stage, "stands_squarely", lambda model, data: True)
+    monkeypatch.setattr(stage, "unsteady", lambda model, data, suspect: None)
     monkeypatch.setattr(stage, "at_rest", lambda model, data, body: True)
     monkeypatch.setattr(stage, "stayed", lambda before, now, interval: True)
     assert any(judged is not None and judged.outcome == "false valid" for judged in candidates("edge", 0))

@@ -12,23 +12,24 @@ from hypothesis import strategies as st
 from thinkblox.assets import make_asset
 from thinkblox.assets.source import ProceduralAssets
 from thinkblox.generate import Generation, generate_room
+from thinkblox.knowledge.uses import MAIN_WAY, SIDE_WAY, uses
 from thinkblox.observe import Observation, kinds_of, observe
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.planning import plan_brief
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.policies.expert.ground import ground_costs, used_costs
-from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY, need, uses
+from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.row_layout import layouts
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import CLOSED, gap_cost, imbalance, moment
-from thinkblox.policies.expert.zones import beside
 from thinkblox.reading import read_brief
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth, separation
 from thinkblox.scene.room import rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
+from thinkblox.scene.zones import beside
 
 ONCE = Effort(restarts=0)
 

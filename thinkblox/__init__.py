@@ -22,12 +22,14 @@ if TYPE_CHECKING:
     from thinkblox.placing import Effort
     from thinkblox.plan import Target
     from thinkblox.policies import Policy
+    from thinkblox.room_score import RoomScore
     from thinkblox.saving import save_room
     from thinkblox.scene.actions import Add, Move, Remove, Replace, Swap, Turn
     from thinkblox.scene.asset import Asset
     from thinkblox.scene.placement import Placement
     from thinkblox.scene.room import Opening, Room
     from thinkblox.scene.scene import Scene, load_scene
+    from thinkblox.scoring import score
     from thinkblox.sim.verdict.verify import verify
     from thinkblox.sim.verdict.world import World
     from thinkblox.sim.workers.pool import Job, VerdictPool
@@ -53,6 +55,7 @@ _HOME = {
     "Replace": "thinkblox.scene.actions",
     "Report": "thinkblox.verdict",
     "Room": "thinkblox.scene.room",
+    "RoomScore": "thinkblox.room_score",
     "Scene": "thinkblox.scene.scene",
     "Step": "thinkblox.steps",
     "Swap": "thinkblox.scene.actions",
@@ -72,6 +75,7 @@ _HOME = {
     "read_episode": "thinkblox.episode",
     "save_room": "thinkblox.saving",
     "save_scene": "thinkblox.exporters.saving",
+    "score": "thinkblox.scoring",
     "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
 }
@@ -93,6 +97,7 @@ __all__ = [
     "Replace",
     "Report",
     "Room",
+    "RoomScore",
     "Scene",
     "Step",
     "Swap",
@@ -112,6 +117,7 @@ __all__ = [
     "read_episode",
     "save_room",
     "save_scene",
+    "score",
     "verify",
     "verify_file",
 ]

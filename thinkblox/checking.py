@@ -16,6 +16,7 @@ from thinkblox.verdict import Absence, Report
 from thinkblox.whole_file import check_file, write_whole
 
 if TYPE_CHECKING:
+    from thinkblox.room_score import RoomScore
     from thinkblox.sim.subject import Subject
 
 OURS = "thinkblox"
@@ -257,6 +258,7 @@ def _measured(path: str, format: str, reading: VerifyOptions) -> _Done:
         absent=(*report.absent, *absent),
         notes=(*notes, *((DEMANDS,) if report.prompt else ()), *report.notes),
         suites=_suites(subject, reading),
+        score=_score(subject),
     )
     return _Done(report, _scene_files(path, subject, reading), _page(path, subject, report, reading))
 
@@ -318,6 +320,12 @@ def _mended(path: str, subject: "Subject", report: Report, max_move: float | Non
         subject = subject_of(scene, source=subject.source, substituted=subject.substituted)
         again = _report(subject)
     return subject, structs.replace(again, moves=moves)
+
+
+def _score(subject: "Subject") -> "RoomScore | None":
+    from thinkblox.scoring import score
+
+    return None if subject.scene is None else score(subject.scene)
 
 
 def _suites(subject: "Subject", reading: VerifyOptions) -> tuple[SuiteResult, ...]:

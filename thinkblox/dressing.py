@@ -50,7 +50,7 @@ def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target
     )
     seed = world.scene.seed
     dresser = Dresser(loop.plan, np.random.default_rng((seed, _SALT)))
-    done = Dressed(world, replace(loop, effort=effort))
+    done = Dressed(world, replace(loop, effort=effort, tells=False))
     for stage in (dresser.furniture, dresser.things):
         targets = stage(done.world.scene)
         done.loop = replace(done.loop, plan=dresser.plan)

@@ -21,7 +21,7 @@ from thinkblox.observe import kinds_of
 from thinkblox.orders import ORDERS, Order
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import is_open, larger, reordered, with_surfaces
+from thinkblox.planning import is_open, larger, reordered, varied, with_surfaces
 from thinkblox.players import Players, players
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.prompts import prompts_version
@@ -154,13 +154,15 @@ def generate_room(
     _check_play(cast, prompt, seed, mode, fill)
     planner = cast.planner
     brief = _made("briefer", cast.briefer.brief(prompt), Brief)
+    if briefer is None and fill != "named":
+        brief = varied(brief, seed)
     source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
     effort = _effort_for(cast, effort or Effort())
     until = time.monotonic() + effort.seconds
 
-    def furnished(floor: Room, effort: Effort, first: int) -> Generation:
+    def furnished(floor: Room, effort: Effort, first: int) -> _Furnished:
         plan = _made("planner", planner.plan(brief, floor), Plan)
         plan = reordered(plan, order, lambda target: _usual(target, source), seed)
         if on_plan is not None and not first:
@@ -173,7 +175,6 @@ def generate_room(
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
-            lived_in=fill == "lived-in",
             first=first,
             until=until,
         )
@@ -181,22 +182,24 @@ def generate_room(
     def wider(factor: float) -> Room:
         return _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
 
-    made: list[Generation] = []
+    made: list[_Furnished] = []
     try:
         if grows and effort.restarts:
             _furnish_growing(made, furnished, room, wider, effort, until)
         else:
             made.append(furnished(room, effort, 0))
+        if fill == "lived-in":
+            _best(made).dress()
     except InputError as error:
         if not made:
             raise
-        raise BrokenOffError(str(error), _best(made).episode) from error
-    return _best(made)
+        raise BrokenOffError(str(error), _best(made).generation().episode) from error
+    return _best(made).generation()
 
 
 def _furnish_growing(
-    made: list[Generation],
-    furnished: Callable[[Room, Effort, int], Generation],
+    made: list["_Furnished"],
+    furnished: Callable[[Room, Effort, int], "_Furnished"],
     room: Room,
     wider: Callable[[float], Room],
     effort: Effort,
@@ -217,7 +220,7 @@ def _furnish_growing(
         made.append(furnished(best.scene.room, again, len(made)))
 
 
-def _best(made: Sequence[Generation]) -> Generation:
+def _best(made: Sequence["_Furnished"]) -> "_Furnished":
     return min(made, key=lambda each: _faults(each.report))
 
 
@@ -229,9 +232,9 @@ def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
         return None
 
 
-def _lacks_floor(made: Generation) -> bool:
+def _lacks_floor(made: "_Furnished") -> bool:
     """Whether something that stands on the floor is absent, fails, or does not stand as asked."""
-    mounts = {target.id: made.episode.kinds[target.category].mount for target in made.plan.targets}
+    mounts = {target.id: made.loop.kinds[target.category].mount for target in made.loop.plan.targets}
     absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
@@ -297,34 +300,20 @@ def furnish(
     effort: Effort,
     judged: Judged,
     on_object: Callable[[Progress], None],
-    lived_in: bool,
     first: int,
     until: float,
-) -> Generation:
+) -> "_Furnished":
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
 
     Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
-    is over [s]. With `lived_in` the room is dressed after that.
+    is over [s].
 
     Raises:
         BrokenOffError: the policy cannot go on.
     """
     makeable, refused = _makeable(plan, scene, source)
-    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
+    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until)
     made: list[_Attempt] = []
-
-    def episode(best: _Attempt, plan: Plan) -> Episode:
-        return Episode(
-            prompt=scene.prompt,
-            seed=scene.seed,
-            room=scene.room,
-            plan=plan,
-            kinds=kinds_of(plan, source),
-            assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
-            rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
-            prompts=prompts_version(),
-        )
-
     try:
         for number in range(first, first + 1 + effort.restarts):
             made.append(_Attempt(scene, number, judged, refused))
@@ -332,14 +321,52 @@ def furnish(
             last = _faults(made[-1].report)
             if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
                 break
-        best = min(made, key=lambda attempt: _faults(attempt.report))
-        if lived_in:
-            makeable = best.dress(loop, judged, on_object, len(made) - 1)
     except UnavailableError as error:
-        whole = [attempt for attempt in made if attempt.finished] or made
-        best = min(whole, key=lambda attempt: _faults(attempt.report) if attempt.finished else ())
-        raise BrokenOffError(str(error), episode(best, makeable)) from error
-    return Generation(best.world.scene, best.report, episode(best, makeable))
+        raise BrokenOffError(
+            str(error), _Furnished(scene, loop, judged, on_object, made).generation().episode
+        ) from error
+    return _Furnished(scene, loop, judged, on_object, made)
+
+
+@dataclass
+class _Furnished:
+    """The attempts at one room; the best of them is the room."""
+
+    scene: Scene
+    loop: Loop
+    judged: Judged
+    on_object: Callable[[Progress], None]
+    attempts: list["_Attempt"]
+
+    def __post_init__(self) -> None:
+        self.plan = self.loop.plan
+        finished = [attempt for attempt in self.attempts if attempt.finished]
+        self.best = min(finished, key=lambda attempt: _faults(attempt.report)) if finished else self.attempts[0]
+
+    @property
+    def report(self) -> Report:
+        """On the best attempt."""
+        return self.best.report
+
+    def dress(self) -> None:
+        """Make the best attempt look lived in."""
+        self.plan = self.best.dress(self.loop, self.judged, self.on_object, len(self.attempts) - 1)
+
+    def generation(self) -> Generation:
+        """The best attempt, with all that led to it."""
+        episode = Episode(
+            prompt=self.scene.prompt,
+            seed=self.scene.seed,
+            room=self.scene.room,
+            plan=self.plan,
+            kinds=kinds_of(self.plan, self.loop.source),
+            assets={id: asset for attempt in self.attempts for id, asset in attempt.assets.items()},
+            rounds=tuple(
+                structs.replace(r, kept=attempt is self.best) for attempt in self.attempts for r in attempt.rounds
+            ),
+            prompts=prompts_version(),
+        )
+        return Generation(self.best.world.scene, self.best.report, episode)
 
 
 def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:

@@ -80,6 +80,7 @@ class Loop:
     """What every object of a room is placed with.
 
     Attributes:
+        tells: whether the policy is told what became of its answers, as where it is asked again.
         until: the monotonic time at which the budget is over [s].
         falls: of assets that fell where they were put, how each does so by itself; "" of one that stands.
     """
@@ -89,6 +90,7 @@ class Loop:
     policy: Policy
     source: AssetSource
     effort: Effort
+    tells: bool = True
     until: float = math.inf
     falls: dict[Asset, str] = field(default_factory=dict)
 
@@ -188,7 +190,7 @@ class Placing:
         texts = self._texts(observation)
         seconds = time.perf_counter() - start
         read = [t if isinstance(t, Try) else self._understood(t) for t in texts]
-        return self._try("policy", read, propose_seconds=seconds, tell=True)
+        return self._try("policy", read, propose_seconds=seconds, tell=self.loop.tells)
 
     def _texts(self, observation: Observation) -> list[object]:
         """What the policy answers; where it fails, what came before that, and a try that says so."""

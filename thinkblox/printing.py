@@ -27,7 +27,7 @@ def outcome(report: Report) -> str:
 
 def summary(report: Report, *, placed: int) -> str:
     """The measures of the whole, and every fault with its numbers, a line each."""
-    return "\n".join([_whole(report, placed), *_faults(report), *report.notes])
+    return "\n".join([_whole(report, placed), *_faults(report), *_score(report), *report.notes])
 
 
 def _whole(report: Report, placed: int) -> str:
@@ -57,6 +57,12 @@ def _faults(report: Report) -> Iterator[str]:
     if report.stand_ins:
         yield f"as plain stand-ins: {', '.join(map(str, report.stand_ins))}"
     yield from (f"unusual: {sentence}" for sentence in report.unusual)
+
+
+def _score(report: Report) -> Iterator[str]:
+    """The score by guidelines, and what costs most in each part."""
+    if report.score is not None and report.score.total is not None:
+        yield f"interior guidelines, 0 to 1: {report.score}"
 
 
 def moves(report: Report) -> str:

@@ -13,6 +13,7 @@ from thinkblox.reading.counts import MAX_OBJECTS, MAX_OF_A_KIND
 from thinkblox.scene.landmarks import corners
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
+from thinkblox.scoring import score
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.verify import verify
@@ -54,6 +55,7 @@ def report_on(
         unknown=brief.unknown,
         relations=relations,
         demands=demands,
+        score=score(scene),
     )
 
 

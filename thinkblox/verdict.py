@@ -4,6 +4,7 @@ import math
 from typing import Literal
 
 from thinkblox.measurement import Measurement
+from thinkblox.room_score import RoomScore
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, Vec3
 
@@ -322,6 +323,8 @@ class Report(Measurement, frozen=True, kw_only=True):
         unusual: options of a foreign model that make it stand better than it would, in sentences.
         substituted: ids that are measured as boxes, for want of a mesh.
         stand_ins: what is there as a plain solid of its size and mass, for want of a shape of its own.
+        score: how good the room is by the guidelines of interior layout; None where that was not looked at, as for
+            models, which have no floor plan.
         suites: the published criteria that were asked for.
         moves: what was moved to mend faults.
         demands: what else the prompt asks for, and whether it is so.
@@ -349,6 +352,7 @@ class Report(Measurement, frozen=True, kw_only=True):
     unusual: tuple[str, ...] = ()
     substituted: tuple[str, ...] = ()
     stand_ins: tuple[PlainThing, ...] = ()
+    score: RoomScore | None = None
     suites: tuple[SuiteResult, ...] = ()
     moves: tuple[MendingMove, ...] = ()
     notes: tuple[str, ...] = ()

@@ -35,7 +35,14 @@ def at_rest(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> bool:
 
 
 def stands_squarely(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
-    """Whether everything that is awake is at rest, and stands level and well inside the polygon of its contacts.
+    """Whether everything that is awake is at rest, and stands level and well inside the polygon of its contacts."""
+    return unsteady(model, data) is None
+
+
+def unsteady(model: mujoco.MjModel, data: mujoco.MjData, *, suspect: int = 0) -> int | None:
+    """A body that moves, or does not stand level and well inside the polygon of its contacts; None where all do.
+
+    `suspect` is looked at before the others: what did not stand at one look mostly does not at the next.
 
     Statics: where the middle of the pressure on each level footing is inside the footing, by more the higher anything
     stands over it and the softer its contacts are, no small motion lifts any contact, and the whole stays as it is.
@@ -43,7 +50,7 @@ def stands_squarely(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
     """
     awake = _awake(model, data)
     if float(np.abs(data.qvel).max(initial=0.0)) >= SLOW_TURN or not all(at_rest(model, data, b) for b in awake):
-        return False
+        return suspect
     contact = data.contact
     roots = model.body_rootid[model.geom_bodyid[contact.geom]]
     acting = np.flatnonzero((contact.efc_address >= 0) & (roots[:, 0] != roots[:, 1]))
@@ -55,13 +62,13 @@ def stands_squarely(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
     depth = np.concatenate([-contact.dist[acting]] * 2)
     gravity = float(np.linalg.norm(model.opt.gravity))
     top = _tops(data.subtree_com[:, 2], pressed[up >= LEVEL], by[up >= LEVEL])
-    for body in awake:
+    for body in sorted(awake, key=lambda body: body != suspect):
         mine, weight = pressed == body, float(model.body_subtreemass[body]) * gravity
         margin = _margin(points[mine, :2], force[mine], up[mine], weight)
         height = top[body] - points[mine, 2].min(initial=top[body])
         if margin < _least_margin(float(height), float(depth[mine].max(initial=0.0))):
-            return False
-    return True
+            return body
+    return None
 
 
 def _tops(heights: NDArray[np.float64], carried: NDArray[np.int32], by: NDArray[np.int32]) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ from thinkblox.scene.placement import Placement, to_micrometres
 from thinkblox.sim.build import compiled, yaw_quat
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.verdict.balance import at_rest, stands_squarely
+from thinkblox.sim.verdict.balance import at_rest, unsteady
 from thinkblox.sim.verdict.contacts import Contacts, shares
 from thinkblox.sim.verdict.judge import Motion
 from thinkblox.sim.verdict.settle import diverged, free_addresses, motion_between, turn
@@ -113,7 +113,7 @@ class Stage:
     def _run(self, body: int, mine: int, track: "_Track", seconds: float) -> _Course:
         model, data, physics = self._model, self._data, self._physics
         interval = physics.timestep * physics.chunk
-        moving, quiet, now = 0.0, Quiet(interval), track.start
+        moving, quiet, now, suspect = 0.0, Quiet(interval), track.start, body
         for look in range(1, math.ceil(seconds / interval - 1e-9) + 1):
             mujoco.mj_step(model, data, nstep=physics.chunk)
             before, now = now, track.look()
@@ -122,8 +122,11 @@ class Stage:
                 return _Course(motion)
             if not at_rest(model, data, body):
                 moving = look * interval
-            elif stayed(before, now, interval) and stands_squarely(model, data):
-                return _Course(_rested(motion, moving + interval, now[mine]), proven=True)
+            elif stayed(before, now, interval):
+                found = unsteady(model, data, suspect=suspect)
+                if found is None:
+                    return _Course(_rested(motion, moving + interval, now[mine]), proven=True)
+                suspect = found
             quiet.look(now)
         uneasy = frozenset(self._ids[n] for n in np.flatnonzero(~quiet.lasted).tolist())
         if self._ids[mine] not in uneasy:

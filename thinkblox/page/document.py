@@ -15,6 +15,7 @@ from thinkblox.page.tables import (
     moves_table,
     objects_table,
     relations_table,
+    score_table,
     suite_section,
 )
 from thinkblox.sim.render.drawn import FaultPicture
@@ -95,6 +96,7 @@ def _sections(report: Report, subject: Subject, walking: Walking | None, size: i
         _section("What was read", _facts(report, subject)),
         _section("Pictures", *_pictures(pictures, numbers, rows, only_cut_off)),
         _section("Objects", objects_table(ordered, numbers, rows)),
+        _section("Interior guidelines", score_table(report.score) if report.score else Markup()),
         _section("Published criteria", *(suite_section(suite) for suite in report.suites)),
         _section("Moved to mend faults", moves_table(report.moves) if report.moves else Markup()),
         _section("What the prompt asks for", relations_table(report.relations) if report.relations else Markup()),

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from thinkblox.headline import relation_words
 from thinkblox.page.markup import Markup, element, id_of, joined
+from thinkblox.room_score import RoomScore
 from thinkblox.suite import Criterion, Finding, SuiteResult
 from thinkblox.verdict import Absence, Demand, MendingMove, RelationResult, Verdict
 
@@ -76,6 +77,20 @@ def _measures(verdict: Verdict) -> list[Cell]:
         cell(verdict.tilt if settled else None, 1, "tilt"),
         cell(verdict.rest, 2, "unstable"),
     ]
+
+
+def score_table(score: RoomScore) -> Markup:
+    """Every part of a score with its weight, what made it, and the worst case."""
+    columns = [("Guideline", ""), ("Score", "number"), ("Weight", "number"), ("Measured", ""), ("Worst", "")]
+    lines = []
+    for part in score.parts:
+        shown = "–" if part.score is None else f"{part.score:.2f}"
+        numbers = ", ".join(f"{name.replace('_', ' ')} {value:g}" for name, value in part.numbers.items())
+        lines.append(
+            row(part.name, [(shown, "number"), (f"{part.weight:g}", "number"), (numbers, ""), (part.worst, "")])
+        )
+    total = "nothing to score" if score.total is None else f"{score.total:.2f} of 1"
+    return table(f"{total}: the weighted mean of the parts that the room has something for.", columns, lines)
 
 
 def suite_section(suite: SuiteResult) -> Markup:

@@ -9,6 +9,7 @@ from thinkblox.planning.order import plan_brief
 from thinkblox.planning.orders import reordered
 from thinkblox.planning.rooms import is_open, larger, plan_room
 from thinkblox.planning.surfaces import with_surfaces
+from thinkblox.planning.variety import varied
 from thinkblox.scene.room import Room
 
 
@@ -32,5 +33,6 @@ __all__ = [
     "plan_brief",
     "plan_room",
     "reordered",
+    "varied",
     "with_surfaces",
 ]

@@ -27,14 +27,18 @@ _LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
 """An opening is made narrower, down to this, before it is left out [m]."""
 _DOORS_APART = 3.0
 """Doors that are further apart do not get in each other's way [m]."""
-_MANY_WINDOWS = 30.0
-"""Floor from which a room has two windows, where the prompt does not say [m2]."""
+_MANY_WINDOWS, _MAYBE_TWO = 30.0, 14.0
+"""Floor from which a room has two windows, and from which it may, where the prompt does not say [m2]."""
+_TWICE = 0.35
+"""How often it does."""
+_SHIFTS = (0.0, 0.0, -0.2, 0.2)
+"""How far a window is off the middle of its stretch of wall, as a share of what that leaves free."""
 
 
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     """The room with the doors and windows that the brief asks for, and those that go without saying."""
     planner = _Openings(room, rng, spared=_spared(brief, room), corner=_corner_distance(brief))
-    for wanted in _wanted(brief, room):
+    for wanted in _wanted(brief, room, rng):
         planner.add(wanted)
     return Room(floor=room.floor, height=room.height, openings=tuple(planner.openings))
 
@@ -93,7 +97,7 @@ class _Wanted:
     count: int = 1
 
 
-def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
+def _wanted(brief: Brief, room: Room, rng: np.random.Generator) -> list[_Wanted]:
     """The openings to be, doors first."""
     asked = {kind: [r for r in brief.openings if r.kind == kind] for kind in ("door", "window")}
     wanted = [
@@ -107,7 +111,8 @@ def _wanted(brief: Brief, room: Room) -> list[_Wanted]:
     if not asked["window"]:
         named = any("window" in relation.anchors for relation in brief.relations)
         usual = not room_type(brief.room_type).windowless
-        count = 2 if room.polygon.area > _MANY_WINDOWS else 1
+        twice = rng.uniform() < _TWICE and room.polygon.area > _MAYBE_TWO
+        count = 2 if twice or room.polygon.area > _MANY_WINDOWS else 1
         wanted += [_Wanted("window")] * (count if usual else int(named))
     return wanted
 
@@ -153,13 +158,13 @@ class _Openings:
     def _walls(self, kind: str, name: str) -> list[int]:
         """Indices of the walls to try, best first; of a named wall only those it can mean."""
         walls = self.room.walls
-        lengths = [wall.length for wall in walls]
         if name and name != "wall":
             built = Room(floor=self.room.floor, height=self.room.height, openings=tuple(self.openings))
             return _walls_named(built, name)
         taken = {opening.wall for opening in self.openings}
+        chance = self.rng.permutation(len(walls))
         return sorted(
-            range(len(walls)), key=lambda i: (i in self.spared, i in taken, _dislike(kind, walls[i]), lengths[i])
+            range(len(walls)), key=lambda i: (i in self.spared, i in taken, _dislike(kind, walls[i]), chance[i])
         )
 
     def _fit(self, wanted: _Wanted, index: int, share: float) -> Opening | None:
@@ -208,10 +213,11 @@ class _Openings:
         if wanted.kind == "window":
             share = length * (wanted.index + 0.5) / wanted.count
             start, end = max(gaps, key=lambda gap: (gap[0] <= share <= gap[1], gap[1] - gap[0]))
-            middle = share if wanted.count > 1 else (start + end) / 2.0
+            free = end - start - width
+            middle = share if wanted.count > 1 else (start + end) / 2.0 + free * float(self.rng.choice(_SHIFTS))
             return round(min(max(middle - width / 2.0, start), end - width), 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
-        usual = corners[1 if index == 0 else 0]
+        usual = corners[int(self.rng.integers(2))]
         apart = {offset: self._from_doors(index, offset + width / 2) for offset in corners}
         best = max(corners, key=lambda offset: (apart[offset], offset == usual))
         return round(best, 3)

@@ -16,7 +16,9 @@ _NOTCH = 0.4
 """Share of each side that the missing corner of an L takes."""
 _SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
 _PROPORTIONS = {"hallway": (0.4, 0.45)}
-_USUAL_PROPORTION = (0.75, 0.8)
+_USUAL_PROPORTION = (0.65, 0.95)
+_SPREAD = (1.0, 1.25)
+"""By how much a room whose size is left open may be larger than it needs to be."""
 _LEAST_SIDE = 1.8
 _NOT_NARROWER = 0.6
 """Least proportion of a room that is longer for what is to be far apart in it."""
@@ -55,7 +57,7 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     proportion = _proportion(brief, rng)
     if brief.width is not None and brief.depth is not None:
         return brief.width, brief.depth
-    area = brief.area if brief.area is not None else needed_area(brief) * _scale(brief)
+    area = brief.area if brief.area is not None else needed_area(brief) * _scale(brief) * rng.uniform(*_SPREAD)
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1

@@ -63,15 +63,15 @@ def separation(a: Rects, b: Rects) -> Array:
     """
     if not len(a) or not len(b):
         return np.zeros((len(a), len(b)))
-    between = b.centre[None] - a.centre[:, None]
-    along_a = np.abs(np.einsum("nmk,njk->nmj", between, a.axes))
-    along_b = np.abs(np.einsum("nmk,mjk->nmj", between, b.axes))
-    turn = np.abs(np.einsum("njk,mik->nmji", a.axes, b.axes))
-    reach_b_on_a = np.einsum("nmji,mi->nmj", turn, b.half)
-    reach_a_on_b = np.einsum("nmji,nj->nmi", turn, a.half)
-    gaps_a = along_a - a.half[:, None] - reach_b_on_a
-    gaps_b = along_b - b.half[None] - reach_a_on_b
-    return np.asarray(np.maximum(gaps_a.max(-1), gaps_b.max(-1)))
+    x, y = (b.centre[None, :, axis] - a.centre[:, axis, None] for axis in (0, 1))
+    (ca, sa), (cb, sb) = (np.cos(a.yaw)[:, None], np.sin(a.yaw)[:, None]), (np.cos(b.yaw)[None], np.sin(b.yaw)[None])
+    same, across = np.abs(ca * cb + sa * sb), np.abs(sa * cb - ca * sb)
+    (ax, ay), (bx, by) = (a.half[:, axis, None] for axis in (0, 1)), (b.half[None, :, axis] for axis in (0, 1))
+    gaps = np.abs(x * ca + y * sa) - ax - (same * bx + across * by)
+    np.maximum(gaps, np.abs(y * ca - x * sa) - ay - (across * bx + same * by), out=gaps)
+    np.maximum(gaps, np.abs(x * cb + y * sb) - bx - (same * ax + across * ay), out=gaps)
+    np.maximum(gaps, np.abs(y * cb - x * sb) - by - (across * ax + same * ay), out=gaps)
+    return np.asarray(gaps)
 
 
 def same_height(a: Rects, b: Rects, *, slack: float = 0.002) -> NDArray[np.bool_]:

@@ -7,8 +7,8 @@ from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import need, seat_need
 from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
+from thinkblox.scene.zones import beside, fewest
 
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from thinkblox.policies.expert.needs import uses
+from thinkblox.knowledge.uses import uses
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import in_the_way
-from thinkblox.policies.expert.zones import beside, fewest
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth, separation
+from thinkblox.scene.zones import beside, fewest
 
 MOVABLE = 15.0
 """What is lighter than this is moved aside when the floor is needed [kg]."""

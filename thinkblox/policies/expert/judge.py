@@ -30,6 +30,8 @@ WIDE = 0.45
 """What is narrower than this does not darken a window [m]."""
 MOOD = 0.25
 """How much a seed may prefer one part of the room to another."""
+ZONED = 3.0
+"""How much more that is for large things that stand by no other: by them a room gets its zones."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
 DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
@@ -81,7 +83,9 @@ def _mood(situation: Situation, rects: Rects, rng: np.random.Generator) -> Array
     waves = rng.standard_normal((3, 2)) * 2.0 / reach
     field = np.sin(rects.centre @ waves.T + rng.uniform(0.0, 2 * np.pi, 3)).mean(-1)
     turned = np.cos(rects.yaw - rng.uniform(0.0, 2 * np.pi))
-    return np.asarray(MOOD * (field + 0.5 * turned) + 0.002 * rng.standard_normal(len(rects)))
+    leads = is_large(situation.size) and not situation.target.depends_on
+    mood = MOOD * (ZONED if leads else 1.0)
+    return np.asarray(mood * (field + 0.5 * turned) + 0.002 * rng.standard_normal(len(rects)))
 
 
 def placement_of(situation: Situation, idea: Idea) -> Placement:

@@ -5,7 +5,8 @@ The figures are those of the handbooks of interior layout (Neufert, Architects' 
 
 from typing import NamedTuple
 
-from thinkblox.assets import Use, facts_of
+from thinkblox.assets import facts_of
+from thinkblox.knowledge.uses import MAIN_WAY
 from thinkblox.plan import Target, Tie
 from thinkblox.value import Vec3
 
@@ -16,28 +17,8 @@ VIEW = 2.0
 """Floor between a seat and the screen or fire that it looks at [m]."""
 TALK = 1.4
 """Floor between seats that look at each other, with a low table between them [m]."""
-SIDE_WAY = 0.6
-"""Width that one person walks through [m]."""
-MAIN_WAY = 0.9
-"""Width that is comfortable [m]."""
 BEFORE_BOARD = 1.0
 """Floor between a board and the desk of who teaches before it, to sit and to write [m]."""
-DOUBLE = 1.3
-"""A bed as wide as this is got into from both sides [m]."""
-
-
-def uses(category: str, size: Vec3, front: str, clearance: float) -> tuple[Use, ...]:
-    """The floor that people need who use such a thing; none for seats, which are moved."""
-    facts = facts_of(category)
-    if facts.uses:
-        return facts.uses
-    if facts.is_in("seating") or clearance <= 0.0:
-        return ()
-    if facts.is_in("lain_on"):
-        number = 2 if size[1] >= DOUBLE else 1
-        at_sides = Use(sides=("left", "right"), depth=SIDE_WAY, number=number)
-        return (Use(sides=("front",), depth=SIDE_WAY, number=1), at_sides)
-    return (Use(sides=("front",) if front == "one" else ("front", "back"), depth=clearance, number=1),)
 
 
 class Need(NamedTuple):

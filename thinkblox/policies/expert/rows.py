@@ -7,13 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.knowledge.uses import MAIN_WAY
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Tie
 from thinkblox.policies.expert import row_layout
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.needs import MAIN_WAY, need
+from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.row_layout import RowLayout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.ways import imbalance, moment

@@ -7,16 +7,17 @@ import numpy as np
 
 from thinkblox.assets import Facts, facts_of, kind_of, revision
 from thinkblox.assets.sizing import size_for
+from thinkblox.knowledge.uses import uses
 from thinkblox.observe import Kind, Layout, Observation
 from thinkblox.plan import Target, Tie, carries, is_object
-from thinkblox.policies.expert.needs import Need, need, seat_need, uses
+from thinkblox.policies.expert.needs import Need, need, seat_need
 from thinkblox.policies.expert.sizing import SHRINK
-from thinkblox.policies.expert.zones import beside, joined
 from thinkblox.scene.asset import AssetCard, Mount
 from thinkblox.scene.free_parts import parts
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.room import Opening, Room
+from thinkblox.scene.zones import beside, joined
 from thinkblox.value import Vec2, Vec3
 
 WINDOW_DEPTH = 0.3

@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from thinkblox.knowledge.uses import DOUBLE
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert.beside import sides_of
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
-from thinkblox.policies.expert.needs import DOUBLE
 from thinkblox.policies.expert.situation import WINDOW_DEPTH, Situation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, Wall
@@ -16,7 +16,7 @@ from thinkblox.value import Vec2, Vec3
 
 VIEW_RANGE = (1.8, 3.2)
 """Good distances from a seat to the screen, the fire or the seat that it looks at [m]."""
-BESIDE_CORNER = 0.5
+BESIDE_CORNER = 0.4
 """Left between a seat and its corner for a lamp or a small table [m]."""
 BEHIND = 1.1
 """Left between a counter and the wall for those who sit or serve behind it [m]."""

@@ -7,8 +7,8 @@ of circulation and of visual balance; 1 is a clear drawback.
 import numpy as np
 
 from thinkblox.assets import facts_of
+from thinkblox.knowledge.uses import MAIN_WAY, SIDE_WAY
 from thinkblox.observe import Kind
-from thinkblox.policies.expert.needs import MAIN_WAY, SIDE_WAY
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, separation
