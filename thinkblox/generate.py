@@ -14,7 +14,7 @@ from thinkblox.dressing import dress, undress
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError
 from thinkblox.fills import FILLS, Fill
-from thinkblox.headline import UNKNOWN
+from thinkblox.headline import UNKNOWN, in_short, relation_words, shortfall
 from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
@@ -67,13 +67,22 @@ class Generation:
 
 @dataclass(frozen=True)
 class Progress:
-    """What is told after each object: which, whether it stands, its number of how many, and the attempt from 0."""
+    """What is told after each object.
+
+    Attributes:
+        target: which.
+        placed: whether it stands.
+        number, total: its number of how many.
+        attempt: from 0.
+        anew: what was not as asked in the attempt before, in a few words; empty in the first.
+    """
 
     target: Target
     placed: bool
     number: int
     total: int
     attempt: int
+    anew: str = ""
 
 
 @dataclass(frozen=True)
@@ -133,20 +142,22 @@ def generate_room(
     effort = effort or Effort()
     until = time.monotonic() + effort.seconds
 
-    def furnished(floor: Room, effort: Effort, first: int = 0) -> Generation:
+    def furnished(floor: Room, effort: Effort, before: Sequence[Generation] = ()) -> Generation:
+        floor = with_surfaces(floor, brief, seed)
         plan = _made("planner", planner.plan(brief, floor), Plan)
-        if on_plan is not None and not first:
+        if on_plan is not None and not before:
             on_plan(plan)
         return furnish(
             plan,
-            Scene(prompt=prompt, seed=seed, room=with_surfaces(floor, brief, seed)),
+            Scene(prompt=prompt, seed=seed, room=floor),
             policy=policy or ExpertPolicy(),
             source=source or ProceduralAssets(),
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
             lived_in=fill == "lived-in",
-            first=first,
+            first=len(before),
+            anew=_amiss(before[-1].report) if before else "",
             until=until,
         )
 
@@ -157,12 +168,12 @@ def generate_room(
         if not _lacks_floor(made[-1]) or time.monotonic() >= until:
             break
         wider = _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
-        made.append(furnished(wider, replace(effort, restarts=0), len(made)))
+        made.append(furnished(wider, replace(effort, restarts=0), made))
         if len(made) > 2 and _faults(made[-1].report) >= _faults(made[-2].report):
             break
     best = min(made, key=lambda each: _faults(each.report))
     if any(_faults(best.report)) and time.monotonic() < until:
-        made.append(furnished(best.scene.room, replace(effort, restarts=effort.restarts - 1), len(made)))
+        made.append(furnished(best.scene.room, replace(effort, restarts=effort.restarts - 1), made))
     return min(made, key=lambda each: _faults(each.report))
 
 
@@ -223,18 +234,21 @@ def furnish(
     on_object: Callable[[Progress], None],
     lived_in: bool,
     first: int,
+    anew: str,
     until: float,
 ) -> Generation:
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
 
-    Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
+    Attempts are numbered from `first`, which is made because of what `anew` says; every number leads to other choices.
+    At the monotonic time `until` the budget
     is over [s]. With `lived_in` the room is dressed after that.
     """
     makeable, refused = _makeable(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
     made: list[_Attempt] = []
     for number in range(first, first + 1 + effort.restarts):
-        made.append(_Attempt(loop, scene, number, judged, on_object, refused))
+        made.append(_Attempt(loop, scene, number, judged, _telling(on_object, anew), refused))
+        anew = _amiss(made[-1].report)
         last = _faults(made[-1].report)
         if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
             break
@@ -276,6 +290,20 @@ def _faults(report: Report) -> tuple[int, ...]:
         sum(not r.holds for r in report.relations) + sum(not d.holds for d in report.demands if d.kind in ARRANGED),
         len(absent),
     )
+
+
+def _amiss(report: Report) -> str:
+    """What `_faults` counts, in a line."""
+    phrases = [f"not placed: {a.id}" for a in report.absent if a.category != UNKNOWN and a.asked]
+    phrases += [f"not valid: {verdict.id}" for verdict in report.objects if not verdict.valid]
+    phrases += [f"not so: {r.subject} {relation_words(r)}" for r in report.relations if not r.holds]
+    phrases += [shortfall(d) for d in report.demands if not d.holds and d.kind in ARRANGED]
+    phrases += [f"not placed: {a.id}" for a in report.absent if a.category != UNKNOWN and not a.asked]
+    return in_short(phrases) if phrases else "" if report.valid else "not all passed"
+
+
+def _telling(on_object: Callable[[Progress], None], anew: str) -> Callable[[Progress], None]:
+    return lambda progress: on_object(replace(progress, anew=anew))
 
 
 class _Attempt:

@@ -44,7 +44,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
     lower(members)
     count_off(members)
-    targets = tuple(_target(member, members) for member in _ordered(members))
+    targets = tuple(_target(member, members, room.height) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
     notes = (*filter(None, sizes), *opening_notes(brief, room), *surface_notes(brief, room))
     return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
@@ -63,7 +63,7 @@ def without_excluded(brief: Brief) -> Brief:
     return replace(brief, requests=tuple(r for r in brief.requests if r.key not in gone), relations=tuple(relations))
 
 
-def _target(member: Member, members: Members) -> Target:
+def _target(member: Member, members: Members, room_height: float) -> Target:
     request = member.request
     return Target(
         id=member.id,
@@ -75,7 +75,7 @@ def _target(member: Member, members: Members) -> Target:
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
         denied=tuple(dict.fromkeys(member.denied)),
-        size=size_of(member, members),
+        size=size_of(member, members, room_height),
     )
 
 

@@ -14,6 +14,13 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SAT_AT: dict[str, tuple[RelationKind, str, int]] = {
+    "desk": ("at", "office_chair", 1),
+    "corner_desk": ("at", "office_chair", 1),
+    "school_desk": ("at", "chair", 1),
+    "dining_table": ("around", "chair", 4),
+}
+"""How many of which seats are drawn up to a thing, where the type of room does not say."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -54,6 +61,51 @@ def stock(draft: Draft) -> None:
         carries = any(b.kind == "on" and case in b.anchors for b in draft.bonds)
         if not carries and not {"empty", "filled"} & set(case.attributes):
             case.attributes.append("filled")
+
+
+def draw_up(draft: Draft) -> None:
+    """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
+
+    As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now.
+    """
+    if draft.room in ("", "room") or draft.people:
+        return
+    _share_out(draft)
+    habits = load_habits()
+    seats = [thing for thing in draft.things if habits.is_in(thing.noun, "drawn_aside")]
+    for table in [t for t in draft.things if t.asked and not t.seats]:
+        kind, seat, each = _usual_seat(draft.room, table.noun)
+        count = each * (table.count or 1)
+        drawn = [t for t in seats if any(b.kind in ("at", "around") and table in b.anchors for b in draft.bonds_of(t))]
+        if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
+            drawn[0].count = count
+        elif seat and not seats and not any(counts_as(seat, noun) for noun in draft.excluded):
+            draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _share_out(draft: Draft) -> None:
+    """As many of what is assumed on, above or at each of the things that a prompt counts as there usually are."""
+    usuals = (*room_type(draft.room).expected, *room_type(draft.room).usual)
+    for bond in draft.bonds:
+        anchor = bond.anchors[0] if bond.anchors else None
+        assumed = not bond.asked and not bond.subject.asked
+        shared = bond.each and bond.kind in ("on", "above", "at")
+        if assumed and shared and isinstance(anchor, Mention) and anchor.asked:
+            usual = next((u for u in usuals if u.category == bond.subject.noun), None)
+            number = next((u.count for u in usuals if u.category == anchor.noun), 0)
+            if usual is not None and number:
+                bond.subject.count = max(1, usual.count // number) * (anchor.count or 1)
+
+
+def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
+    """How which seat is drawn up to a thing in a type of room, and how many; no seat where nobody sits at it."""
+    usuals = room_type(room).usual
+    for usual in usuals:
+        for kind, anchor, _ in usual.relations:
+            if anchor == noun and kind in ("at", "around") and load_habits().is_in(usual.category, "drawn_aside"):
+                tables = sum(other.count for other in usuals if other.category == anchor) or 1
+                return relation_kind(kind), usual.category, max(1, usual.count // tables)
+    return _SAT_AT.get(noun, ("at", "", 0))
 
 
 def _is_bare(draft: Draft) -> bool:
