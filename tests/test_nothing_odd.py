@@ -2,11 +2,12 @@
 
 import math
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from thinkblox.assets import make_asset
+from thinkblox.assets import kind_of, make_asset
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.repaint import SAME_COLOUR, faces
 from thinkblox.assets.showing import realised
@@ -16,6 +17,7 @@ from thinkblox.planning import ExpertPlanner, plan_brief
 from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Asset, Material
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, Room
 from thinkblox.scene.surfaces import Covering, Surfaces
 
@@ -112,7 +114,7 @@ def test_several_monitors_stand_side_by_side_and_look_ahead():
     desk = placed(room, "desk")[0]
     spots = sorted(desk.to_local((m.position[0], m.position[1]))[1] for m in placed(room, "monitor"))
     width = placed(room, "monitor")[0].size[1]
-    assert all(b - a > 0.95 * width for a, b in zip(spots, spots[1:], strict=False))
+    assert all(b - a > 0.95 * width for a, b in pairwise(spots))
     assert {round((m.yaw - desk.yaw) % 360.0) for m in placed(room, "monitor")} == {0}
 
 
@@ -174,3 +176,28 @@ def test_a_dark_room_that_is_dark_has_no_note():
     )
     brief: Brief = read_brief(prompt)
     assert plan_brief(brief, own).notes == ("the walls are not as asked: dark room",)
+
+
+def test_what_is_asked_to_stand_there_comes_before_what_usually_does():
+    brief = read_brief("A kitchen with a base cabinet, an oven, a dishwasher and a waste bin next to the base cabinet")
+    room = ExpertPlanner().room(brief, np.random.default_rng(0))
+    order = [target.category for target in plan_brief(brief, room).targets]
+    assert order.index("waste_bin") < order.index("oven")
+
+
+def test_a_sink_under_the_window_has_a_cabinet_beside_an_island():
+    prompt = "A kitchen with a sink under the window and an island in the middle"
+    assert counts(prompt)["base_cabinet"] == 1
+    assert "base_cabinet" not in counts("A kitchen with a sink in the island")
+
+
+def test_fairy_lights_hang():
+    assert kind_of("string_lights").mount == "wall"
+    assert [r.category for r in read_brief("A bedroom with a bed and fairy lights").requests][1] == "string_lights"
+
+
+def test_a_chair_that_finds_no_room_at_its_desk_is_not_left_astray():
+    room = made("A gaming bedroom with two screens and posters")
+    for target in room.plan.targets:
+        if target.ties and target.ties[0].kind == "at":
+            assert measure(room.scene, "at", target.id, target.ties[0].anchors).holds

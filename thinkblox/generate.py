@@ -25,6 +25,7 @@ from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.reading import GrammarBriefer
 from thinkblox.reporting import report_on
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
@@ -37,6 +38,8 @@ GROWTH = (1.35, 1.8)
 """By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
 _UNDRESSINGS = 3
 """How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
+DRAWN_UP = ("at", "in_front_of")
+"""Relations to furniture without which a thing on the floor makes no sense."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
 
@@ -157,7 +160,7 @@ def generate_room(
             on_object=on_object or (lambda progress: None),
             lived_in=fill == "lived-in",
             first=len(before),
-            anew=_amiss(before[-1].report) if before else "",
+            anew=_amiss(before[-1].report, before[-1].scene, before[-1].plan) if before else "",
             until=until,
         )
 
@@ -169,12 +172,12 @@ def generate_room(
             break
         wider = _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
         made.append(furnished(wider, replace(effort, restarts=0), made))
-        if len(made) > 2 and _faults(made[-1].report) >= _faults(made[-2].report):
+        if len(made) > 2 and _of(made[-1]) >= _of(made[-2]):
             break
-    best = min(made, key=lambda each: _faults(each.report))
-    if any(_faults(best.report)) and time.monotonic() < until:
+    best = min(made, key=_of)
+    if any(_of(best)) and time.monotonic() < until:
         made.append(furnished(best.scene.room, replace(effort, restarts=effort.restarts - 1), made))
-    return min(made, key=lambda each: _faults(each.report))
+    return min(made, key=_of)
 
 
 def _lacks_floor(made: Generation) -> bool:
@@ -183,7 +186,8 @@ def _lacks_floor(made: Generation) -> bool:
     absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
-    return absent or failing or any(mounts.get(id) == "floor" for id in subjects)
+    astray = bool(_strays(made.scene, made.plan))
+    return absent or failing or astray or any(mounts.get(id) == "floor" for id in subjects)
 
 
 def _made(role: str, made: object, kind: type[M]) -> M:
@@ -240,19 +244,18 @@ def furnish(
     """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
 
     Attempts are numbered from `first`, which is made because of what `anew` says; every number leads to other choices.
-    At the monotonic time `until` the budget
-    is over [s]. With `lived_in` the room is dressed after that.
+    At the monotonic time `until` the budget is over [s]. With `lived_in` the room is dressed after that.
     """
     makeable, refused = _makeable(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
     made: list[_Attempt] = []
     for number in range(first, first + 1 + effort.restarts):
         made.append(_Attempt(loop, scene, number, judged, _telling(on_object, anew), refused))
-        anew = _amiss(made[-1].report)
-        last = _faults(made[-1].report)
-        if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
+        anew = _amiss(made[-1].report, made[-1].world.scene, makeable)
+        last = made[-1].faults
+        if not any(last) or loop.over or (len(made) > 1 and last >= made[-2].faults):
             break
-    best = min(made, key=lambda attempt: _faults(attempt.report))
+    best = min(made, key=lambda attempt: attempt.faults)
     if lived_in:
         makeable = best.dress(loop, judged, on_object, len(made) - 1)
     episode = Episode(
@@ -281,24 +284,39 @@ def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list
     return (structs.replace(plan, targets=tuple(kept)) if refused else plan), refused
 
 
-def _faults(report: Report) -> tuple[int, ...]:
-    """What is not as asked and another arrangement might mend, the gravest first."""
+def _of(made: Generation) -> tuple[int, ...]:
+    return _faults(made.report, made.scene, made.plan)
+
+
+def _faults(report: Report, scene: Scene, plan: Plan) -> tuple[int, ...]:
+    """What is not as asked, or odd, and another arrangement might mend, the gravest first."""
     absent = [a for a in report.absent if a.category != UNKNOWN]
     return (
         sum(a.asked for a in absent),
         sum(not v.valid for v in report.objects) + (not report.valid),
         sum(not r.holds for r in report.relations) + sum(not d.holds for d in report.demands if d.kind in ARRANGED),
-        len(absent),
+        len(absent) + len(_strays(scene, plan)),
     )
 
 
-def _amiss(report: Report) -> str:
+def _strays(scene: Scene, plan: Plan) -> list[str]:
+    """What is assumed to belong to something on the floor and stands elsewhere: a chair far from its desk."""
+    found = []
+    for target in plan.targets:
+        ties = [] if target.asked or target.id not in scene else [t for t in target.ties if t.kind in DRAWN_UP]
+        ties = [tie for tie in ties[:1] if all(anchor in scene for anchor in tie.anchors)]
+        found += [target.id for t in ties if not measure(scene, t.kind, target.id, t.anchors).holds]
+    return found
+
+
+def _amiss(report: Report, scene: Scene, plan: Plan) -> str:
     """What `_faults` counts, in a line."""
     phrases = [f"not placed: {a.id}" for a in report.absent if a.category != UNKNOWN and a.asked]
     phrases += [f"not valid: {verdict.id}" for verdict in report.objects if not verdict.valid]
     phrases += [f"not so: {r.subject} {relation_words(r)}" for r in report.relations if not r.holds]
     phrases += [shortfall(d) for d in report.demands if not d.holds and d.kind in ARRANGED]
     phrases += [f"not placed: {a.id}" for a in report.absent if a.category != UNKNOWN and not a.asked]
+    phrases += [f"astray: {id}" for id in _strays(scene, plan)]
     return in_short(phrases) if phrases else "" if report.valid else "not all passed"
 
 
@@ -336,6 +354,7 @@ class _Attempt:
             tolerances=judged.tolerances,
             requirements=judged.requirements,
         )
+        self.faults = _faults(self.report, self.world.scene, loop.plan)
 
     def dress(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None], last: int) -> Plan:
         """Add what makes it look lived in, as far as everything stays valid; returns the plan with that."""

@@ -72,7 +72,7 @@ def draw_up(draft: Draft) -> None:
         return
     _share_out(draft)
     habits = load_habits()
-    seats = [thing for thing in draft.things if habits.is_in(thing.noun, "drawn_aside")]
+    seats = [t for t in draft.things if habits.is_in(t.noun, "drawn_aside", "chairs") or _is_stool(t)]
     for table in [t for t in draft.things if t.asked and not t.seats]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
         count = each * (table.count or 1)
@@ -81,6 +81,12 @@ def draw_up(draft: Draft) -> None:
             drawn[0].count = count
         elif seat and not seats and not any(counts_as(seat, noun) for noun in draft.excluded):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_stool(thing: Mention) -> bool:
+    """Whether one sits on it upright."""
+    habits = load_habits()
+    return habits.is_in(thing.noun, "seating", "seats") and not habits.is_in(thing.noun, "lounges")
 
 
 def _share_out(draft: Draft) -> None:
@@ -246,7 +252,7 @@ def _build_in(draft: Draft) -> None:
     habits = load_habits()
     alone = [t for t in draft.things if habits.is_in(t.noun, "built_in")]
     if any(habits.is_in(t.noun, "takes_built_in") for t in draft.things):
-        return
+        alone = [t for t in alone if _has_place(draft, t)]
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
         for bond in draft.bonds:
@@ -254,6 +260,12 @@ def _build_in(draft: Draft) -> None:
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
+
+
+def _has_place(draft: Draft, thing: Mention) -> bool:
+    """Whether it is asked to be by a part of the room, and so not where an island stands."""
+    asked = (b for b in draft.bonds_of(thing) if b.asked and not b.negated)
+    return any(anchor in ("window", "door", "corner") for bond in asked for anchor in bond.anchors)
 
 
 def _lies_somewhere(draft: Draft, thing: Mention) -> bool:

@@ -159,7 +159,8 @@ def _rows(situation: Situation, tie: Tie) -> Iterator[Idea]:
 
 def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
     if situation.asset.mount == "wall":
-        by = hung.at_openings(situation, tie.kind, place) if place in ("door", "window") else ()
+        dresses = situation.facts.hanging.windows != "no"
+        by = hung.at_openings(situation, tie.kind, place) if place in ("door", "window") and not dresses else ()
         return (*by, *hung.on_walls(situation, place))
     if situation.asset.mount == "ceiling":
         return hung.from_ceiling(situation)

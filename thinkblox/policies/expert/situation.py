@@ -134,7 +134,7 @@ class Situation:
     def clearances(self) -> Rects:
         """The floor that people need who use what stands here, for doors, drawers and themselves."""
         others = [p for p in self.solid if p.id not in self.relatives]
-        boards = Rects.of_placements([p for p in others if p.position[2] >= 0.5 and is_board(p.category)])
+        boards = Rects.of_placements(tuple(p for p in others if p.position[2] >= 0.5 and is_board(p.category)))
         written_at = beside(boards, "front", BEFORE_BOARD)
         return joined([written_at, *(self._in_use(p) for p in others if p.position[2] < 0.5)])
 

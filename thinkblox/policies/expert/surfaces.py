@@ -225,7 +225,9 @@ def _spots(
         marked = _spread(tie, surface, free, shelves, plan)
         if _looks_ahead(situation) and marked[0][0] == 0.0:
             marked = ((situation.facts.spots[0][0], marked[0][1]),)
-    if tie.kind == "on" and surface.headroom is None:
+    if aside := _leaving_room(situation, surface):
+        marked = ((marked[0][0] if marked else 0.0, aside),)
+    elif tie.kind == "on" and surface.headroom is None:
         marked = _share_of(situation, anchor, surface, free) or marked
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
@@ -252,6 +254,18 @@ def _by_companion(
             v = y - surface.position[1] + dv * (p.size[1] / 2 + situation.size[1] / 2 + 0.06)
             if abs(u) <= free[0] + EDGE and abs(v) <= free[1] + EDGE:
                 yield (u, v), -0.2
+
+
+def _leaving_room(situation: Situation, surface: Surface) -> float:
+    """To which end of a surface it goes, from -1 to 1, so that another thing has room at one side of it; 0 for none."""
+    own, kinds = situation.target.id, ("left_of", "right_of")
+    later = [(t, tie.kind) for t in situation.followers for tie in t.ties if own in tie.anchors and tie.kind in kinds]
+    if len({kind for _, kind in later}) != 1:
+        return 0.0
+    width = sum(situation.kind(target).size[1] + APART for target, _ in later)
+    if (surface.size[1] - situation.size[1]) / 2 >= width:
+        return 0.0
+    return 1.0 if later[0][1] == "right_of" else -1.0
 
 
 def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:
@@ -312,7 +326,7 @@ def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: V
     groups = _kinds_on(situation, anchor)
     own = next((n for n, group in enumerate(groups) if situation.target in group), None)
     central = any(tie.kind == "in_centre" and anchor.id in tie.anchors for tie in situation.target.ties)
-    if own is None or len(groups) < 2 or central:
+    if own is None or len(groups) < 2 or central or _looks_ahead(situation):
         return ()
     areas = [sum(_area(situation, target) for target in group) for group in groups]
     least = CROWDED if len(groups[own]) > 1 else CROWDED_BY_ONES
