@@ -118,8 +118,8 @@ def _astray(scene: Scene, target: Target) -> str:
         if tie.kind == "on":
             if scene[target.id].support != tie.anchors[0]:
                 return f"there was no room left for it on {tie.anchors[0]}"
-        elif not measure(scene, tie.kind, target.id, tie.anchors).holds:
-            return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
+        elif tie.kind == "against_wall" and not measure(scene, tie.kind, target.id, tie.anchors).holds:
+            return "there was no room left for it at a wall"
     return ""
 
 

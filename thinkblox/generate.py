@@ -265,7 +265,7 @@ def furnish(
         plan=makeable,
         kinds=kinds_of(makeable, source),
         assets={id: asset for attempt in made for id, asset in attempt.assets.items()},
-        rounds=tuple(structs.replace(r, kept=attempt is best) for attempt in made for r in attempt.rounds),
+        rounds=tuple(structs.replace(r, kept=r.kept and attempt is best) for attempt in made for r in attempt.rounds),
     )
     return Generation(best.world.scene, best.report, episode)
 
