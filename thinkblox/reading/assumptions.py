@@ -75,6 +75,9 @@ def draw_up(draft: Draft) -> None:
     seats = [t for t in draft.things if habits.is_in(t.noun, "drawn_aside", "chairs") or _is_stool(t)]
     for table in [t for t in draft.things if t.asked and not t.seats]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
+        served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
+        if kind == "around" and served:
+            continue  # A table beside loungers is theirs.
         count = each * (table.count or 1)
         drawn = [t for t in seats if any(b.kind in ("at", "around") and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
