@@ -54,6 +54,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "amid_room": "stands away from the walls: what hangs on a wall is near it rather than beside it",
         "in_corners": "likes corners",
         "focal": "looks best centred on its wall",
+        "walled": "is built to a wall: it stands close up to it, and never before a window",
         "sat_around": "people sit or play all around it: a wall close up to it is in their way",
         "cases": "can stand side by side with its like without a gap",
         "drawn_aside": "is drawn aside by whoever passes",

@@ -1,6 +1,6 @@
 """Colours and materials that a prompt names, brought to what a generator made without them."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from math import dist
 
 from msgspec import structs
@@ -62,6 +62,10 @@ _FRAME = 0.12
 """Least share of the visible faces that a frame has; less are handles and hinges."""
 _KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
 """What gives light, shows a picture or grows keeps its look."""
+_DYED = ("leather", "fabric", "upholstered", "plastic", "ceramic", "wooden", "metal")
+"""Words of materials that a colour beside them is the colour of, covers before frames: black leather."""
+MOSTLY = 0.5
+"""Least share of a material that has the colour which is asked of it."""
 
 
 def of_kind(word: str) -> tuple[str, ...]:
@@ -86,7 +90,33 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
     for word in named:
         if word in COLOURS and not shows_colour(found, COLOURS[word]):
             found = _dressed(found, COLOURS[word], None)
-    return found
+    return _dyed(found, named)
+
+
+def dyed(words: Iterable[str]) -> tuple[str, str] | None:
+    """The one colour among words and the material that it is the colour of; None where words do not say both."""
+    named = set(words)
+    colours = [word for word in named if word in COLOURS]
+    material = next((word for word in _DYED if word in named), None)
+    return (colours[0], material) if material is not None and len(colours) == 1 else None
+
+
+def is_dyed(links: Iterable[Link], colour: str, material: str) -> bool:
+    """Whether most of what is seen of a material has a colour."""
+    made, meant = list(links), MATERIALS[material]
+    near = share(made, lambda shape: shape.material in meant and dist(shape.colour, COLOURS[colour]) <= SAME_COLOUR)
+    return near >= MOSTLY * share(made, lambda shape: shape.material in meant)
+
+
+def _dyed(links: tuple[Link, ...], words: Iterable[str]) -> tuple[Link, ...]:
+    """The links with a material in the colour that was asked of it, its largest finishes first."""
+    pair = dyed(words)
+    if pair is None:
+        return links
+    colour, material = COLOURS[pair[0]], MATERIALS[pair[1]]
+    while not is_dyed(links, *pair):
+        links = _dressed(links, colour, None, of=material, other_than=colour)
+    return links
 
 
 def _framed(links: Sequence[Link], wood: Finish) -> tuple[Link, ...]:
@@ -145,11 +175,24 @@ def faces(shape: Shape) -> float:
     return x * y + y * z + z * x
 
 
-def _dressed(links: Sequence[Link], colour: Vec3, material: Material | None) -> tuple[Link, ...]:
-    """The links with another colour, and material, for all shapes that have the finish with the largest faces."""
+def _dressed(
+    links: Sequence[Link],
+    colour: Vec3,
+    material: Material | None,
+    *,
+    of: Collection[Material] = (),
+    other_than: Vec3 | None = None,
+) -> tuple[Link, ...]:
+    """The links with another colour, and material, for all shapes that have the finish with the largest faces.
+
+    Of some materials alone, and of finishes of another colour than one, where these are given.
+    """
     areas: dict[tuple[Vec3, Material], float] = {}
     for shape in (shape for link in links for shape in link.shapes):
-        if shape.material not in _KEPT:
+        meant = (not of or shape.material in of) and (
+            other_than is None or dist(shape.colour, other_than) > SAME_COLOUR
+        )
+        if shape.material not in _KEPT and meant:
             key = (shape.colour, shape.material)
             areas[key] = areas.get(key, 0.0) + faces(shape)
     if not areas:

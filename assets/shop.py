@@ -82,7 +82,8 @@ def fireplace(spec: Spec) -> Build:
     body = [
         *(box(stone, (-x / 2, 0.36 * x), (s * inner, s * (y / 2 - 0.03)), (0.04, z - 0.05)) for s in (-1, 1)),
         box(stone, (-x / 2, 0.36 * x), (-inner, inner), (head, z - 0.05)),
-        box(Finish((0.16, 0.13, 0.12), "stone"), (-x / 2, -x / 2 + 0.04), (-inner, inner), (0.04, head)),
+        box(stone, (-x / 2, -x / 2 + 0.02), (-inner, inner), (0.04, head)),
+        box(Finish((0.16, 0.13, 0.12), "stone"), (-x / 2 + 0.02, -x / 2 + 0.05), (-inner, inner), (0.04, head)),
         box(stone, (-x / 2, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), (0, 0.04)),
         cushion(stone, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.05, z), radius=0.012),
     ]

@@ -9,7 +9,17 @@ from shapely import MultiPoint
 from thinkblox.assets.catalogue import CATALOGUE, revision
 from thinkblox.assets.make import make_asset, seed_of
 from thinkblox.assets.palette import COLOURS, METALS, STONES, WICKER, WOODS
-from thinkblox.assets.repaint import MATERIALS, SAME_COLOUR, SHARE, faces, share, shows_colour, shows_finish
+from thinkblox.assets.repaint import (
+    MATERIALS,
+    SAME_COLOUR,
+    SHARE,
+    dyed,
+    faces,
+    is_dyed,
+    share,
+    shows_colour,
+    shows_finish,
+)
 from thinkblox.assets.sizing import COUNTED_PARTS, counted, people
 from thinkblox.assets.stand_ins import facts_of
 from thinkblox.assets.states import shows_state
@@ -20,6 +30,8 @@ KINDS = {**WOODS, **METALS, **STONES}
 """Kinds of woods, metals and stones."""
 _PLACE, _KNEES = 0.5, 0.65
 """Width that one person takes at a table or on a bench, and how much of a long side the knees at the ends take [m]."""
+_FULL_HEIGHT = 2.1
+"""From this height on a thing reaches from the floor to about the ceiling of a low room [m]."""
 _ROUND_SHARE, _ROUND, _CIRCLE = 0.7, 0.08, 0.86
 """Least share of the plan that a round part covers, how far its sides may differ, and what of its box it may fill."""
 
@@ -37,6 +49,9 @@ def realised(asset: Asset, attribute: str) -> bool:
         if wanted := counted((word,), part):
             return sum(link.joint is not None and link.joint.kind == kind for link in asset.links) == wanted
     if word in COLOURS:
+        pair = dyed(asset.attributes)
+        if pair is not None and pair[0] == word:
+            return shows_colour(asset.links, COLOURS[word]) and is_dyed(asset.links, *pair)
         return shows_colour(asset.links, COLOURS[word])
     if word in MATERIALS or word in KINDS:
         return shows_finish(asset.links, word)
@@ -121,6 +136,7 @@ _RULES: dict[str, Callable[[Asset], bool]] = {
     "wall-mounted": lambda asset: asset.mount == "wall",
     "hanging": lambda asset: asset.mount in ("ceiling", "wall"),
     "standing": lambda asset: asset.mount == "floor",
+    "full-height": lambda asset: asset.size[2] >= _FULL_HEIGHT,
     "propped": lambda asset: asset.mount == "surface",
 }
 

@@ -28,6 +28,7 @@ _SCALES: dict[str, Vec3] = {
     "high": (1.0, 1.0, 1.25),
     "four-poster": (1.0, 1.0, 2.2),
     "canopy": (1.0, 1.0, 2.2),
+    "full-height": (1.0, 1.0, 1.27),
     "child": (0.72, 0.72, 0.72),
     "children": (0.72, 0.72, 0.72),
 }
@@ -57,7 +58,10 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     """Return a size for the attributes `words`, varied by `rng`, within what can be made [m]."""
     size = next((category.variants[w] for w in sorted(words) if w in category.variants), None)
     exact = size is not None
-    x, y, z = _seated(category, size or category.size, people(words) if not exact else 0, words)
+    x, y, z = size or category.size
+    seated = _seated(category, size or category.size, people(words), words)
+    if not exact or seated[1] > y:
+        x, y, z = seated
     for word in sorted(words - set(category.variants)):
         if word in _SCALES:
             sx, sy, sz = _SCALES[word]

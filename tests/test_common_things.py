@@ -3,7 +3,8 @@
 import pytest
 
 from thinkblox.assets import make_asset
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.reading import read_brief
 from thinkblox.sim import verify
 

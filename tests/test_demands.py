@@ -7,7 +7,8 @@ from thinkblox.assets.make import make_asset
 from thinkblox.assets.showing import realised
 from thinkblox.assets.states import shows_state
 from thinkblox.brief import Brief, OpeningRequest, Relation, RelationKind, Request
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.headline import shortfalls
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from thinkblox.assets import make_asset
 from thinkblox.assets.source import ProceduralAssets
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.knowledge.uses import MAIN_WAY, SIDE_WAY, uses
 from thinkblox.observe import Observation, kinds_of, observe
 from thinkblox.placing import Effort

@@ -14,6 +14,7 @@ from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import read_usual
 from thinkblox.planning.dressing import Dresser
 from thinkblox.reading import read_brief
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import rectangle
 
 PROMPT = "A bathroom with a red towel rail"
@@ -98,3 +99,10 @@ def test_every_dressing_has_a_shape_and_lies_on_something() -> None:
     things = {usual.category for tops in dressing().tops for usual in read_usual(tops.things)}
     assert {noun for noun in things if stand_in(noun).how not in ("catalogue", "table")} == set()
     assert {noun for noun in things if kind_of(noun).mount != "surface"} == set()
+
+
+def test_what_belongs_to_a_wall_is_there_or_left_out(lived_in: Generation) -> None:
+    for target in lived_in.plan.targets:
+        for tie in target.ties:
+            if not target.asked and target.id in lived_in.scene and tie.kind == "against_wall":
+                assert measure(lived_in.scene, tie.kind, target.id, tie.anchors).holds, target.id

@@ -6,7 +6,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.placing import Effort
 from thinkblox.planning import is_open, larger, plan_brief
 from thinkblox.planning.rooms import plan_room

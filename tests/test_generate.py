@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from thinkblox.errors import InputError
-from thinkblox.generate import Progress, generate_room
+from thinkblox.furnishing import Progress
+from thinkblox.generate import generate_room
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort

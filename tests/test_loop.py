@@ -13,7 +13,8 @@ from thinkblox.assets.source import ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.errors import InputError
 from thinkblox.feedback import feedback_line
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.judging import Try, judge, judge_all
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints

@@ -10,7 +10,8 @@ from tests.stub_server import Reply, completion, error, stub
 from thinkblox.cli import main
 from thinkblox.episode import read_episode
 from thinkblox.errors import InputError, UnavailableError
-from thinkblox.generate import BrokenOffError, generate_room
+from thinkblox.furnishing import BrokenOffError
+from thinkblox.generate import generate_room
 from thinkblox.observe import Sight
 from thinkblox.placing import Effort
 from thinkblox.players import players

@@ -7,7 +7,8 @@ from msgspec import structs
 from tests.conftest import unit_box
 from thinkblox.brief import Brief
 from thinkblox.episode import read_episode
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.observe import Kind, Observation, Sight, observe
 from thinkblox.phrases import constraints
 from thinkblox.placing import Effort

@@ -104,7 +104,7 @@ def test_a_room_that_came_with_its_own_surfaces_keeps_them_and_says_so() -> None
     plain = Covering(laying="paint", colour=(0.9, 0.9, 0.9))
     own = replace(rectangle(4.0, 4.0), surfaces=Surfaces(floor=plain, walls=plain))
     assert with_surfaces(own, brief, 0) == own
-    assert "the room has no brick walls" in plan_brief(brief, own).notes
+    assert "the walls are not as asked: brick walls" in plan_brief(brief, own).notes
     assert not plan_brief(brief, with_surfaces(rectangle(4.0, 4.0), brief, 0)).notes
 
 

@@ -6,7 +6,8 @@ import pytest
 
 from thinkblox.assets import make_asset, make_thing, room_under
 from thinkblox.assets.levels import found_surfaces
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
 from thinkblox.planning import plan_brief

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from thinkblox.episode import Episode, read_episode
     from thinkblox.errors import InputError, ThinkBloxError
     from thinkblox.exporters.saving import save_scene
-    from thinkblox.generate import Generation, generate_room
+    from thinkblox.furnishing import Generation
+    from thinkblox.generate import generate_room
     from thinkblox.judging import Try, judge, judge_all
     from thinkblox.observe import Observation
     from thinkblox.placing import Effort
@@ -42,7 +43,7 @@ _HOME = {
     "Asset": "thinkblox.scene.asset",
     "Effort": "thinkblox.placing",
     "Episode": "thinkblox.episode",
-    "Generation": "thinkblox.generate",
+    "Generation": "thinkblox.furnishing",
     "InputError": "thinkblox.errors",
     "Job": "thinkblox.sim.workers.pool",
     "Move": "thinkblox.scene.actions",

@@ -14,6 +14,8 @@ from thinkblox.placing import Loop, Placing
 from thinkblox.plan import Target
 from thinkblox.planning.dressing import Dresser
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
@@ -98,14 +100,27 @@ def _place(done: Dressed, target: Target, attempt: int) -> str:
     number = done.loop.plan.targets.index(target)
     placing = Placing(done.world, done.loop, target, np.random.default_rng((done.world.scene.seed, _SALT, number)))
     grown = placing.run()
-    carrier = next((tie.anchors[0] for tie in target.ties if tie.kind == "on"), "")
-    astray = grown is not None and carrier != "" and grown.scene[target.id].support != carrier
+    astray = "" if grown is None else _astray(grown.scene, target)
     done.world = done.world if grown is None or astray else grown
     done.assets |= placing.assets
-    done.rounds += [structs.replace(r, attempt=attempt, kept=not astray) for r in placing.rounds]
+    done.rounds += [structs.replace(r, attempt=attempt, kept=astray == "") for r in placing.rounds]
     if astray:
-        return f"there was no room left for it on {carrier}"
+        return astray
     return "" if grown is not None else placing.reason or "no place was found"
+
+
+def _astray(scene: Scene, target: Target) -> str:
+    """Why something that nobody asked for is better left out than where it has come to stand; empty where it is well.
+
+    What belongs to a wall does not stand amid the room because the walls are full.
+    """
+    for tie in target.ties:
+        if tie.kind == "on":
+            if scene[target.id].support != tie.anchors[0]:
+                return f"there was no room left for it on {tie.anchors[0]}"
+        elif tie.kind == "against_wall" and not measure(scene, tie.kind, target.id, tie.anchors).holds:
+            return "there was no room left for it at a wall"
+    return ""
 
 
 def _absence(target: Target, why: str) -> Absence:

@@ -2,102 +2,35 @@
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
-from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
-from thinkblox.dressing import dress, undress
-from thinkblox.episode import Episode, Round
-from thinkblox.errors import InputError, UnavailableError
+from thinkblox.errors import InputError
 from thinkblox.fills import Fill
-from thinkblox.headline import UNKNOWN
-from thinkblox.judging import asset_for
+from thinkblox.furnishing import BrokenOffError, Furnished, Generation, Judged, Progress, furnish
 from thinkblox.modes import Mode
-from thinkblox.observe import kinds_of
 from thinkblox.orders import ORDERS, Order
-from thinkblox.placing import Effort, Loop, Placing
+from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
 from thinkblox.planning import is_open, larger, reordered, varied, with_surfaces
 from thinkblox.players import Players, players
 from thinkblox.policies import Briefer, Planner, Policy
-from thinkblox.prompts import prompts_version
+from thinkblox.reading import GrammarBriefer
 from thinkblox.replaying import Replay
-from thinkblox.reporting import report_on
-from thinkblox.scene.asset import Asset, Mount
+from thinkblox.scene.asset import Mount
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
-from thinkblox.sim.verdict.world import World
 from thinkblox.value import Vec3
-from thinkblox.verdict import Absence, Report
 
 M = TypeVar("M")
 GROWTH = (1.35, 1.8)
 """By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
-_UNDRESSINGS = 3
-"""How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
-ARRANGED = ("free",)
-"""Demands that another arrangement may meet."""
-
-
-@dataclass(frozen=True)
-class Generation:
-    """A finished room with its report, and the episode that led to it, given-up attempts included."""
-
-    scene: Scene
-    report: Report
-    episode: Episode
-
-    @property
-    def plan(self) -> Plan:
-        """What was to be placed, in which order."""
-        return self.episode.plan
-
-    @property
-    def trace(self) -> tuple[Round, ...]:
-        """Every round of tries."""
-        return self.episode.rounds
-
-    @property
-    def attempt(self) -> int:
-        """Which attempt was kept, from 0."""
-        return next((entry.attempt for entry in self.trace if entry.kept), 0)
-
-
-class BrokenOffError(InputError):
-    """A room was begun, and whoever plays a role could not go on: says who, why, and what to do.
-
-    Attributes:
-        episode: what was tried until then; of an attempt before that, if there was one, the best is kept.
-    """
-
-    def __init__(self, why: str, episode: Episode) -> None:
-        super().__init__(why)
-        self.episode = episode
-
-
-@dataclass(frozen=True)
-class Progress:
-    """What is told after each object: which, whether it stands, its number of how many, and the attempt from 0."""
-
-    target: Target
-    placed: bool
-    number: int
-    total: int
-    attempt: int
-
-
-@dataclass(frozen=True)
-class Judged:
-    """By what placements are judged: where the lines are drawn, and what the user requires besides."""
-
-    tolerances: Tolerances
-    requirements: tuple[Requirement, ...] = ()
 
 
 def generate_room(
@@ -154,7 +87,7 @@ def generate_room(
     _check_play(cast, prompt, seed, mode, fill)
     planner = cast.planner
     brief = _made("briefer", cast.briefer.brief(prompt), Brief)
-    if briefer is None and fill != "named":
+    if isinstance(cast.briefer, GrammarBriefer) and fill != "named":
         brief = varied(brief, seed)
     source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
@@ -162,32 +95,34 @@ def generate_room(
     effort = _effort_for(cast, effort or Effort())
     until = time.monotonic() + effort.seconds
 
-    def furnished(floor: Room, effort: Effort, first: int) -> _Furnished:
+    def furnished(floor: Room, effort: Effort, before: Sequence[Furnished]) -> Furnished:
+        floor = with_surfaces(floor, brief, seed)
         plan = _made("planner", planner.plan(brief, floor), Plan)
         plan = reordered(plan, order, lambda target: _usual(target, source), seed)
-        if on_plan is not None and not first:
+        if on_plan is not None and not before:
             on_plan(plan)
         return furnish(
             plan,
-            Scene(prompt=prompt, seed=seed, room=with_surfaces(floor, brief, seed)),
+            Scene(prompt=prompt, seed=seed, room=floor),
             policy=cast.policy,
             source=source,
             effort=effort,
             judged=Judged(tolerances or Tolerances(), tuple(requirements)),
             on_object=on_object or (lambda progress: None),
-            first=first,
+            first=len(before),
+            anew=before[-1].amiss if before else "",
             until=until,
         )
 
     def wider(factor: float) -> Room:
         return _made("planner", planner.room(larger(brief, room, factor), np.random.default_rng((seed, 0))), Room)
 
-    made: list[_Furnished] = []
+    made: list[Furnished] = []
     try:
         if grows and effort.restarts:
             _furnish_growing(made, furnished, room, wider, effort, until)
         else:
-            made.append(furnished(room, effort, 0))
+            made.append(furnished(room, effort, ()))
         if fill == "lived-in":
             _best(made).dress()
     except InputError as error:
@@ -198,8 +133,8 @@ def generate_room(
 
 
 def _furnish_growing(
-    made: list["_Furnished"],
-    furnished: Callable[[Room, Effort, int], "_Furnished"],
+    made: list[Furnished],
+    furnished: Callable[[Room, Effort, Sequence[Furnished]], Furnished],
     room: Room,
     wider: Callable[[float], Room],
     effort: Effort,
@@ -207,21 +142,21 @@ def _furnish_growing(
 ) -> None:
     """Furnish a room whose size is left open, and wider ones while that helps; add each to `made`."""
     once = replace(effort, restarts=0)
-    made.append(furnished(room, once, 0))
+    made.append(furnished(room, once, ()))
     for factor in GROWTH:
         if not _lacks_floor(made[-1]) or time.monotonic() >= until:
             break
-        made.append(furnished(wider(factor), once, len(made)))
-        if len(made) > 2 and _faults(made[-1].report) >= _faults(made[-2].report):
+        made.append(furnished(wider(factor), once, made))
+        if len(made) > 2 and made[-1].faults >= made[-2].faults:
             break
     best = _best(made)
-    if any(_faults(best.report)) and time.monotonic() < until:
+    if any(best.faults) and time.monotonic() < until:
         again = replace(effort, restarts=effort.restarts - 1)
-        made.append(furnished(best.scene.room, again, len(made)))
+        made.append(furnished(best.scene.room, again, made))
 
 
-def _best(made: Sequence["_Furnished"]) -> "_Furnished":
-    return min(made, key=lambda each: _faults(each.report))
+def _best(made: Sequence[Furnished]) -> Furnished:
+    return min(made, key=lambda each: each.faults)
 
 
 def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
@@ -232,7 +167,7 @@ def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
         return None
 
 
-def _lacks_floor(made: "_Furnished") -> bool:
+def _lacks_floor(made: Furnished) -> bool:
     """Whether something that stands on the floor is absent, fails, or does not stand as asked."""
     mounts = {target.id: made.loop.kinds[target.category].mount for target in made.loop.plan.targets}
     absent = any(a.asked and mounts.get(a.id) == "floor" for a in made.report.absent)
@@ -289,175 +224,3 @@ def _effort_for(cast: Players, effort: Effort) -> Effort:
     """Not more than those who play can make use of."""
     rounds = effort.rounds if cast.rounds is None else min(effort.rounds, cast.rounds)
     return replace(effort, rounds=rounds, restarts=0 if cast.once else effort.restarts)
-
-
-def furnish(
-    plan: Plan,
-    scene: Scene,
-    *,
-    policy: Policy,
-    source: AssetSource,
-    effort: Effort,
-    judged: Judged,
-    on_object: Callable[[Progress], None],
-    first: int,
-    until: float,
-) -> "_Furnished":
-    """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
-
-    Attempts are numbered from `first`; every number leads to other choices. At the monotonic time `until` the budget
-    is over [s].
-
-    Raises:
-        BrokenOffError: the policy cannot go on.
-    """
-    makeable, refused = _makeable(plan, scene, source)
-    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until)
-    made: list[_Attempt] = []
-    try:
-        for number in range(first, first + 1 + effort.restarts):
-            made.append(_Attempt(scene, number, judged, refused))
-            made[-1].furnish(loop, judged, on_object)
-            last = _faults(made[-1].report)
-            if not any(last) or loop.over or (len(made) > 1 and last >= _faults(made[-2].report)):
-                break
-    except UnavailableError as error:
-        raise BrokenOffError(
-            str(error), _Furnished(scene, loop, judged, on_object, made).generation().episode
-        ) from error
-    return _Furnished(scene, loop, judged, on_object, made)
-
-
-@dataclass
-class _Furnished:
-    """The attempts at one room; the best of them is the room."""
-
-    scene: Scene
-    loop: Loop
-    judged: Judged
-    on_object: Callable[[Progress], None]
-    attempts: list["_Attempt"]
-
-    def __post_init__(self) -> None:
-        self.plan = self.loop.plan
-        finished = [attempt for attempt in self.attempts if attempt.finished]
-        self.best = min(finished, key=lambda attempt: _faults(attempt.report)) if finished else self.attempts[0]
-
-    @property
-    def report(self) -> Report:
-        """On the best attempt."""
-        return self.best.report
-
-    def dress(self) -> None:
-        """Make the best attempt look lived in."""
-        self.plan = self.best.dress(self.loop, self.judged, self.on_object, len(self.attempts) - 1)
-
-    def generation(self) -> Generation:
-        """The best attempt, with all that led to it."""
-        episode = Episode(
-            prompt=self.scene.prompt,
-            seed=self.scene.seed,
-            room=self.scene.room,
-            plan=self.plan,
-            kinds=kinds_of(self.plan, self.loop.source),
-            assets={id: asset for attempt in self.attempts for id, asset in attempt.assets.items()},
-            rounds=tuple(
-                structs.replace(r, kept=attempt is self.best) for attempt in self.attempts for r in attempt.rounds
-            ),
-            prompts=prompts_version(),
-        )
-        return Generation(self.best.world.scene, self.best.report, episode)
-
-
-def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
-    """The plan without what the source cannot make, and that with the reasons."""
-    kept: list[Target] = []
-    refused: list[Absence] = []
-    for target in plan.targets:
-        try:
-            source.usual(target.category)
-            asset_for(target, scene, source)
-            kept.append(target)
-        except InputError as error:
-            refused.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=str(error)))
-    return (structs.replace(plan, targets=tuple(kept)) if refused else plan), refused
-
-
-def _faults(report: Report) -> tuple[int, ...]:
-    """What is not as asked and another arrangement might mend, the gravest first."""
-    absent = [a for a in report.absent if a.category != UNKNOWN]
-    return (
-        sum(a.asked for a in absent),
-        sum(not v.valid for v in report.objects) + (not report.valid),
-        sum(not r.holds for r in report.relations) + sum(not d.holds for d in report.demands if d.kind in ARRANGED),
-        len(absent),
-    )
-
-
-class _Attempt:
-    """One go at a whole room."""
-
-    def __init__(self, scene: Scene, number: int, judged: Judged, refused: Sequence[Absence]) -> None:
-        self.world = World(scene, tolerances=judged.tolerances, requirements=judged.requirements)
-        self.rounds: list[Round] = []
-        self.assets: dict[str, Asset] = {}
-        self.number = number
-        self.absent = list(refused)
-        self.finished = False
-
-    def furnish(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None]) -> None:
-        """Place one object after the other; raises UnavailableError when the policy cannot go on."""
-        seed, total, absent = self.world.scene.seed, len(loop.plan.targets), self.absent
-        for count, target in enumerate(loop.plan.targets, 1):
-            why = loop.over or self._place(loop, target, np.random.default_rng((seed, self.number, count)))
-            if why:
-                absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=why))
-            on_object(Progress(target, not why, count, total, self.number))
-        self.report = report_on(
-            self.world.scene,
-            loop.plan,
-            absent=absent,
-            tolerances=judged.tolerances,
-            requirements=judged.requirements,
-        )
-        self.finished = True
-
-    def dress(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None], last: int) -> Plan:
-        """Add what makes it look lived in, as far as everything stays valid; returns the plan with that."""
-        before, count = len(loop.plan.targets), 0
-
-        def told(target: Target, placed: bool) -> None:
-            nonlocal count
-            count += 1
-            on_object(Progress(target, placed, before + count, before + count, last))
-
-        done = dress(self.world, loop, attempt=self.number, on_object=told)
-        valid = self.report.valid
-        added = {target.id for target in done.loop.plan.targets[before:]}
-        for _ in range(_UNDRESSINGS):
-            self.report = report_on(
-                done.world.scene,
-                done.loop.plan,
-                absent=[*self.absent, *done.absent],
-                tolerances=judged.tolerances,
-                requirements=judged.requirements,
-            )
-            faulty = [v.id for v in self.report.objects if not v.valid and v.id in added]
-            if self.report.valid or not faulty or not valid:
-                break
-            undress(done, faulty, tolerances=judged.tolerances, requirements=judged.requirements)
-        self.world = done.world
-        self.rounds += done.rounds
-        self.assets |= done.assets
-        return done.loop.plan
-
-    def _place(self, loop: Loop, target: Target, rng: np.random.Generator) -> str:
-        """Place one object; says why when it could not be placed."""
-        placing = Placing(self.world, loop, target, rng)
-        try:
-            grown = placing.run()
-        finally:
-            self.assets |= placing.assets
-            self.rounds += [structs.replace(r, attempt=self.number) for r in placing.rounds]
-        self.world = placing.world if grown is None else grown
-        return "" if grown is not None else placing.reason or "no place was found"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from thinkblox.exporters.formats import DEFAULT
 from thinkblox.exporters.saving import save_scene
-from thinkblox.generate import Generation
+from thinkblox.furnishing import Generation
 
 
 def save_room(

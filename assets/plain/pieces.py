@@ -1,5 +1,6 @@
 """Plain pieces that stand for furniture, machines and fixtures: each fills its box, in one finish with an accent."""
 
+from itertools import pairwise
 from math import cos, pi, sin
 
 from thinkblox.assets.palette import BLACK_PLASTIC, GREY_METAL, IRON, SCREEN
@@ -303,6 +304,22 @@ def hung(spec: Spec, main: Finish, accent: Finish) -> Build:
         at = -y / 2 + (k + 0.5) * y / folds
         depth = x / 2 - thin / 2
         body.append(box(finish, around(depth if k % 2 else -depth, thin), around(at, y / folds), (0, 0.97 * z)))
+    return Build(body=body)
+
+
+def festoon(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return bulbs or leaves on a cord that hangs in two arcs from three nails."""
+    x, y, z = spec.size
+    finish, drop, count = spec.main(main), 0.55 * z, 16
+    bulb = min(0.5 * x, 0.16 * z, 0.4 * y / count)
+    spots = [(y * (k / count - 0.5), z - bulb - drop * abs(sin(2 * pi * k / count))) for k in range(count + 1)]
+    body: list[Part] = [
+        rod(accent, (-x / 4, a, up), (-x / 4, b, to), min(0.006, 0.2 * x)) for (a, up), (b, to) in pairwise(spots)
+    ]
+    for k, (at, height) in enumerate(spots[1:-1]):
+        low = height - bulb - (k % 3) * 0.1 * z
+        body.append(ellipsoid(finish, around(0.0, 2 * bulb), around(at, 2 * bulb), (low - bulb, low + bulb)))
+        body.append(rod(accent, (-x / 4, at, height), (0.0, at, low), min(0.004, 0.1 * x)))
     return Build(body=body)
 
 

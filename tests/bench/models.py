@@ -16,7 +16,8 @@ from importlib.metadata import version
 import numpy as np
 
 from thinkblox.chat import Chat
-from thinkblox.generate import Generation, generate_room
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
 from thinkblox.observe import Sight, observe
 from thinkblox.policies.hf import HfModel
 from thinkblox.policies.pretrained import Pretrained, load_pretrained

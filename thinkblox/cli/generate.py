@@ -15,7 +15,7 @@ from thinkblox.orders import ORDERS
 
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
-    from thinkblox.generate import BrokenOffError
+    from thinkblox.furnishing import BrokenOffError
 
 STATUS = (
     "exit status: 0 all as asked; 1 written, but something asked for was not placed, does not stand as asked or did not"
@@ -73,7 +73,8 @@ def _candidates(text: str) -> int:
 def _generate(arguments: argparse.Namespace) -> int:
     from thinkblox import printing
     from thinkblox.exporters.folder import check_folder
-    from thinkblox.generate import BrokenOffError, generate_room
+    from thinkblox.furnishing import BrokenOffError
+    from thinkblox.generate import generate_room
     from thinkblox.placing import Effort
     from thinkblox.saving import save_room
     from thinkblox.scene.room import Room

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from thinkblox.cli.stopping import heed_stops
 
 if TYPE_CHECKING:
-    from thinkblox.generate import Generation, Progress
+    from thinkblox.furnishing import Generation, Progress
     from thinkblox.plan import Plan
 
 
@@ -60,7 +60,9 @@ class ObjectBar:
         self._bar.update()
 
     def _begin_anew(self, progress: "Progress") -> None:
+        said = f"{progress.anew or 'not all as asked'}; attempt {progress.attempt + 1}, begun anew"
         if self._bar is None:
-            print(f"not all as asked; attempt {progress.attempt + 1}, begun anew", file=sys.stderr)
+            print(said, file=sys.stderr)
         else:
+            self._bar.write(said, file=sys.stderr)
             self._bar.reset()

@@ -108,13 +108,17 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
         max(side, min(factor * whole, high) - edge)
         for side, factor, whole, high, edge in zip(top.size, factors, usual, kind.size_range[1], rim, strict=False)
     ]
-    sides = _grown(top.size, most, areas, long=long, even=even, share=pi / 4 if top.round else 1.0)
+    ahead = sum(usual_size(m, members)[1] * _VARIED + APART for m in loads if facts_of(m.category).is_in("screens"))
+    share = pi / 4 if top.round else 1.0
+    sides = _grown(top.size, most, areas, long=long, even=even, share=share, ahead=ahead)
     if all(side <= own + 1e-3 for side, own in zip(sides, top.size, strict=True)):
         return None
     return (round(sides[0] + rim[0], 3), round(sides[1] + rim[1], 3))
 
 
-def _grown(top: Vec2, most: Sequence[float], loads: Sequence[Vec2], *, long: int, even: bool, share: float) -> Vec2:
+def _grown(
+    top: Vec2, most: Sequence[float], loads: Sequence[Vec2], *, long: int, even: bool, share: float, ahead: float
+) -> Vec2:
     """The sides of a top on which things of some depths and widths have room, no longer than `most` [m].
 
     Args:
@@ -124,6 +128,7 @@ def _grown(top: Vec2, most: Sequence[float], loads: Sequence[Vec2], *, long: int
         long: which of the sides grows first.
         even: both sides are equally long.
         share: of the box round the top that is top.
+        ahead: width of those that look over its front side by side [m].
     """
     needed = (PACKED if len(loads) > 1 else 1.0) * sum(x * y for x, y in loads) / share
     shorts, longs = [min(load) for load in loads], [max(load) for load in loads]
@@ -132,7 +137,12 @@ def _grown(top: Vec2, most: Sequence[float], loads: Sequence[Vec2], *, long: int
         return (side, side)
     across = min(max(top[1 - long], max(shorts)), most[1 - long])
     in_line = sum(shorts if max(longs) <= across else longs) if len(loads) <= FEW else 0.0
-    along = min(max(top[long], needed / across, in_line / max(1, int(across / max(shorts))), max(longs)), most[long])
+    along = min(
+        max(
+            top[long], ahead if long else 0.0, needed / across, in_line / max(1, int(across / max(shorts))), max(longs)
+        ),
+        most[long],
+    )
     across = min(max(across, needed / along), most[1 - long])
     return (across, along) if long else (along, across)
 

@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from thinkblox.assets import kind_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.rooms import room_type
 from thinkblox.planning.walls import COMPASS, SIDES, speaks_of_sides, wall_meant
@@ -33,11 +34,16 @@ _TWICE = 0.35
 """How often it does."""
 _SHIFTS = (0.0, 0.0, -0.2, 0.2)
 """How far a window is off the middle of its stretch of wall, as a share of what that leaves free."""
+_BY_WINDOWS = ("next_to", "near", "left_of", "right_of")
+_VARIED, _ASIDE = 1.06, 0.12
+"""How much wider than usual a thing may come out, and how far it stands from the window and the corner together [m]."""
 
 
 def with_openings(room: Room, brief: Brief, rng: np.random.Generator) -> Room:
     """The room with the doors and windows that the brief asks for, and those that go without saying."""
-    planner = _Openings(room, rng, spared=_spared(brief, room), corner=_corner_distance(brief))
+    planner = _Openings(
+        room, rng, spared=_spared(brief, room), corner=_corner_distance(brief), beside=_beside_windows(brief)
+    )
     for wanted in _wanted(brief, room, rng):
         planner.add(wanted)
     return Room(floor=room.floor, height=room.height, openings=tuple(planner.openings))
@@ -136,14 +142,25 @@ def _corner_distance(brief: Brief) -> float:
     return _FILLED_CORNER if filled else _CORNER
 
 
+def _beside_windows(brief: Brief) -> float:
+    """Width of wall that the widest of what is asked to stand by a window needs there, where it would darken it [m]."""
+    by = [r.subject for r in brief.relations if r.asked and "window" in r.anchors and r.kind in _BY_WINDOWS]
+    kinds = [kind_of(request.category) for request in brief.requests if request.key in by]
+    tall = [kind for kind in kinds if kind.mount == "floor" and kind.size[2] > _SILL]
+    return max((max(kind.size[:2]) * _VARIED + _ASIDE for kind in tall), default=0.0)
+
+
 class _Openings:
     """Takes openings one at a time and finds each a free stretch of wall."""
 
-    def __init__(self, room: Room, rng: np.random.Generator, *, spared: frozenset[int], corner: float) -> None:
+    def __init__(
+        self, room: Room, rng: np.random.Generator, *, spared: frozenset[int], corner: float, beside: float
+    ) -> None:
         self.room = room
         self.rng = rng
         self.spared = spared
         self.corner = corner
+        self.beside = beside
         self.openings: list[Opening] = []
 
     def add(self, wanted: _Wanted) -> None:
@@ -215,6 +232,8 @@ class _Openings:
             start, end = max(gaps, key=lambda gap: (gap[0] <= share <= gap[1], gap[1] - gap[0]))
             free = end - start - width
             middle = share if wanted.count > 1 else (start + end) / 2.0 + free * float(self.rng.choice(_SHIFTS))
+            if wanted.count == 1 and self.beside:
+                middle = max(middle, self.beside + width / 2.0)
             return round(min(max(middle - width / 2.0, start), end - width), 3)
         corners = [gaps[0][0], gaps[-1][1] - width]
         usual = corners[int(self.rng.integers(2))]

@@ -5,6 +5,7 @@ import heapq
 from msgspec.structs import replace
 
 from thinkblox.brief import Brief
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Plan, Target, is_object
 from thinkblox.planning.asked import tie_relation
@@ -25,6 +26,10 @@ _LATER = 10.0
 """How much later than by its size comes what is only assumed, where what is asked for is arranged [m2]."""
 _NAMED_PLACE_BONUS = 1.0
 """What a place that the prompt names counts for, as footprint, in the order of anchors [m2]."""
+_ASKED_BONUS = 1.0
+"""What being asked to stand by something counts for: nothing that is only usual there parts the two [m2]."""
+_SCREEN_BONUS = 1.0
+"""What a screen counts for on a desk: the rest lies about it [m2]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
 _Rank = tuple[int, float, int]
 
@@ -44,7 +49,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
     lower(members)
     count_off(members)
-    targets = tuple(_target(member, members) for member in _ordered(members))
+    targets = tuple(_target(member, members, room.height) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
     notes = (*filter(None, sizes), *opening_notes(brief, room), *surface_notes(brief, room))
     return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
@@ -63,7 +68,7 @@ def without_excluded(brief: Brief) -> Brief:
     return replace(brief, requests=tuple(r for r in brief.requests if r.key not in gone), relations=tuple(relations))
 
 
-def _target(member: Member, members: Members) -> Target:
+def _target(member: Member, members: Members, room_height: float) -> Target:
     request = member.request
     return Target(
         id=member.id,
@@ -75,7 +80,7 @@ def _target(member: Member, members: Members) -> Target:
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
         denied=tuple(dict.fromkeys(member.denied)),
-        size=size_of(member, members),
+        size=size_of(member, members, room_height),
     )
 
 
@@ -127,6 +132,8 @@ def _rank(member: Member, number: int, *, arranged: bool) -> _Rank:
     dependent = _is_dependent(member)
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
     shared_out = any(tie.spread for tie in member.ties)
-    weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out)
+    beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)
+    weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out) + _ASKED_BONUS * beside
+    weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     late = arranged and not member.request.asked
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

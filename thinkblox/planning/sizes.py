@@ -18,13 +18,19 @@ _WIDER = 2.0
 """How much wider than usual a basket, crate or bowl is made at most: more lies on what is in it."""
 _APART, _PACKED = 0.02, 1.3
 """Left about a thing in a basket [m], and how much wider than their areas together several are packed."""
+FULL_HEIGHT = "full-height"
+"""What reaches from the floor to the ceiling."""
+_BELOW_CEILING = 0.04
+"""Left between that and the ceiling [m]."""
 OPEN: Measures = (None, None, None)
 
 
-def size_of(member: Member, members: Members) -> Measures:
-    """What the asset of an object must measure [m]."""
+def size_of(member: Member, members: Members, room_height: float) -> Measures:
+    """What the asset of an object must measure in a room of that height [m]."""
     kind = kind_of(member.category)
     depth, width, height = (s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
+    if height is None and FULL_HEIGHT in member.request.attributes and _fits(room_height - _BELOW_CEILING, kind, 2):
+        height = round(room_height - _BELOW_CEILING, 3)
     if depth is None and width is None:
         if across := _for_contents(member, members, kind):
             return (*across, height)

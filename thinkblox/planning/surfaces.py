@@ -17,6 +17,8 @@ _FACING = (0.15, 0.4)
 """How much more walls in the west and in the north count for, which a camera in the south sees."""
 _TILES: tuple[Laying, ...] = ("subway", "checker", "stone", "marble", "terrazzo")
 """What is tiles, said more closely."""
+_SAID = {"floor": "the floor is", "walls": "the walls are", "wall": "one wall is"}
+"""What a surface that is not as asked is called in a note."""
 _LOW: tuple[Laying, ...] = ("panels", "tiles", "subway", "marble")
 """What also covers the lower part of walls alone."""
 
@@ -55,10 +57,10 @@ def with_surfaces(room: Room, brief: Brief, seed: int) -> Room:
 
 
 def surface_notes(brief: Brief, room: Room) -> Iterator[str]:
-    """A sentence for every surface that the brief asks for and the room, which came with its own, does not have."""
+    """A sentence for every surface that the brief asks for and the room, finished as it is, does not have."""
     for request in brief.surfaces:
-        if room.surfaces is None or not _is_so(room.surfaces, request):
-            yield f"the room has no {request.phrase}"
+        if room.surfaces is not None and not _is_so(room.surfaces, request):
+            yield f"{_SAID[request.part]} not as asked: {request.phrase}"
 
 
 def longest_free_wall(room: Room) -> int:

@@ -14,6 +14,13 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SAT_AT: dict[str, tuple[RelationKind, str, int]] = {
+    "desk": ("at", "office_chair", 1),
+    "corner_desk": ("at", "office_chair", 1),
+    "school_desk": ("at", "chair", 1),
+    "dining_table": ("around", "chair", 4),
+}
+"""How many of which seats are drawn up to a thing, where the type of room does not say."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -54,6 +61,60 @@ def stock(draft: Draft) -> None:
         carries = any(b.kind == "on" and case in b.anchors for b in draft.bonds)
         if not carries and not {"empty", "filled"} & set(case.attributes):
             case.attributes.append("filled")
+
+
+def draw_up(draft: Draft) -> None:
+    """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
+
+    As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now.
+    """
+    if draft.room in ("", "room") or draft.people:
+        return
+    _share_out(draft)
+    habits = load_habits()
+    seats = [t for t in draft.things if habits.is_in(t.noun, "drawn_aside", "chairs") or _is_stool(t)]
+    for table in [t for t in draft.things if t.asked and not t.seats]:
+        kind, seat, each = _usual_seat(draft.room, table.noun)
+        served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
+        if kind == "around" and served:
+            continue  # A table beside loungers is theirs.
+        count = each * (table.count or 1)
+        drawn = [t for t in seats if any(b.kind in ("at", "around") and table in b.anchors for b in draft.bonds_of(t))]
+        if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
+            drawn[0].count = count
+        elif seat and not seats and not any(counts_as(seat, noun) for noun in draft.excluded):
+            draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_stool(thing: Mention) -> bool:
+    """Whether one sits on it upright."""
+    habits = load_habits()
+    return habits.is_in(thing.noun, "seating", "seats") and not habits.is_in(thing.noun, "lounges")
+
+
+def _share_out(draft: Draft) -> None:
+    """As many of what is assumed on, above or at each of the things that a prompt counts as there usually are."""
+    usuals = (*room_type(draft.room).expected, *room_type(draft.room).usual)
+    for bond in draft.bonds:
+        anchor = bond.anchors[0] if bond.anchors else None
+        assumed = not bond.asked and not bond.subject.asked
+        shared = bond.each and bond.kind in ("on", "above", "at")
+        if assumed and shared and isinstance(anchor, Mention) and anchor.asked:
+            usual = next((u for u in usuals if u.category == bond.subject.noun), None)
+            number = next((u.count for u in usuals if u.category == anchor.noun), 0)
+            if usual is not None and number:
+                bond.subject.count = max(1, usual.count // number) * (anchor.count or 1)
+
+
+def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
+    """How which seat is drawn up to a thing in a type of room, and how many; no seat where nobody sits at it."""
+    usuals = room_type(room).usual
+    for usual in usuals:
+        for kind, anchor, _ in usual.relations:
+            if anchor == noun and kind in ("at", "around") and load_habits().is_in(usual.category, "drawn_aside"):
+                tables = sum(other.count for other in usuals if other.category == anchor) or 1
+                return relation_kind(kind), usual.category, max(1, usual.count // tables)
+    return _SAT_AT.get(noun, ("at", "", 0))
 
 
 def _is_bare(draft: Draft) -> bool:
@@ -194,7 +255,7 @@ def _build_in(draft: Draft) -> None:
     habits = load_habits()
     alone = [t for t in draft.things if habits.is_in(t.noun, "built_in")]
     if any(habits.is_in(t.noun, "takes_built_in") for t in draft.things):
-        return
+        alone = [t for t in alone if _has_place(draft, t)]
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
         for bond in draft.bonds:
@@ -202,6 +263,12 @@ def _build_in(draft: Draft) -> None:
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
+
+
+def _has_place(draft: Draft, thing: Mention) -> bool:
+    """Whether it is asked to be by a part of the room, and so not where an island stands."""
+    asked = (b for b in draft.bonds_of(thing) if b.asked and not b.negated)
+    return any(anchor in ("window", "door", "corner") for bond in asked for anchor in bond.anchors)
 
 
 def _lies_somewhere(draft: Draft, thing: Mention) -> bool:

@@ -2,7 +2,7 @@
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import takewhile
 from pathlib import Path
@@ -104,12 +104,35 @@ class Lexicon:
     prefixes: set[tuple[str, ...]] = field(default_factory=set)
 
     def tokens(self, text: str) -> list[Token]:
-        """The tokens of a text, with contractions ("zum", "du") spelt out."""
+        """The tokens of a text, with contractions ("zum", "du") spelt out, and whole phrases that say one look named.
+
+        "Floor to ceiling" would otherwise be a place of the room, and where something leads.
+        """
+        tokens, named, at = self._spelt_out(text), list[Token](), 0
+        while at < len(tokens):
+            look, length = self._look_at(tokens, at)
+            whole = tokens[at : at + max(1, length)]
+            shown = "-".join(token.shown for token in whole)
+            words = look.split("-") if look else []
+            named += [replace(whole[0], text=word, shown=shown, glued=False) for word in words] or whole
+            at += len(whole)
+        return named
+
+    def _spelt_out(self, text: str) -> list[Token]:
         tokens: list[Token] = []
         for token in tokenise(text):
             whole = self.contractions.get(token.text)
             tokens += [Token(word, token.shown, "word") for word in whole] if whole else [token]
         return tokens
+
+    def _look_at(self, tokens: list[Token], at: int) -> tuple[str, int]:
+        """The attribute that three or more words say which begin with a thing or a place, and how many they are."""
+        for length in range(LONGEST, 2, -1):
+            key = tuple(token.text for token in tokens[at : at + length])
+            looks = [e.value for e in self.phrases.get(key, ()) if e.sort == "attribute"]
+            if looks and any(e.sort in ("place", "object") for e in self.phrases.get(key[:1], ())):
+                return looks[0], length
+        return "", 0
 
     def longest(self, tokens: list[Token], start: int, most: int = LONGEST) -> Lexeme:
         """The longest phrase that begins at `start`, or a single token without a meaning."""
@@ -166,7 +189,7 @@ class Lexicon:
     def _key(self, phrase: str) -> tuple[str, ...]:
         if phrase.isascii() and not self.contractions and phrase.replace(" ", "").isalpha():
             return tuple(phrase.lower().split())
-        return tuple(token.text for token in self.tokens(phrase))
+        return tuple(token.text for token in self._spelt_out(phrase))
 
     def add(self, phrase: str, entry: Entry) -> None:
         """Let `phrase` mean `entry`, besides what it means already."""

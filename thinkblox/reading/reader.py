@@ -10,7 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, stock
+from thinkblox.reading.assumptions import anticipated, assume, draw_up, stock
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
@@ -31,6 +31,8 @@ _OTHER_SHAPES = ("round", "oval", "U-shaped", "T-shaped", "hexagonal", "octagona
 _TOPS = ("tables", "desks", "counters", "worktops", "wallpieces", "seats", "beds")
 """Groups of things on which others lie, and not in them."""
 _PLACES: tuple[Place, ...] = get_args(Place)
+_TALL = 1.5
+"""Storage that is higher stands, also where it is said to be on a wall [m]."""
 _SHAPES = ("L-shaped", "rectangular", "empty", "filled", "standing", "shared", "single", "double", "corner", "open")
 """What is said of a room that is made, or asks for nothing."""
 _ROOM_SIZES = ("tiny", "small", "large", "long", "narrow", "square", "wide", "low", "tall")
@@ -83,6 +85,8 @@ def _finish(draft: Draft, fill: Fill) -> None:
     assume(draft, fill)
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
+    if fill != "named":
+        draw_up(draft)
     if fill == "essentials":
         stock(draft)
     _fit_tables(draft)
@@ -115,10 +119,15 @@ def _hang(bond: Bond, place: str) -> None:
     if f"{mount}_{kind.name}" in CATALOGUE:
         bond.subject.noun = f"{mount}_{kind.name}"
         return
-    if mount_of(kind, (word,)) == mount:
+    if mount_of(kind, (word,)) == mount and not _stands_up_to_walls(kind):
         thing.attributes += [word] if word not in thing.attributes else []
     elif mount == "wall" and kind.mount == "floor":
         bond.kind = "against_wall"
+
+
+def _stands_up_to_walls(kind: Category) -> bool:
+    """Whether it is tall storage, which stands before a wall where it is said to be on one."""
+    return kind.size[2] > _TALL and kind.is_in("storage")
 
 
 def _hang_over(thing: Mention, draft: Draft) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
-from thinkblox.policies.expert.needs import need, seat_need
+from thinkblox.policies.expert.needs import BEFORE_BOARD, need, seat_need
 from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
@@ -92,9 +92,16 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
     return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), 4.0, 0.0)
 
 
+def _wall_below_taken(situation: Situation, rects: Rects) -> Array:
+    """Who writes on a board stands before it: furniture there, with its chair, is in the way."""
+    if not situation.facts.is_in("boards"):
+        return np.zeros(len(rects))
+    return zone_costs(situation, beside(rects, "front", BEFORE_BOARD), weight=3.0)
+
+
 def costs_below(situation: Situation, rects: Rects) -> Array:
     """Room on the floor below a hung thing for what is to stand under it."""
-    costs = np.zeros(len(rects))
+    costs = _wall_below_taken(situation, rects)
     for follower in situation.followers:
         if any(tie.kind == "under" and situation.target.id in tie.anchors for tie in follower.ties):
             depth, width, height = situation.kind(follower).size

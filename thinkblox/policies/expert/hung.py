@@ -102,6 +102,27 @@ def at_windows(situation: Situation) -> Iterator[Idea]:
                 yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=-1.0 + 0.1 * rank)
 
 
+def at_openings(situation: Situation, kind: str, place: str) -> Iterator[Idea]:
+    """Above each door or window, below its sill, or beside it at eye level, as the relation says."""
+    size = situation.size
+    for opening in situation.room.openings:
+        if opening.kind != place:
+            continue
+        wall = situation.room.walls[opening.wall]
+        middle, top = opening.offset + opening.width / 2, opening.sill + opening.height
+        aside = (opening.width + size[1]) / 2
+        if kind == "above":
+            spots = [(middle, min(top + 0.12, situation.room.height - size[2] - 0.01), 0.0)]
+        elif kind == "under":
+            spots = [(middle, opening.sill - size[2] - 0.1, 0.0)]
+        else:
+            gaps = (0.15, 0.3, 0.45)
+            spots = [(middle + sign * (aside + gap), _height(situation), gap) for gap in gaps for sign in (1.0, -1.0)]
+        for along, z, cost in spots:
+            if size[1] / 2 <= along <= wall.length - size[1] / 2 and z >= 0.0:
+                yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=cost - 1.0)
+
+
 def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[float]:
     half = situation.size[1] / 2
     low, high = half + 0.01, wall.length - half - 0.01

@@ -159,7 +159,9 @@ def _rows(situation: Situation, tie: Tie) -> Iterator[Idea]:
 
 def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
     if situation.asset.mount == "wall":
-        return hung.on_walls(situation, place)
+        dresses = situation.facts.hanging.windows != "no"
+        by = hung.at_openings(situation, tie.kind, place) if place in ("door", "window") and not dresses else ()
+        return (*by, *hung.on_walls(situation, place))
     if situation.asset.mount == "ceiling":
         return hung.from_ceiling(situation)
     if not situation.asset.collides and place == "door":
@@ -204,7 +206,9 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     room = situation.room
     centres = [room.walls[o.wall].point(o.offset + o.width / 2) for o in room.openings if o.kind == kind]
     before = (wall for o in room.openings if o.kind == kind == "window" for wall in [room.walls[o.wall]])
-    candidates = [*walls.along_walls(situation), *walls.corners(situation), *walls.clear_of_windows(situation, before)]
+    walled = situation.facts.is_in("walled")
+    off = () if walled else walls.clear_of_windows(situation, before)
+    candidates = [*walls.along_walls(situation), *walls.corners(situation), *off]
     for idea in candidates:
         if not centres:
             yield idea

@@ -168,8 +168,9 @@ def _other_rugs(situation: Situation, rects: Rects) -> Array:
 
 
 def _darkens(situation: Situation, rects: Rects) -> Array:
-    covered = overlap_depth(rects, situation.window_zones) > 0.02
-    heavy = HOPELESS if situation.asset.mount == "wall" or max(situation.size[:2]) > WIDE else 0.5
+    hangs = situation.asset.mount == "wall"
+    covered = overlap_depth(rects, situation.window_zones) > (TOUCH if hangs else 0.02)
+    heavy = HOPELESS if hangs or max(situation.size[:2]) > WIDE else 0.5
     return np.where(covered.any(-1), heavy, 0.0)
 
 

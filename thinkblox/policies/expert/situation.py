@@ -10,7 +10,7 @@ from thinkblox.assets.sizing import size_for
 from thinkblox.knowledge.uses import uses
 from thinkblox.observe import Kind, Layout, Observation
 from thinkblox.plan import Target, Tie, carries, is_object
-from thinkblox.policies.expert.needs import Need, need, seat_need
+from thinkblox.policies.expert.needs import BEFORE_BOARD, Need, need, seat_need
 from thinkblox.policies.expert.sizing import SHRINK
 from thinkblox.scene.asset import AssetCard, Mount
 from thinkblox.scene.free_parts import parts
@@ -134,7 +134,10 @@ class Situation:
     @cached_property
     def clearances(self) -> Rects:
         """The floor that people need who use what stands here, for doors, drawers and themselves."""
-        return joined([self._in_use(p) for p in self.solid if p.position[2] < 0.5 and p.id not in self.relatives])
+        others = [p for p in self.solid if p.id not in self.relatives]
+        boards = Rects.of_placements(tuple(p for p in others if p.position[2] >= 0.5 and is_board(p.category)))
+        written_at = beside(boards, "front", BEFORE_BOARD)
+        return joined([written_at, *(self._in_use(p) for p in others if p.position[2] < 0.5)])
 
     def _in_use(self, placement: Placement) -> Rects:
         asset, rect = self.scene.asset_of(placement), Rects.of_placements((placement,))
@@ -269,6 +272,11 @@ def _in_the_middle(room: Room, count: int, size: Vec3) -> tuple[Vec2, Vec2, floa
 def is_seat(category: str) -> bool:
     """Whether people sit on such a thing."""
     return facts_of(category).is_in("seating")
+
+
+def is_board(category: str) -> bool:
+    """Whether one stands before such a thing to write on it, or to show something."""
+    return facts_of(category).is_in("boards")
 
 
 def is_large(size: Vec3) -> bool:

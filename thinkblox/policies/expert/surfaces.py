@@ -64,7 +64,7 @@ def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple
     shares = SHRINK[:1] if any(situation.target.size) else SHRINK
     for step, share in enumerate(shares):
         size = scaled(situation.size, share)
-        if share > shares[-1] and not _room_for_all(surfaces, size, tie):
+        if share > shares[-1] and not _room_for_all(situation, surfaces, size, tie):
             continue
         turned = _in_turn(surfaces, size, tie)
         ideas = list(_at_size(situation, anchor, tie, turned, size))
@@ -80,10 +80,20 @@ def _serves(surface: Surface, tie: Tie) -> bool:
     return surface.inner if tie.kind == "inside" else not surface.within
 
 
-def _room_for_all(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> bool:
+def _room_for_all(situation: Situation, surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> bool:
     """Whether as many of that size as the tie counts have room, side by side on all surfaces together."""
+    if _looks_ahead(situation):
+        return (
+            sum(int(s.size[1] / (size[1] + APART)) for s in surfaces if s.size[0] + 2 * OVERHANG >= size[0])
+            >= tie.count
+        )
     turned = (size[1], size[0])
     return sum(max(_fitting(s, size[:2]), _fitting(s, turned)) for s in surfaces) >= tie.count
+
+
+def _looks_ahead(situation: Situation) -> bool:
+    """Whether it looks over the front of what carries it, as a screen does, and is seldom turned aside."""
+    return situation.facts.is_in("screens")
 
 
 def _fitting(surface: Surface, size: Vec2) -> int:
@@ -181,7 +191,7 @@ def _alike(surfaces: Sequence[Surface]) -> list[Surface]:
 def _turns(situation: Situation, anchor: Placement, surface: Surface) -> tuple[float, ...]:
     if situation.facts.is_in("staff_side") and not _against_wall(situation, anchor):
         return (180.0,)
-    if situation.asset.front == "any":
+    if situation.asset.front == "any" or (_looks_ahead(situation) and situation.target.count > 1):
         return (0.0,)
     if situation.size[1] > surface.size[1] or situation.asset.front == "two":
         return (0.0, 90.0)
@@ -213,7 +223,11 @@ def _spots(
     marked = situation.facts.spots
     if tie.count > 1:
         marked = _spread(tie, surface, free, shelves, plan)
-    if tie.kind == "on" and surface.headroom is None:
+        if _looks_ahead(situation) and marked[0][0] == 0.0:
+            marked = ((situation.facts.spots[0][0], marked[0][1]),)
+    if aside := _leaving_room(situation, surface):
+        marked = ((marked[0][0] if marked else 0.0, aside),)
+    elif tie.kind == "on" and surface.headroom is None:
         marked = _share_of(situation, anchor, surface, free) or marked
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
@@ -240,6 +254,18 @@ def _by_companion(
             v = y - surface.position[1] + dv * (p.size[1] / 2 + situation.size[1] / 2 + 0.06)
             if abs(u) <= free[0] + EDGE and abs(v) <= free[1] + EDGE:
                 yield (u, v), -0.2
+
+
+def _leaving_room(situation: Situation, surface: Surface) -> float:
+    """To which end of a surface it goes, from -1 to 1, so that another thing has room at one side of it; 0 for none."""
+    own, kinds = situation.target.id, ("left_of", "right_of")
+    later = [(t, tie.kind) for t in situation.followers for tie in t.ties if own in tie.anchors and tie.kind in kinds]
+    if len({kind for _, kind in later}) != 1:
+        return 0.0
+    width = sum(situation.kind(target).size[1] + APART for target, _ in later)
+    if (surface.size[1] - situation.size[1]) / 2 >= width:
+        return 0.0
+    return 1.0 if later[0][1] == "right_of" else -1.0
 
 
 def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:
@@ -300,7 +326,7 @@ def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: V
     groups = _kinds_on(situation, anchor)
     own = next((n for n, group in enumerate(groups) if situation.target in group), None)
     central = any(tie.kind == "in_centre" and anchor.id in tie.anchors for tie in situation.target.ties)
-    if own is None or len(groups) < 2 or central:
+    if own is None or len(groups) < 2 or central or _looks_ahead(situation):
         return ()
     areas = [sum(_area(situation, target) for target in group) for group in groups]
     least = CROWDED if len(groups[own]) > 1 else CROWDED_BY_ONES

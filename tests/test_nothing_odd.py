@@ -1,0 +1,205 @@
+"""What a person would find odd in a room at first sight, and what the report must not pass over."""
+
+import math
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from thinkblox.assets import kind_of, make_asset
+from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.repaint import SAME_COLOUR, faces
+from thinkblox.assets.showing import realised
+from thinkblox.brief import Brief
+from thinkblox.furnishing import Generation
+from thinkblox.generate import generate_room
+from thinkblox.planning import ExpertPlanner, plan_brief
+from thinkblox.reading import read_brief
+from thinkblox.scene.asset import Asset, Material
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
+from thinkblox.scene.room import Opening, Room
+from thinkblox.scene.surfaces import Covering, Surfaces
+
+
+@cache
+def made(prompt: str) -> Generation:
+    return generate_room(prompt, seed=0)
+
+
+def counts(prompt: str) -> dict[str, int]:
+    return {request.category: request.count for request in read_brief(prompt).requests}
+
+
+def placed(room: Generation, category: str) -> list[Placement]:
+    return [p for p in room.scene.placements if p.category == category]
+
+
+def share_in(asset: Asset, material: Material, colour: str) -> float:
+    """Share of what is of a material that has a colour."""
+    shapes = [shape for link in asset.links for shape in link.shapes if shape.material == material]
+    whole = sum(map(faces, shapes))
+    near = sum(faces(shape) for shape in shapes if math.dist(shape.colour, COLOURS[colour]) <= SAME_COLOUR)
+    return near / whole if whole else 1.0
+
+
+@pytest.mark.parametrize("category", ["sofa", "armchair", "bed", "chair", "office_chair", "ottoman", "bar_stool"])
+@pytest.mark.parametrize("colour", ["black", "red", "green"])
+def test_leather_has_the_colour_that_is_asked_of_it(category, colour):
+    for seed in range(4):
+        asset = make_asset(category, seed=seed, attributes=("leather", colour))
+        assert share_in(asset, "leather", colour) >= 0.5
+        assert realised(asset, colour)
+        assert realised(asset, "leather")
+
+
+def test_legs_alone_do_not_make_a_leather_chair_black():
+    tan = make_asset("chair", seed=2, attributes=("leather",))
+    legs = tan.__class__(**{f: getattr(tan, f) for f in tan.__struct_fields__} | {"attributes": ("leather", "black")})
+    assert not realised(legs, "black")
+
+
+def test_a_long_table_seats_as_many_as_are_asked_for():
+    for people in (6, 8, 10):
+        table = make_asset("dining_table", seed=0, attributes=("long", f"for-{people}"))
+        assert realised(table, f"for-{people}")
+        assert table.size[1] >= make_asset("dining_table", seed=0, attributes=("long",)).size[1] - 1e-9
+
+
+@pytest.mark.parametrize("said", ["floor to ceiling bookshelves", "floor-to-ceiling bookcases"])
+@pytest.mark.parametrize("where", ["", " on the north wall", " along the walls"])
+def test_floor_to_ceiling_stands_and_is_as_high_as_the_room(said, where):
+    brief = read_brief(f"A study with {said}{where}")
+    case = next(r for r in brief.requests if r.category == "bookcase")
+    assert "full-height" in case.attributes
+    assert "wall-mounted" not in case.attributes
+    room = ExpertPlanner().room(brief, np.random.default_rng(0))
+    heights = [t.size[2] for t in plan_brief(brief, room).targets if t.category == "bookcase"]
+    assert all(height is not None and room.height - 0.1 <= height < room.height for height in heights)
+
+
+def test_shelves_that_are_said_to_float_still_hang():
+    case = next(r for r in read_brief("A hall with a floating bookcase").requests if r.category == "bookcase")
+    assert "wall-mounted" in case.attributes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seat", "number"),
+    [
+        ("A classroom with ten desks and a whiteboard", "chair", 10),
+        ("A classroom with desks", "chair", 6),
+        ("A home office with two monitors on the desk", "office_chair", 1),
+        ("An office with four desks", "office_chair", 4),
+        ("A studio with a bed, a sofa, a dining table and a TV", "chair", 4),
+        ("A cafe with five tables", "chair", 10),
+        ("A desk with a lamp on it", "office_chair", 0),
+        ("An office with four desks and no chairs", "office_chair", 0),
+        ("An office with a desk and a stool at it", "office_chair", 0),
+    ],
+)
+def test_desks_and_tables_have_their_seats(prompt, seat, number):
+    assert counts(prompt).get(seat, 0) == number
+
+
+def test_a_tv_gets_something_to_stand_on_at_eye_level():
+    assert counts("A bedroom with a bed, a wardrobe, a desk, a TV and a bookcase")["tv_stand"] == 1
+    assert "tv_stand" not in counts("A bedroom with a bed, a dresser and a TV")
+    room = made("A small room with a bookcase, a TV and a bed")
+    tv = placed(room, "tv")[0]
+    assert 0.3 < tv.position[2] < 1.2
+
+
+def test_several_monitors_stand_side_by_side_and_look_ahead():
+    room = made("An office with three monitors on the desk")
+    desk = placed(room, "desk")[0]
+    spots = sorted(desk.to_local((m.position[0], m.position[1]))[1] for m in placed(room, "monitor"))
+    width = placed(room, "monitor")[0].size[1]
+    assert all(b - a > 0.95 * width for a, b in pairwise(spots))
+    assert {round((m.yaw - desk.yaw) % 360.0) for m in placed(room, "monitor")} == {0}
+
+
+def test_what_is_asked_above_the_door_is_above_it():
+    room = made("A waiting room with a clock above the door")
+    assert room.report.complete
+    door = next(o for o in room.scene.room.openings if o.kind == "door")
+    assert placed(room, "clock")[0].position[2] > door.height
+
+
+def on_pane(room: Room, window: Opening, thing: Placement) -> bool:
+    wall = room.walls[window.wall]
+    along, out = wall.coordinates((thing.position[0], thing.position[1]))
+    beside = abs(along - window.offset - window.width / 2) >= (window.width + thing.size[1]) / 2
+    apart = thing.position[2] >= window.sill + window.height or thing.top <= window.sill
+    return out < 0.5 and not beside and not apart
+
+
+def test_no_picture_hangs_over_a_window():
+    room = made("A small living room with two windows, six posters and a sofa")
+    windows = [o for o in room.scene.room.openings if o.kind == "window"]
+    assert not any(on_pane(room.scene.room, w, p) for w in windows for p in placed(room, "poster"))
+
+
+def test_a_fireplace_by_the_window_does_not_stand_before_it():
+    room = made("A living room with a fireplace by the window and a sofa")
+    window = next(o for o in room.scene.room.openings if o.kind == "window")
+    assert room.report.complete
+    assert not on_pane(room.scene.room, window, placed(room, "fireplace")[0])
+
+
+def test_the_back_of_a_fireplace_is_of_its_stone():
+    fireplace = make_asset("fireplace", seed=0)
+    back = min(-shape.size[0] / 2 + shape.position[0] for link in fireplace.links for shape in link.shapes)
+    behind = [
+        shape
+        for link in fireplace.links
+        for shape in link.shapes
+        if shape.position[0] - shape.size[0] / 2 < back + 0.01
+    ]
+    assert len({shape.colour for shape in behind}) == 1
+
+
+def test_nothing_stands_under_the_whiteboard():
+    room = made("A classroom with a whiteboard and a teacher's desk")
+    board = placed(room, "whiteboard")[0]
+    for desk in placed(room, "desk"):
+        ahead, aside = board.to_local((desk.position[0], desk.position[1]))
+        assert ahead > 0.9 or abs(aside) > (board.size[1] + desk.size[1]) / 2 - 0.05
+
+
+def test_a_dark_room_that_is_dark_has_no_note():
+    prompt = "A dark bedroom with a bed"
+    assert not made(prompt).report.notes
+    paint = Covering(laying="paint", colour=(0.9, 0.9, 0.9))
+    own = Room(
+        floor=((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)),
+        surfaces=Surfaces(palette="sage", floor=paint, walls=paint, trim=(1, 1, 1), door=(1, 1, 1)),
+    )
+    brief: Brief = read_brief(prompt)
+    assert plan_brief(brief, own).notes == ("the walls are not as asked: dark room",)
+
+
+def test_what_is_asked_to_stand_there_comes_before_what_usually_does():
+    brief = read_brief("A kitchen with a base cabinet, an oven, a dishwasher and a waste bin next to the base cabinet")
+    room = ExpertPlanner().room(brief, np.random.default_rng(0))
+    order = [target.category for target in plan_brief(brief, room).targets]
+    assert order.index("waste_bin") < order.index("oven")
+
+
+def test_a_sink_under_the_window_has_a_cabinet_beside_an_island():
+    prompt = "A kitchen with a sink under the window and an island in the middle"
+    assert counts(prompt)["base_cabinet"] == 1
+    assert "base_cabinet" not in counts("A kitchen with a sink in the island")
+
+
+def test_fairy_lights_hang():
+    for said in ("fairy lights", "string lights"):
+        lights = read_brief(f"A bedroom with a bed and {said}").requests[1]
+        assert kind_of(lights.category).mount == "wall"
+
+
+def test_a_chair_that_finds_no_room_at_its_desk_is_not_left_astray():
+    room = made("A gaming bedroom with two screens and posters")
+    for target in room.plan.targets:
+        if target.ties and target.ties[0].kind == "at":
+            assert measure(room.scene, "at", target.id, target.ties[0].anchors).holds

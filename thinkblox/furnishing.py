@@ -1,0 +1,309 @@
+"""The work on one room: attempts at placing all that is planned, the best of which is kept."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from msgspec import structs
+
+from thinkblox.assets.source import AssetSource
+from thinkblox.dressing import dress, undress
+from thinkblox.episode import Episode, Round
+from thinkblox.errors import InputError, UnavailableError
+from thinkblox.headline import UNKNOWN, in_short, relation_words, shortfall
+from thinkblox.judging import asset_for
+from thinkblox.observe import kinds_of
+from thinkblox.placing import Effort, Loop, Placing
+from thinkblox.plan import Plan, Target
+from thinkblox.policies import Policy
+from thinkblox.prompts import prompts_version
+from thinkblox.reporting import report_on
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.verdict.requirement import Requirement
+from thinkblox.sim.verdict.world import World
+from thinkblox.verdict import Absence, Report
+
+_UNDRESSINGS = 3
+"""How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
+ARRANGED = ("free",)
+"""Demands that another arrangement may meet."""
+DRAWN_UP = ("at", "in_front_of")
+"""Relations to furniture without which a thing on the floor makes no sense."""
+
+
+@dataclass(frozen=True)
+class Generation:
+    """A finished room with its report, and the episode that led to it, given-up attempts included."""
+
+    scene: Scene
+    report: Report
+    episode: Episode
+
+    @property
+    def plan(self) -> Plan:
+        """What was to be placed, in which order."""
+        return self.episode.plan
+
+    @property
+    def trace(self) -> tuple[Round, ...]:
+        """Every round of tries."""
+        return self.episode.rounds
+
+    @property
+    def attempt(self) -> int:
+        """Which attempt was kept, from 0."""
+        return next((entry.attempt for entry in self.trace if entry.kept), 0)
+
+
+class BrokenOffError(InputError):
+    """A room was begun, and whoever plays a role could not go on: says who, why, and what to do.
+
+    Attributes:
+        episode: what was tried until then; of an attempt before that, if there was one, the best is kept.
+    """
+
+    def __init__(self, why: str, episode: Episode) -> None:
+        super().__init__(why)
+        self.episode = episode
+
+
+@dataclass(frozen=True)
+class Progress:
+    """What is told after each object.
+
+    Attributes:
+        target: which.
+        placed: whether it stands.
+        number, total: its number of how many.
+        attempt: from 0.
+        anew: what was not as asked in the attempt before, in a few words; empty in the first.
+    """
+
+    target: Target
+    placed: bool
+    number: int
+    total: int
+    attempt: int
+    anew: str = ""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """By what placements are judged: where the lines are drawn, and what the user requires besides."""
+
+    tolerances: Tolerances
+    requirements: tuple[Requirement, ...] = ()
+
+
+def furnish(
+    plan: Plan,
+    scene: Scene,
+    *,
+    policy: Policy,
+    source: AssetSource,
+    effort: Effort,
+    judged: Judged,
+    on_object: Callable[[Progress], None],
+    first: int,
+    anew: str,
+    until: float,
+) -> "Furnished":
+    """Place the targets of a plan into a scene one by one; begin anew where that does not end well, while it helps.
+
+    Attempts are numbered from `first`, which is made because of what `anew` says; every number leads to other choices.
+    At the monotonic time `until` the budget is over [s].
+
+    Raises:
+        BrokenOffError: the policy cannot go on.
+    """
+    makeable, refused = _makeable(plan, scene, source)
+    loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until)
+    made: list[_Attempt] = []
+    try:
+        for number in range(first, first + 1 + effort.restarts):
+            made.append(_Attempt(scene, number, judged, refused))
+            made[-1].furnish(loop, judged, _telling(on_object, anew))
+            anew = _amiss(made[-1].report, made[-1].world.scene, makeable)
+            last = made[-1].faults
+            if not any(last) or loop.over or (len(made) > 1 and last >= made[-2].faults):
+                break
+    except UnavailableError as error:
+        broken = Furnished(scene, loop, judged, on_object, made).generation()
+        raise BrokenOffError(str(error), broken.episode) from error
+    return Furnished(scene, loop, judged, on_object, made)
+
+
+@dataclass
+class Furnished:
+    """The attempts at one room; the best of them is the room."""
+
+    scene: Scene
+    loop: Loop
+    judged: Judged
+    on_object: Callable[[Progress], None]
+    attempts: list["_Attempt"]
+
+    def __post_init__(self) -> None:
+        self.plan = self.loop.plan
+        finished = [attempt for attempt in self.attempts if attempt.finished]
+        self.best = min(finished, key=lambda attempt: attempt.faults) if finished else self.attempts[0]
+
+    @property
+    def faults(self) -> tuple[int, ...]:
+        """What is not as asked, or odd, and another arrangement might mend: counts, the gravest first."""
+        return self.best.faults
+
+    @property
+    def amiss(self) -> str:
+        """The same in a line."""
+        return _amiss(self.best.report, self.best.world.scene, self.loop.plan)
+
+    @property
+    def report(self) -> Report:
+        """On the best attempt."""
+        return self.best.report
+
+    def dress(self) -> None:
+        """Make the best attempt look lived in."""
+        self.plan = self.best.dress(self.loop, self.judged, self.on_object, len(self.attempts) - 1)
+
+    def generation(self) -> Generation:
+        """The best attempt, with all that led to it."""
+        episode = Episode(
+            prompt=self.scene.prompt,
+            seed=self.scene.seed,
+            room=self.scene.room,
+            plan=self.plan,
+            kinds=kinds_of(self.plan, self.loop.source),
+            assets={id: asset for attempt in self.attempts for id, asset in attempt.assets.items()},
+            rounds=tuple(
+                structs.replace(r, kept=r.kept and attempt is self.best)
+                for attempt in self.attempts
+                for r in attempt.rounds
+            ),
+            prompts=prompts_version(),
+        )
+        return Generation(self.best.world.scene, self.best.report, episode)
+
+
+class _Attempt:
+    """One go at a whole room."""
+
+    def __init__(self, scene: Scene, number: int, judged: Judged, refused: Sequence[Absence]) -> None:
+        self.world = World(scene, tolerances=judged.tolerances, requirements=judged.requirements)
+        self.rounds: list[Round] = []
+        self.assets: dict[str, Asset] = {}
+        self.number = number
+        self.absent = list(refused)
+        self.finished = False
+
+    def furnish(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None]) -> None:
+        """Place one object after the other; raises UnavailableError when the policy cannot go on."""
+        seed, total, absent = self.world.scene.seed, len(loop.plan.targets), self.absent
+        for count, target in enumerate(loop.plan.targets, 1):
+            why = loop.over or self._place(loop, target, np.random.default_rng((seed, self.number, count)))
+            if why:
+                absent.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=why))
+            on_object(Progress(target, not why, count, total, self.number))
+        self.report = report_on(
+            self.world.scene,
+            loop.plan,
+            absent=absent,
+            tolerances=judged.tolerances,
+            requirements=judged.requirements,
+        )
+        self.faults = _faults(self.report, self.world.scene, loop.plan)
+        self.finished = True
+
+    def dress(self, loop: Loop, judged: Judged, on_object: Callable[[Progress], None], last: int) -> Plan:
+        """Add what makes it look lived in, as far as everything stays valid; returns the plan with that."""
+        before, count = len(loop.plan.targets), 0
+
+        def told(target: Target, placed: bool) -> None:
+            nonlocal count
+            count += 1
+            on_object(Progress(target, placed, before + count, before + count, last))
+
+        done = dress(self.world, loop, attempt=self.number, on_object=told)
+        valid = self.report.valid
+        added = {target.id for target in done.loop.plan.targets[before:]}
+        for _ in range(_UNDRESSINGS):
+            self.report = report_on(
+                done.world.scene,
+                done.loop.plan,
+                absent=[*self.absent, *done.absent],
+                tolerances=judged.tolerances,
+                requirements=judged.requirements,
+            )
+            faulty = [v.id for v in self.report.objects if not v.valid and v.id in added]
+            if self.report.valid or not faulty or not valid:
+                break
+            undress(done, faulty, tolerances=judged.tolerances, requirements=judged.requirements)
+        self.world = done.world
+        self.rounds += done.rounds
+        self.assets |= done.assets
+        return done.loop.plan
+
+    def _place(self, loop: Loop, target: Target, rng: np.random.Generator) -> str:
+        """Place one object; says why when it could not be placed."""
+        placing = Placing(self.world, loop, target, rng)
+        try:
+            grown = placing.run()
+        finally:
+            self.assets |= placing.assets
+            self.rounds += [structs.replace(r, attempt=self.number) for r in placing.rounds]
+        self.world = placing.world if grown is None else grown
+        return "" if grown is not None else placing.reason or "no place was found"
+
+
+def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
+    """The plan without what the source cannot make, and that with the reasons."""
+    kept: list[Target] = []
+    refused: list[Absence] = []
+    for target in plan.targets:
+        try:
+            source.usual(target.category)
+            asset_for(target, scene, source)
+            kept.append(target)
+        except InputError as error:
+            refused.append(Absence(id=target.id, category=target.category, asked=target.asked, reason=str(error)))
+    return (structs.replace(plan, targets=tuple(kept)) if refused else plan), refused
+
+
+def _faults(report: Report, scene: Scene, plan: Plan) -> tuple[int, ...]:
+    """What is not as asked, or odd, and another arrangement might mend, the gravest first."""
+    absent = [a for a in report.absent if a.category != UNKNOWN]
+    return (
+        sum(a.asked for a in absent),
+        sum(not v.valid for v in report.objects) + (not report.valid),
+        sum(not r.holds for r in report.relations) + sum(not d.holds for d in report.demands if d.kind in ARRANGED),
+        len(absent) + len(_strays(scene, plan)),
+    )
+
+
+def _strays(scene: Scene, plan: Plan) -> list[str]:
+    """What is assumed to belong to something on the floor and stands elsewhere: a chair far from its desk."""
+    found = []
+    for target in plan.targets:
+        ties = [] if target.asked or target.id not in scene else [t for t in target.ties if t.kind in DRAWN_UP]
+        ties = [tie for tie in ties[:1] if all(anchor in scene for anchor in tie.anchors)]
+        found += [target.id for t in ties if not measure(scene, t.kind, target.id, t.anchors).holds]
+    return found
+
+
+def _amiss(report: Report, scene: Scene, plan: Plan) -> str:
+    """What `_faults` counts, in a line."""
+    phrases = [f"not placed: {a.id}" for a in report.absent if a.category != UNKNOWN and a.asked]
+    phrases += [f"not valid: {verdict.id}" for verdict in report.objects if not verdict.valid]
+    phrases += [f"not so: {r.subject} {relation_words(r)}" for r in report.relations if not r.holds]
+    phrases += [shortfall(d) for d in report.demands if not d.holds and d.kind in ARRANGED]
+    phrases += [f"not placed: {a.id}" for a in report.absent if a.category != UNKNOWN and not a.asked]
+    phrases += [f"astray: {id}" for id in _strays(scene, plan)]
+    return in_short(phrases) if phrases else "" if report.valid else "not all passed"
+
+
+def _telling(on_object: Callable[[Progress], None], anew: str) -> Callable[[Progress], None]:
+    return lambda progress: on_object(replace(progress, anew=anew))
