@@ -131,8 +131,7 @@ def furnish(
             if not any(last) or loop.over or (len(made) > 1 and last >= made[-2].faults):
                 break
     except UnavailableError as error:
-        broken = Furnished(scene, loop, judged, on_object, made).generation()
-        raise BrokenOffError(str(error), broken.episode) from error
+        raise BrokenOffError(str(error), Furnished(scene, loop, judged, on_object, made).episode()) from error
     return Furnished(scene, loop, judged, on_object, made)
 
 
@@ -170,9 +169,9 @@ class Furnished:
         """Make the best attempt look lived in."""
         self.plan = self.best.dress(self.loop, self.judged, self.on_object, len(self.attempts) - 1)
 
-    def generation(self) -> Generation:
-        """The best attempt, with all that led to it."""
-        episode = Episode(
+    def episode(self) -> Episode:
+        """All that led to the best attempt."""
+        return Episode(
             prompt=self.scene.prompt,
             seed=self.scene.seed,
             room=self.scene.room,
@@ -186,7 +185,10 @@ class Furnished:
             ),
             prompts=prompts_version(),
         )
-        return Generation(self.best.world.scene, self.best.report, episode)
+
+    def generation(self) -> Generation:
+        """The best attempt, with all that led to it."""
+        return Generation(self.best.world.scene, self.best.report, self.episode())
 
 
 class _Attempt:

@@ -128,7 +128,7 @@ def generate_room(
     except InputError as error:
         if not made:
             raise
-        raise BrokenOffError(str(error), _best(made).generation().episode) from error
+        raise BrokenOffError(str(error), _best(made).episode()) from error
     return _best(made).generation()
 
 
