@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from thinkblox.checking import VerifyOptions, verify_file
+    from thinkblox.editing import Edit, edit_room, undo_edit
     from thinkblox.episode import Episode, read_episode
     from thinkblox.errors import InputError, ThinkBloxError
     from thinkblox.exporters.saving import save_scene
@@ -38,6 +39,7 @@ __version__: str
 _HOME = {
     "Add": "thinkblox.scene.actions",
     "Asset": "thinkblox.scene.asset",
+    "Edit": "thinkblox.editing",
     "Effort": "thinkblox.placing",
     "Episode": "thinkblox.episode",
     "Generation": "thinkblox.generate",
@@ -64,6 +66,7 @@ _HOME = {
     "VerdictPool": "thinkblox.sim.workers.pool",
     "VerifyOptions": "thinkblox.checking",
     "World": "thinkblox.sim.verdict.world",
+    "edit_room": "thinkblox.editing",
     "generate_room": "thinkblox.generate",
     "judge": "thinkblox.judging",
     "judge_all": "thinkblox.judging",
@@ -72,12 +75,14 @@ _HOME = {
     "read_episode": "thinkblox.episode",
     "save_room": "thinkblox.saving",
     "save_scene": "thinkblox.exporters.saving",
+    "undo_edit": "thinkblox.editing",
     "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
 }
 __all__ = [
     "Add",
     "Asset",
+    "Edit",
     "Effort",
     "Episode",
     "Generation",
@@ -104,6 +109,7 @@ __all__ = [
     "VerdictPool",
     "VerifyOptions",
     "World",
+    "edit_room",
     "generate_room",
     "judge",
     "judge_all",
@@ -112,6 +118,7 @@ __all__ = [
     "read_episode",
     "save_room",
     "save_scene",
+    "undo_edit",
     "verify",
     "verify_file",
 ]

@@ -175,9 +175,7 @@ class Episode(Value, frozen=True, kw_only=True):
             assets = {id: self.assets[id] for id in state.assets}
         except KeyError as error:
             raise InputError(f"the trace speaks of an asset that it does not hold: {error.args[0]!r}") from error
-        return Scene(
-            prompt=self.prompt, seed=self.seed, room=state.room, placements=state.placements, assets=assets
-        )
+        return Scene(prompt=self.prompt, seed=self.seed, room=state.room, placements=state.placements, assets=assets)
 
     def after(self, scene: Scene, done: Round) -> Scene:
         """A scene after what a round committed."""

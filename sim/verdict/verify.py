@@ -115,7 +115,9 @@ def reverify(
         scene: as it is now.
         before: as it was.
         report: on `before`, by the same settings.
-        tolerances, physics, walking: as for `verify`.
+        tolerances: where the lines are drawn.
+        physics: the engine's options.
+        walking: what a walkable way is.
     """
     tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
     known = {v.id: v for v in report.objects} if report is not None else {}
@@ -127,7 +129,9 @@ def reverify(
     world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
     robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
     objects = tuple(
-        _verdict(world, p, bool(walkable.unreachable), robot) if p.id in anew else _as_driven(known[p.id], p, scene, robot)
+        _verdict(world, p, bool(walkable.unreachable), robot)
+        if p.id in anew
+        else _as_driven(known[p.id], p, scene, robot)
         for p in scene.placements
     )
     if scene.room != before.room:

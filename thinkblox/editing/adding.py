@@ -6,10 +6,11 @@ from thinkblox.assets import GENERAL_WORDS
 from thinkblox.brief import Measures
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, Goal
+from thinkblox.editing.goals import At, Goal, Related
 from thinkblox.editing.moving import looking, related
 from thinkblox.editing.orders import Order, Phrase
-from thinkblox.editing.reaching import Pose, Reaching, ties_of
+from thinkblox.editing.reaching import Reaching, ties_of
+from thinkblox.editing.spots import Pose, spots
 from thinkblox.editing.wheres import Bound, bound, named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -50,15 +51,15 @@ def _add(work: Work, finder: Finder, order: Order, phrase: Phrase, places: Seque
         raise InputError(f"'{noun.text}': one order adds at most {MOST} things")
     wheres = _bounds(work, finder, noun, places)
     category = category_of(work, noun, wheres)
-    each = next((w for w, where in zip(wheres, places, strict=True) if where.noun is not None and where.noun.each), None)
+    each = next(
+        (w for w, where in zip(wheres, places, strict=True) if where.noun is not None and where.noun.each), None
+    )
     if each is not None:
         count = max(count, len(each.anchors))
     added = []
     for index in range(count):
-        spots = [
-            Bound(w.kind, (w.anchors[index % len(w.anchors)],), w.negated) if w is each else w for w in wheres
-        ]
-        goals = [related(w, index + _there(work, w, category), count + _there(work, w, category)) for w in spots]
+        spots = [Bound(w.kind, (w.anchors[index % len(w.anchors)],), w.negated) if w is each else w for w in wheres]
+        goals = [_related(work, w, category, index, count) for w in spots]
         goals += [looking(finder, n) for n in order.facing]
         id = _add_one(work, category, noun, goals)
         if not id:
@@ -67,6 +68,12 @@ def _add(work: Work, finder: Finder, order: Order, phrase: Phrase, places: Seque
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added
+
+
+def _related(work: Work, where: Bound, category: str, index: int, count: int) -> Goal:
+    """The goal of one of several that are added to those that are there."""
+    there = _there(work, where, category)
+    return related(where, category, there + (0 if where.kind == "around" else index), there + count - index)
 
 
 def _bounds(work: Work, finder: Finder, noun: Noun, places: Sequence[Where]) -> list[Bound]:
@@ -105,7 +112,9 @@ def _add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> st
         ties = (*usual_ties(work.scene, category), *ties)
     target = work.target(id, category, ties, attributes)
     asset = _asset(work, target, noun)
-    reaching = Reaching(work, target, asset, goals)
+    seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
+    direct = spots(work.scene, asset, goals) if seated else ()
+    reaching = Reaching(work, target, asset, goals, direct=direct)
     if not reaching.run():
         work.failed.append(f"{id} was not added: {reaching.why}")
         return ""
@@ -166,14 +175,22 @@ def _successor(work: Work, id: str, new: Noun) -> Asset:
     category = old.category if same else category_of(work, new, _place_of(work, id))
     target = Target(id="thing_1", category=category, request=category, attributes=tuple(new.attributes))
     made = asset_for(
-        Target(id=target.id, category=category, request=category, attributes=target.attributes, size=_size(work, category, new)),
+        Target(
+            id=target.id,
+            category=category,
+            request=category,
+            attributes=target.attributes,
+            size=_size(work, category, new),
+        ),
         work.scene,
         work.source,
     )
     if made.id == old.id:
         made = work.source.make(category, seed=style_seed(work.scene) + 1, attributes=target.attributes)
     if made.id == old.id:
-        raise InputError(f"{id}: there is no other {category.replace('_', ' ')} to come in its place; say what it is to be")
+        raise InputError(
+            f"{id}: there is no other {category.replace('_', ' ')} to come in its place; say what it is to be"
+        )
     return made
 
 
@@ -249,12 +266,10 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
                 continue
             if place_anew(work, rider):
                 put_back(work, rider, [p for p in off if p.id != rider.id], before)
-                work.done.append(f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}")
+                work.done.append(
+                    f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
+                )
             else:
                 gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
-                work.failed.append(
-                    f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it"
-                )
+                work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")
         finder.recent = []
-
-

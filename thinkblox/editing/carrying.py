@@ -19,7 +19,7 @@ CARRIERS = 4
 def take(work: Work, ids: Sequence[str]) -> list[Placement]:
     """Take objects out of the room with all that rests on them; returns them as they were, carriers first."""
     scene = work.scene
-    gone = [id for id in dict.fromkeys(g for id in ids for g in (id, *(r.id for r in scene.riders(id))))]
+    gone = list(dict.fromkeys(g for id in ids for g in (id, *(r.id for r in scene.riders(id)))))
     taken = sorted((scene[id] for id in gone), key=lambda p: len(scene.carriers(p.id)))
     for placement in taken:
         work.assets[placement.asset] = scene.asset_of(placement)

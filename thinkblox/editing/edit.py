@@ -22,6 +22,7 @@ from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, Round, State, Undone, read_episode
 from thinkblox.errors import InputError
 from thinkblox.placing import Effort
+from thinkblox.plainness import plain_things
 from thinkblox.plan import Plan
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
@@ -222,10 +223,12 @@ def _from_files(path: Path) -> _Source:
 
 # --- carrying out
 
+
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
     known = [
-        p.id or p.noun.definite or p.noun.kind in ("pronoun", "number") or p.rank or p.noun.ordinal for p in order.things
+        p.id or p.noun.definite or p.noun.kind in ("pronoun", "number") or p.rank or p.noun.ordinal
+        for p in order.things
     ]
     if order.things and not any(known):
         add(work, finder, order)
@@ -303,6 +306,7 @@ def _finished(work: Work, made: _Source, read: Instruction, tolerances: Toleranc
         report,
         complete=report.valid and not work.failed and not read.unknown,
         unknown=read.unknown,
+        stand_ins=plain_things(scene),
         notes=(*done, *(f"Not done: {text}" for text in work.failed), *work.notes, *report.notes),
     )
     episode = made.episode or _begun(made.scene)
@@ -342,9 +346,10 @@ def _in_order(scene: Scene, before: Scene) -> Scene:
 
 def _changes(before: Scene, after: Scene) -> tuple[Changed, ...]:
     """What is not as it was, in the order of the scene, what is gone first."""
+    there = {p.id: p for p in before.placements}
     found = [Changed(p.id, "removed", p, None) for p in before.placements if p.id not in after]
     for new in after.placements:
-        old = before[new.id] if new.id in before else None
+        old = there.get(new.id)
         if old != new:
             found.append(Changed(new.id, _what(before, after, old, new), old, new))
     return tuple(found)

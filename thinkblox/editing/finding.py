@@ -204,4 +204,6 @@ def _ids(found: Sequence[Placement]) -> str:
 def _bare(text: str) -> str:
     """A noun phrase without its article."""
     first, _, rest = text.partition(" ")
-    return rest if rest and first.lower() in ("the", "a", "an", "my", "both", "all", "this", "that", "another") else text
+    return (
+        rest if rest and first.lower() in ("the", "a", "an", "my", "both", "all", "this", "that", "another") else text
+    )

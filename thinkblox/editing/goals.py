@@ -22,8 +22,8 @@ LEAST = 0.02
 """Least by which something comes nearer or goes away, where there is so much room [m]."""
 INTO_ROOM = 45.0
 """Largest angle between a front and the way into the room [degrees]."""
-ELSEWHERE = 0.3
-"""Least distance of another place from the one before [m]."""
+ELSEWHERE, ELSEWHERE_SMALL = 0.75, 0.15
+"""Least distance of another place from the one before: on the floor, and on a surface or a wall [m]."""
 
 Finding = tuple[bool, str]
 """Whether it is so, and what was measured."""
@@ -88,7 +88,9 @@ class Gap(Untied):
         change = old - new if self.nearer else new - old
         wanted = self.by - EXACT if self.by is not None else min(LEAST, old / 3) if self.nearer else LEAST
         exact = self.by is None or change <= self.by + EXACT
-        return change >= max(wanted, 1e-3) and exact, f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
+        return change >= max(
+            wanted, 1e-3
+        ) and exact, f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
 
     def of(self, scene: Scene, id: str) -> float:
         """The distance now [m]."""

@@ -2,13 +2,30 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
+from shapely.ops import nearest_points
+
+from thinkblox.assets import facts_of
+from thinkblox.brief import RelationKind
 from thinkblox.committing import commit
-from thinkblox.editing.carrying import put_back, take, usual_ties
+from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder, Picks, nearest_to
-from thinkblox.editing.goals import Along, At, Elsewhere, Gap, Goal, IntoRoom, Related, Turned
+from thinkblox.editing.goals import (
+    ELSEWHERE,
+    ELSEWHERE_SMALL,
+    Along,
+    At,
+    Elsewhere,
+    Gap,
+    Goal,
+    IntoRoom,
+    Related,
+    Turned,
+)
 from thinkblox.editing.orders import Order, Phrase
-from thinkblox.editing.reaching import Pose, Reaching, ties_of
+from thinkblox.editing.reaching import Reaching, ties_of, without
+from thinkblox.editing.spots import Pose, spots
 from thinkblox.editing.wheres import Bound, bound, named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round
@@ -18,8 +35,8 @@ from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.actions import Swap
-from thinkblox.scene.bearings import bearing
-from thinkblox.scene.landmarks import things
+from thinkblox.scene.bearings import bearing, place_of
+from thinkblox.scene.landmarks import Landmark, things
 from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
@@ -32,6 +49,8 @@ STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
 """How far something is moved where nobody says it [m]."""
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
+SWAP_TRIES = 60
+"""Poses around the other's place that are looked at for one of two that change places."""
 SWAPPED = 0.5
 """How far from the other's place something may stand that has changed places with it, besides half their sizes [m]."""
 
@@ -67,9 +86,7 @@ def _moved(finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list
         yield named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination)), destination
 
 
-def _split(
-    finder: Finder, order: Order, phrase: Phrase, places: Sequence[Where]
-) -> tuple[list[Where], list[Where]]:
+def _split(finder: Finder, order: Order, phrase: Phrase, places: Sequence[Where]) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
     here = [w for w in places if w.word == "from"]
     rest = [w for w in places if w.word != "from"]
@@ -78,12 +95,12 @@ def _split(
     if order.closer or order.direction or order.doing == "resite":
         return [*here, *rest], []
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
-    if directed is not None and not (directed == 0):
+    if directed is not None and directed > 0:
         return [*here, *rest[:directed]], rest[directed:]
     wanted = [w for w in rest if not w.negated]
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
         several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many
-        if several or wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to"):
+        if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest
     return here, rest
 
@@ -123,21 +140,21 @@ def _goals(
         there = bound(where, category, finder)
         if id in there.anchors and not there.negated:
             raise InputError(f"{id} cannot be put where it is itself: '{where.text} {where.noun and where.noun.text}'")
-        goals.append(related(there, index, count))
+        goals.append(related(there, category, index, count))
     for nearer, phrase in order.closer:
         anchors = mark_names(finder, phrase)
         goals.append(Gap(anchors, nearer, order.lengths[0][0] if order.lengths else None))
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
-def related(there: Bound, index: int = 0, count: int = 1) -> Goal:
-    """A relation as a goal; of several around a table each is at it by itself."""
+def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal:
+    """A relation as a goal; of several around a thing each is by it, and seats are drawn up to it."""
     if there.of_room:
         return IntoRoom()
-    measured = {"around": "at"} if there.kind == "around" else {}
+    measured: RelationKind | None = None
     if there.kind == "around":
-        return Related("around", there.anchors, there.negated, index, count, measured="near")
-    return Related(there.kind, there.anchors, there.negated, index, count, measured=measured.get(there.kind))  # type: ignore[arg-type]
+        measured = "at" if facts_of(category).is_in("seating") else "near"
+    return Related(there.kind, there.anchors, there.negated, index, count, measured)
 
 
 def mark_names(finder: Finder, phrase: Phrase) -> tuple[str, ...]:
@@ -175,8 +192,15 @@ def _move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = _reach(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        done = _reach(work, id, goals, direct=_in_line(work.scene, before, goals), ask=True)
+        direct = chain(_in_line(work.scene, before, goals), _spots(work, id, goals))
+        done = _reach(work, id, goals, direct=direct, ask=True)
     _say(work, id, before, done, goals)
+
+
+def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Places that the goals name, seen without the object and what rests on it."""
+    empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+    yield from spots(empty, work.asset_of(id), goals)
 
 
 def _findings(work: Work, goals: Sequence[Goal], id: str) -> Iterator[str]:
@@ -224,7 +248,9 @@ def moved_words(before: Placement, after: Placement) -> str:
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, where only the front is to point elsewhere."""
-    if goals and all(isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals):
+    if goals and all(
+        isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
+    ):
         yield from _turns(scene, before, goals)
 
 
@@ -249,14 +275,8 @@ def _by_gap(scene: Scene, placement: Placement, gap: Gap) -> Iterator[Pose]:
         yield _shifted(placement, (sign * x * length, sign * y * length, 0.0)), placement.yaw
 
 
-def _nearest_way(mark: object, anchor: object) -> Vec2:
+def _nearest_way(mark: Landmark, anchor: Landmark) -> Vec2:
     """Unit vector from the outline of one thing to the nearest point of another's."""
-    from shapely.ops import nearest_points
-
-    from thinkblox.scene.bearings import place_of
-    from thinkblox.scene.landmarks import Landmark
-
-    assert isinstance(mark, Landmark) and isinstance(anchor, Landmark)
     one, other = nearest_points(mark.footprint, place_of(anchor))
     dx, dy = other.x - one.x, other.y - one.y
     if math.hypot(dx, dy) < 1e-6:
@@ -287,7 +307,9 @@ def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[P
     }
     way = ways[order.direction]
     if order.direction in ("up", "down") and work.asset_of(placement.id).free:
-        raise InputError(f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}")
+        raise InputError(
+            f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"
+        )
     if not order.lengths:
         return iter([(_shifted(placement, _scaled(way, s)), placement.yaw) for s in STEPS]), [Along(way)]
     goal = _shifted(placement, _scaled(way, order.lengths[0][0]))
@@ -317,7 +339,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         for id in ids:
             placement = work.scene[id]
             looks = [looking(finder, noun) for noun in order.facing]
-            looks += [related(bound(w, placement.category, finder)) for w in places]
+            looks += [related(bound(w, placement.category, finder), placement.category) for w in places]
             if looks:
                 _turn_to(work, id, looks)
             else:
@@ -366,11 +388,9 @@ def _turns(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[P
     """The place as it is with every yaw that may do: square to the walls first, then straight at what it faces."""
     square = sorted((wall.yaw for wall in scene.room.walls), key=lambda yaw: turn_between(yaw, before.yaw))
     away = 180.0 if scene.asset_of(before).gaze == "back" else 0.0
-    straight = []
-    for goal in goals:
-        for name in goal.anchors if isinstance(goal, Related) else ("centre",):
-            for mark in things(scene, name):
-                straight.append(round((bearing(before.position[:2], mark.centre) + away) % 360.0, 1) % 360.0)
+    names = [n for goal in goals for n in (goal.anchors if isinstance(goal, Related) else ("centre",))]
+    marks = [mark for name in names for mark in things(scene, name)]
+    straight = [round((bearing(before.position[:2], mark.centre) + away) % 360.0, 1) % 360.0 for mark in marks]
     for yaw in dict.fromkeys([*square, *straight]):
         yield before.position, yaw
 
@@ -382,7 +402,8 @@ def resite(work: Work, finder: Finder, order: Order) -> None:
     """Find another place for things."""
     for ids, _ in _moved(finder, order):
         for id in ids:
-            before, goal = work.scene[id], Elsewhere()
+            before = work.scene[id]
+            goal = Elsewhere(ELSEWHERE if before.support == "floor" else ELSEWHERE_SMALL)
             planned = work.usual_ties(id) or usual_ties(work.scene, before.category)
             failed: Reaching | None = None
             for ties in (planned, ()):
@@ -453,16 +474,17 @@ def _swap_nearby(work: Work, one: str, other: str) -> str:
         goals: list[Goal] = [At(partner.position[:2], reach)]
         target = work.target(id, before[id].category, (), asset.attributes)
         poses = _about(work, id, pose)
-        reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, begin=(pose.position, pose.yaw))
+        reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, tries=SWAP_TRIES)
         if not reaching.run():
             why = reaching.why
             work.restore(saved)
             return why
     for id in order:
         lost = put_back(work, before[id], taken, before)
-        if lost:
-            work.restore(saved)
-            return f"{', '.join(lost)} could not go along with {id}"
+        for rider in (p for p in taken if p.id in lost):
+            if not place_anew(work, rider, carriers=(id,)):
+                work.restore(saved)
+                return f"{rider.id} could not go along with {id}"
     return ""
 
 

@@ -43,7 +43,7 @@ class Order:
         closer: to which others the things go nearer (True), or from which they go away (False).
         together: nearer to each other.
         facing: what they are to face.
-        turn: by how many degrees [counter-clockwise]; None where nothing is said. `sense` is 0 where either way will do.
+        turn, sense: by how many degrees, and which way: 1 counter-clockwise, -1 clockwise, 0 where either will do.
         direction: where they are shifted to: "left", "north", "up", ...
         lengths: lengths that it names [m], with their axes ("" where none is said).
         change: how the room is to change: "longer", "wider", ...

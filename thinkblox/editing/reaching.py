@@ -10,6 +10,7 @@ from msgspec import structs
 
 from thinkblox.committing import commit
 from thinkblox.editing.goals import Goal
+from thinkblox.editing.spots import Pose, whole_floor
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round, RoundKind
 from thinkblox.feedback import feedback_line
@@ -23,13 +24,11 @@ from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.saying import place_words
 from thinkblox.scene.scene import Scene
-from thinkblox.scene.support import placed_at
+from thinkblox.scene.support import ON_FLOOR, placed_at
 from thinkblox.steps import Rejection, write_step
 from thinkblox.value import Vec3
 from thinkblox.verdict import Verdict
 
-Pose = tuple[Vec3, float]
-"""Position [m] and yaw [degrees], as of a Placement."""
 SEARCHED = 24
 """Poses around the best start that are measured when nothing that was proposed will do."""
 DIRECT = 16
@@ -46,8 +45,9 @@ class Reaching:
         goals: all of them hold of what is committed.
         direct: poses that follow from the order itself, the best first; tried before anybody is asked.
         ask: whether the policy is asked.
-        start: where to search when nothing else will do; nowhere when None.
-        begin: where the search begins when nothing was proposed.
+        search: whether the surroundings of what came nearest are searched when nothing else will do.
+        begin: where that search begins when nothing was proposed.
+        tries: how many of the direct poses are looked at.
     """
 
     work: Work
@@ -58,6 +58,7 @@ class Reaching:
     ask: bool = True
     search: bool = True
     begin: Pose | None = None
+    tries: int = DIRECT
     failed: list[tuple[Proposal, Verdict]] = field(default_factory=list)
     missed: list[str] = field(default_factory=list)
 
@@ -68,7 +69,7 @@ class Reaching:
 
     def run(self) -> bool:
         """Place the object; False where nothing that was found both passes and meets the goals."""
-        direct = (self._proposal(pose, "It follows from the order.") for pose in islice(self.direct, DIRECT))
+        direct = (self._proposal(pose, "It follows from the order.") for pose in islice(self.direct, self.tries))
         if self._try("repair", direct):
             return True
         feedback: tuple[str, ...] = ()
@@ -228,6 +229,9 @@ class Reaching:
         for pose in nearest_poses(self.empty, self.asset, start):
             away = math.dist(pose.position, start.position)
             yield self._proposal((pose.position, pose.yaw), f"{away:.2f} m from there it may be free.")
+        if self.asset.mount == "floor" and start.position[2] < ON_FLOOR:
+            for far in whole_floor(self.empty, self.asset, start):
+                yield self._proposal(far, "The floor looks free there.")
 
     def _record(
         self,

@@ -9,7 +9,7 @@ from thinkblox.editing.grammar import longest, means, verbs
 from thinkblox.editing.orders import Doing, Instruction, Order, Phrase
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
@@ -19,8 +19,10 @@ from thinkblox.reading.tokens import Token
 MAX_INSTRUCTION = 2000
 """Longest instruction that is read [characters]."""
 _ID = re.compile(r"\b[A-Za-z][A-Za-z0-9_.-]*_[0-9]+\b")
-_POINTERS = ("the", "a", "an", "both", "all", "it", "them", "my", "every", "each", "that", "this", "these", "those",
-             "another", "some", "only", "just", "its", "their", "our", "any", "no", "more", "everything", "nothing")  # fmt: skip
+_POINTERS = frozenset(
+    "the a an both all it them my every each that this these those another some only just its their our any no more"
+    " everything nothing".split()
+)
 """Words after a verb in the middle of a sentence, by which it is told from a noun."""
 _ENDS = (".", ";", "!", "?", "\n")
 _DEGREES = ("degrees", "degree", "deg", "°")
@@ -172,6 +174,7 @@ class _OrderReader:
         self._items = list(self._cut(tokens))
         self._at = 0
         self._mode = "things"
+        self._so: list[Phrase] = []
         self._negated = False
         self._pending: bool | None = None
 
@@ -202,7 +205,7 @@ class _OrderReader:
         return self.orders
 
     def _lose(self, item: Chunk) -> None:
-        text = getattr(item, "text", "") or "".join(getattr(item, "request", item).phrase for _ in "1")
+        text = item.request.phrase if isinstance(item, SaidSurface) else getattr(item, "text", "")
         words = [w for w in text.split() if not means("fillers", w.lower())]
         if words:
             self.unknown.append(" ".join(words))
@@ -269,25 +272,31 @@ class _OrderReader:
 
     def _mark(self, mark: _Mark) -> None:
         order = self.order
-        if mark.sort == "turn":
-            order.turn = mark.value
-        elif mark.sort == "directions":
-            order.direction = mark.key
-        elif mark.sort in ("comparatives", "absolutes"):
-            order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
-        elif mark.key in ("nearer", "farther"):
-            self._pending = mark.key == "nearer"
-        elif mark.key in ("clockwise", "anticlockwise"):
-            order.sense = -1 if mark.key == "clockwise" else 1
-        elif mark.key == "round" and order.doing == "turn" and order.turn is None:
+        match mark.sort:
+            case "turn":
+                order.turn = mark.value
+            case "directions":
+                order.direction = mark.key
+            case "comparatives" | "absolutes":
+                order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
+            case _:
+                self._marker(mark.key)
+
+    def _marker(self, key: str) -> None:
+        order = self.order
+        if key in ("nearer", "farther"):
+            self._pending = key == "nearer"
+        elif key in ("clockwise", "anticlockwise"):
+            order.sense = -1 if key == "clockwise" else 1
+        elif key == "round" and order.doing == "turn" and order.turn is None:
             order.turn = 180.0
-        elif mark.key == "elsewhere":
+        elif key == "elsewhere":
             order.doing = "resite"
-        elif mark.key == "away":
+        elif key == "away":
             order.away = True
-        elif mark.key == "rest":
+        elif key == "rest":
             order.rest = True
-        elif mark.key == "so":
+        elif key == "so":
             self._mode, self._so = "so", []
 
     def _noun(self, noun: Noun) -> None:
@@ -349,7 +358,7 @@ class _OrderReader:
     def _preposition(self, link: Connector) -> None:
         order, following = self.order, self._items[self._at] if self._at < len(self._items) else None
         if not isinstance(following, Noun):
-            waits = isinstance(following, _Mark | Measured) or (isinstance(following, Connector))
+            waits = isinstance(following, _Mark | Measured | Connector)
             if not waits and following is not None:
                 self._lose(link)
             return

@@ -17,6 +17,7 @@ from thinkblox.knowledge.rooms import Usual, room_types
 from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.free_parts import measure_free, parts, takers
 from thinkblox.scene.landmarks import corners, things
 from thinkblox.scene.placement import Placement
@@ -43,14 +44,16 @@ def rearrange(work: Work, finder: Finder, order: Order) -> None:
     if order.things:
         ids = [id for phrase in order.things for id in named(finder, phrase, ())]
         places = [where for phrase in order.things for where in phrase.places]
-        goals = {
-            id: [related(bound(w, work.scene[id].category, finder), n, len(ids)) for w in places]
-            for n, id in enumerate(ids)
-        }
+        goals = {id: [_related(work, finder, id, w, n, len(ids)) for w in places] for n, id in enumerate(ids)}
         _arranged(work, ids, lambda id: goals.get(id, ()), "them")
         return
     movers = [id for id in _standing(work.scene) if id not in work.kept]
     _arranged(work, movers, lambda id: (), "the room")
+
+
+def _related(work: Work, finder: Finder, id: str, where: Where, number: int, count: int) -> Goal:
+    category = work.scene[id].category
+    return related(bound(where, category, finder), category, number, count)
 
 
 def _standing(scene: Scene) -> list[str]:
@@ -114,7 +117,10 @@ def _with_company(scene: Scene, ids: Sequence[str]) -> list[str]:
     """These, and the seats that are drawn up to them."""
     seats = [p.id for p in scene.placements if p.support == "floor" and facts_of(p.category).is_in("seating")]
     drawn_up = [
-        seat for id in ids for seat in seats if seat != id and measure(scene, "at", seat, (id,)).holds and _is_table(scene, id)
+        seat
+        for id in ids
+        for seat in seats
+        if seat != id and measure(scene, "at", seat, (id,)).holds and _is_table(scene, id)
     ]
     return list(dict.fromkeys([*ids, *drawn_up]))
 
@@ -208,7 +214,9 @@ def _region(work: Work, finder: Finder, order: Order) -> tuple[Region, tuple[str
         found = corners(work.scene.room, names)
         if not found:
             raise InputError("the room has no such corner")
-        corner = min(found, key=lambda c: sum(_near(p, c.centre) for p in work.scene.placements)) if not names else found[0]
+        corner = (
+            min(found, key=lambda c: sum(_near(p, c.centre) for p in work.scene.placements)) if not names else found[0]
+        )
         walls = tuple(corner.name.removeprefix("corner of ").split(" and "))
         return Region(corner.centre, CORNER_REACH, f"the {corner.name}"), walls
     if place is not None:
@@ -218,9 +226,9 @@ def _region(work: Work, finder: Finder, order: Order) -> tuple[Region, tuple[str
         return Region(marks[0].centre, CORNER_REACH, f"the part by {marks[0].name}"), ()
     about = [where for where in order.places if where.noun is not None and where.noun.kind == "thing"]
     if about and about[0].noun is not None:
-        id = finder.ids(Phrase(about[0].noun))[0]
-        mark = work.scene[id]
-        return Region(mark.position[:2], max(mark.size[:2]) / 2 + ABOUT, f"the surroundings of {id}"), ()
+        thing = work.scene[finder.ids(Phrase(about[0].noun))[0]]
+        reach = max(thing.size[:2]) / 2 + ABOUT
+        return Region(thing.position[:2], reach, f"the surroundings of {thing.id}"), ()
     return None
 
 
@@ -229,9 +237,7 @@ def _near(placement: Placement, point: tuple[float, float]) -> bool:
 
 
 def _rearrange_region(work: Work, region: Region, walls: tuple[str, ...], order: Order) -> None:
-    movers = [
-        id for id in _standing(work.scene) if id not in work.kept and region.holds(things(work.scene, id)[0])
-    ]
+    movers = [id for id in _standing(work.scene) if id not in work.kept and region.holds(things(work.scene, id)[0])]
     if not order.into:
         if not movers:
             work.failed.append(f"nothing stands in {region.name}")

@@ -102,7 +102,10 @@ def resized(room: Room, east: float, north: float, up: float = 0.0) -> Room:
     """
     most_x, most_y = room.extent
     floor = tuple(
-        (round(x + (east if x >= most_x - _AT_SIDE else 0.0), 6), round(y + (north if y >= most_y - _AT_SIDE else 0.0), 6))
+        (
+            round(x + (east if x >= most_x - _AT_SIDE else 0.0), 6),
+            round(y + (north if y >= most_y - _AT_SIDE else 0.0), 6),
+        )
         for x, y in room.floor
     )
     openings = []
@@ -127,7 +130,9 @@ def _goes_along(scene: Scene, placement: Placement, east: float, north: float, u
     return wall is not None and (_moves(scene.room, wall.start, wall.end, east, north) != (0.0, 0.0))
 
 
-def _moves(room: Room, start: tuple[float, float], end: tuple[float, float], east: float, north: float) -> tuple[float, float]:
+def _moves(
+    room: Room, start: tuple[float, float], end: tuple[float, float], east: float, north: float
+) -> tuple[float, float]:
     """How a wall moves across itself [m]."""
     most_x, most_y = room.extent
     x = east if min(start[0], end[0]) >= most_x - _AT_SIDE else 0.0
@@ -142,9 +147,7 @@ def _shifted(scene: Scene, placement: Placement, east: float, north: float, up: 
         return structs.replace(placement, position=(x, y, round(z + up, 6)))
     wall = scene.room.wall(placement.support)
     dx, dy = _moves(scene.room, wall.start, wall.end, east, north)
-    return placed_at(
-        scene, asset, id=placement.id, position=(round(x + dx, 6), round(y + dy, 6), z), yaw=placement.yaw
-    )
+    return placed_at(scene, asset, id=placement.id, position=(round(x + dx, 6), round(y + dy, 6), z), yaw=placement.yaw)
 
 
 def _were_at(scene: Scene, east: float, north: float, besides: set[str]) -> list[str]:

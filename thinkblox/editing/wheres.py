@@ -29,8 +29,6 @@ _NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_
 _OPENINGS = ("window", "door")
 _SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
-DIRECTED = ("to", "in", "on", "against", "at", "under", "above", "behind")
-"""Prepositions that rather say where a thing goes than where it is."""
 
 
 @dataclass(frozen=True)
@@ -197,7 +195,18 @@ def _fitting(kind: str, where: Where, category: str, anchor: str, finder: Finder
     return cast(RelationKind, kind)
 
 
-NEARNESS = ("next_to", "near", "at", "around", "in_corner", "against_wall", "in_front_of", "behind", "left_of", "right_of")
+NEARNESS = (
+    "next_to",
+    "near",
+    "at",
+    "around",
+    "in_corner",
+    "against_wall",
+    "in_front_of",
+    "behind",
+    "left_of",
+    "right_of",
+)
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""

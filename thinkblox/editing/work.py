@@ -85,7 +85,7 @@ class Work:
             for p in self.scene.placements
             if p.id != target.id and set(p.id) <= set(_PLAIN_ID) and is_object(p.id)
         ]
-        told = structs.replace(brief, prompt=self.prompt, free=self.freed)  # type: ignore[arg-type]
+        told = structs.replace(brief, prompt=self.prompt, free=self.freed)
         return Plan(brief=told, targets=(*targets, target), free=self.freed)
 
     def kinds(self, plan: Plan) -> dict[str, Kind]:
