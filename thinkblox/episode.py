@@ -82,7 +82,7 @@ class UsedAsset(Value, frozen=True, kw_only=True, tag_field="line", tag="asset")
     asset: Asset
 
 
-class State(Value, frozen=True, kw_only=True):
+class RoomState(Value, frozen=True, kw_only=True):
     """A scene without its assets, which the trace holds once: their ids in the scene's order."""
 
     room: Room
@@ -90,9 +90,9 @@ class State(Value, frozen=True, kw_only=True):
     assets: tuple[str, ...] = ()
 
     @staticmethod
-    def of(scene: Scene) -> "State":
+    def of(scene: Scene) -> "RoomState":
         """The state of a scene."""
-        return State(room=scene.room, placements=tuple(scene.placements), assets=tuple(scene.assets))
+        return RoomState(room=scene.room, placements=tuple(scene.placements), assets=tuple(scene.assets))
 
 
 class Edited(Value, frozen=True, kw_only=True, tag_field="line", tag="edit"):
@@ -109,8 +109,8 @@ class Edited(Value, frozen=True, kw_only=True, tag_field="line", tag="edit"):
     number: int
     instruction: str
     seed: int
-    before: State
-    after: State
+    before: RoomState
+    after: RoomState
     rounds: tuple[Round, ...] = ()
     done: tuple[str, ...] = ()
     failed: tuple[str, ...] = ()
@@ -169,7 +169,7 @@ class Episode(Value, frozen=True, kw_only=True):
         undone = {line.number for line in self.edits if isinstance(line, Undone)}
         return tuple(line for line in self.edits if isinstance(line, Edited) and line.number not in undone)
 
-    def restored(self, state: State) -> Scene:
+    def restored(self, state: RoomState) -> Scene:
         """The scene of a state; raises InputError where the trace does not hold its assets."""
         try:
             assets = {id: self.assets[id] for id in state.assets}

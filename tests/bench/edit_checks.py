@@ -6,7 +6,7 @@ Scenes are read here as the JSON that is saved. Angles in degrees, lengths in me
 import json
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Set
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -91,7 +91,7 @@ class Plain:
         ]
         return sorted(alone, key=lambda p: -p["size"][0] * p["size"][1])
 
-    def free(self, area: BaseGeometry, besides: set[str] = frozenset()) -> bool:  # type: ignore[assignment]
+    def free(self, area: BaseGeometry, besides: Set[str] = frozenset()) -> bool:
         """Whether nothing on the floor reaches into an area, and it is in the room."""
         inside = Polygon(self.room["floor"]).buffer(0.005).contains(area)
         return inside and all(
@@ -144,7 +144,7 @@ def mine(room: Plain, *ids: str) -> frozenset[str]:
 
 def fronted(room: Plain, p: Placed) -> bool:
     """Whether it has one front."""
-    return room.assets[p["asset"]].get("front", "one") == "one"
+    return bool(room.assets[p["asset"]].get("front", "one") == "one")
 
 
 def beside(room: Plain, id: str, side: float, depth: float) -> Polygon:

@@ -8,7 +8,7 @@ from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Related
 from thinkblox.editing.moving import looking, related
-from thinkblox.editing.orders import Order, Phrase
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, spots
 from thinkblox.editing.wheres import Bound, bound, named
@@ -42,7 +42,7 @@ def add(work: Work, finder: Finder, order: Order) -> None:
     finder.recent = recent
 
 
-def _add(work: Work, finder: Finder, order: Order, phrase: Phrase, places: Sequence[Where]) -> list[str]:
+def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
     noun = phrase.noun
     if noun.kind != "thing":
         raise InputError(f"'{noun.text}' is no thing that can be added")

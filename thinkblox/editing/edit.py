@@ -19,7 +19,7 @@ from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.resizing import resize
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
-from thinkblox.episode import Edited, Episode, Round, State, Undone, read_episode
+from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
 from thinkblox.errors import InputError
 from thinkblox.placing import Effort
 from thinkblox.plainness import plain_things
@@ -187,7 +187,7 @@ def undo_edit(room: Made | str | Path) -> Edit:
     if made.episode is None or not standing:
         raise InputError("there is no edit to undo; the trace of the room holds none")
     last, episode = standing[-1], made.episode
-    if State.of(made.scene) != last.after:
+    if RoomState.of(made.scene) != last.after:
         raise InputError(f"the room has been changed since edit {last.number}; it cannot be undone")
     scene = episode.restored(last.before)
     report = reverify(scene, made.scene, made.report)
@@ -315,8 +315,8 @@ def _finished(work: Work, made: _Source, read: Instruction, tolerances: Toleranc
         number=number,
         instruction=read.text,
         seed=work.seed,
-        before=State.of(made.scene),
-        after=State.of(scene),
+        before=RoomState.of(made.scene),
+        after=RoomState.of(scene),
         rounds=tuple(work.rounds),
         done=tuple(done),
         failed=tuple(work.failed),

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets.plurals import singular
-from thinkblox.editing.orders import Phrase
+from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike, counts_as
@@ -29,7 +29,7 @@ class Finder:
     recent: list[str] = field(default_factory=list)
 
     def ids(
-        self, phrase: Phrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
+        self, phrase: NounPhrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
     ) -> tuple[str, ...]:
         """The objects that a phrase means: one, or as many as it says.
 

@@ -75,7 +75,7 @@ class Untied:
 
 
 @dataclass(frozen=True)
-class Gap(Untied):
+class Nearing(Untied):
     """It comes nearer to something or goes away from it, by so much [m] where that is said."""
 
     anchors: tuple[str, ...]

@@ -17,13 +17,13 @@ from thinkblox.editing.goals import (
     Along,
     At,
     Elsewhere,
-    Gap,
     Goal,
     IntoRoom,
+    Nearing,
     Related,
     Turned,
 )
-from thinkblox.editing.orders import Order, Phrase
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, spots
 from thinkblox.editing.wheres import Bound, bound, named
@@ -86,7 +86,9 @@ def _moved(finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list
         yield named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination)), destination
 
 
-def _split(finder: Finder, order: Order, phrase: Phrase, places: Sequence[Where]) -> tuple[list[Where], list[Where]]:
+def _split(
+    finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
+) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
     here = [w for w in places if w.word == "from"]
     rest = [w for w in places if w.word != "from"]
@@ -105,7 +107,7 @@ def _split(finder: Finder, order: Order, phrase: Phrase, places: Sequence[Where]
     return here, rest
 
 
-def _picks(finder: Finder, order: Order, phrase: Phrase, places: Sequence[Where]) -> tuple[Picks, ...]:
+def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> tuple[Picks, ...]:
     """Of several that fit, those of which an order makes sense: what is not yet where it is to go."""
 
     def left_there(found: Sequence[Placement]) -> Sequence[Placement]:
@@ -143,7 +145,7 @@ def _goals(
         goals.append(related(there, category, index, count))
     for nearer, phrase in order.closer:
         anchors = mark_names(finder, phrase)
-        goals.append(Gap(anchors, nearer, order.lengths[0][0] if order.lengths else None))
+        goals.append(Nearing(anchors, nearer, order.lengths[0][0] if order.lengths else None))
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
@@ -157,7 +159,7 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
     return Related(there.kind, there.anchors, there.negated, index, count, measured)
 
 
-def mark_names(finder: Finder, phrase: Phrase) -> tuple[str, ...]:
+def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """What distances are measured to: ids, or a part of the room."""
     noun = phrase.noun
     if noun.kind == "place":
@@ -175,7 +177,7 @@ def looking(finder: Finder, noun: Noun) -> Goal:
         return IntoRoom()
     if noun.kind == "part" and noun.value == "middle":
         return Related("facing", ("centre",))
-    return Related("facing", mark_names(finder, Phrase(noun)))
+    return Related("facing", mark_names(finder, NounPhrase(noun)))
 
 
 def _move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
@@ -183,7 +185,7 @@ def _move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     if goals and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(_findings(work, goals, id))})")
         return
-    gap = next((goal for goal in goals if isinstance(goal, Gap)), None)
+    gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
     if gap is not None:
         direct: Iterator[Pose] = _by_gap(work.scene, before, gap)
         done = _reach(work, id, goals, direct=direct, ask=True)
@@ -257,7 +259,7 @@ def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator
 # --- nearer and further, by so much
 
 
-def _by_gap(scene: Scene, placement: Placement, gap: Gap) -> Iterator[Pose]:
+def _by_gap(scene: Scene, placement: Placement, gap: Nearing) -> Iterator[Pose]:
     """Towards the nearest of the anchors, or away from it."""
     mark = things(scene, placement.id)[0]
     marks = [m for name in gap.anchors for m in things(scene, name)]
@@ -326,7 +328,7 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to")
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
     for id in rest:
-        _move_one(work, order, id, [Gap((fixed,), nearer=True)])
+        _move_one(work, order, id, [Nearing((fixed,), nearer=True)])
     finder.recent = ids
 
 

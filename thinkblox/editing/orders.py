@@ -12,7 +12,7 @@ Doing = Literal[
 
 
 @dataclass
-class Phrase:
+class NounPhrase:
     """A noun phrase with where it is said to be, or to go: which of the two, only the room can tell.
 
     Attributes:
@@ -57,10 +57,10 @@ class Order:
 
     doing: Doing
     text: str
-    things: list[Phrase] = field(default_factory=list)
-    instead: list[Phrase] = field(default_factory=list)
+    things: list[NounPhrase] = field(default_factory=list)
+    instead: list[NounPhrase] = field(default_factory=list)
     places: list[Where] = field(default_factory=list)
-    closer: list[tuple[bool, Phrase]] = field(default_factory=list)
+    closer: list[tuple[bool, NounPhrase]] = field(default_factory=list)
     together: bool = False
     facing: list[Noun] = field(default_factory=list)
     turn: float | None = None

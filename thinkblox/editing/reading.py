@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import cast
 
 from thinkblox.editing.grammar import longest, means, verbs
-from thinkblox.editing.orders import Doing, Instruction, Order, Phrase
+from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
@@ -14,6 +14,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
+from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token
 
 MAX_INSTRUCTION = 2000
@@ -34,11 +35,12 @@ _FREE = ("free", "empty", "clear", "open", "uncluttered", "unobstructed")
 
 @dataclass
 class _Mark:
-    """A phrase of an instruction's own grammar: its section and key, and a number for angles."""
+    """A phrase of an instruction's own grammar: its section and key, and the angle or the lengths that it names."""
 
     sort: str
     key: str
     value: float = 0.0
+    lengths: tuple[tuple[float, str], ...] = ()
 
 
 _Item = Chunk | _Mark
@@ -174,7 +176,7 @@ class _OrderReader:
         self._items = list(self._cut(tokens))
         self._at = 0
         self._mode = "things"
-        self._so: list[Phrase] = []
+        self._so: list[NounPhrase] = []
         self._negated = False
         self._pending: bool | None = None
 
@@ -247,9 +249,9 @@ class _OrderReader:
 
     def _marked(self, tokens: list[Token], at: int) -> tuple[_Mark, int] | None:
         """The phrase of the instruction's grammar that begins at a token, and its length."""
-        angle = _angle(tokens, at)
-        if angle is not None:
-            return angle
+        measure = _angle(tokens, at) or self._lengths(tokens, at)
+        if measure is not None:
+            return measure
         if self.order.doing == "make":
             for sort in ("comparatives", "absolutes"):
                 found = longest(sort, tokens, at)
@@ -268,11 +270,23 @@ class _OrderReader:
             return _Mark("markers", key), length
         return None
 
+    def _lengths(self, tokens: list[Token], at: int) -> tuple[_Mark, int] | None:
+        """How far a thing is moved, or by how much the room changes; of other orders it is the size of a thing."""
+        if self.order.doing not in ("move", "put", "make") or not _is_number(tokens[at]):
+            return None
+        size = read_size(self._lexicon, tokens, at)
+        if size is None:
+            return None
+        lengths = tuple((part.metres, part.axis) for part in size[0].lengths)
+        return _Mark("lengths", "", lengths=lengths), size[1] - at
+
     # --- reading
 
     def _mark(self, mark: _Mark) -> None:
         order = self.order
         match mark.sort:
+            case "lengths":
+                order.lengths += mark.lengths
             case "turn":
                 order.turn = mark.value
             case "directions":
@@ -301,7 +315,7 @@ class _OrderReader:
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
-        phrase = Phrase(noun, id=self._ids.get(id(noun), ""), rank=self._rank.get(id(noun), 0))
+        phrase = NounPhrase(noun, id=self._ids.get(id(noun), ""), rank=self._rank.get(id(noun), 0))
         if self._pending is not None:
             order.closer.append((self._pending, phrase))
             self._pending = None
@@ -436,6 +450,10 @@ class _OrderReader:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+
+def _is_number(token: Token) -> bool:
+    return token.kind == "number" or grammar().at([token], 0, "count") is not None
 
 
 def _ends(tokens: Sequence[Token], at: int) -> bool:

@@ -7,7 +7,7 @@ from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Free, Goal, Region, Related, Within
 from thinkblox.editing.moving import moved_words, related
-from thinkblox.editing.orders import Order, Phrase
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.wheres import bound, corner_near, named
 from thinkblox.editing.work import Work
@@ -210,7 +210,7 @@ def _region(work: Work, finder: Finder, order: Order) -> tuple[Region, tuple[str
         for where in place.places:
             if where.noun is not None:
                 mark = where.noun.value.split()[0] if where.noun.kind == "place" else ""
-                names = corner_near(work.scene, mark or finder.ids(Phrase(where.noun))[0])
+                names = corner_near(work.scene, mark or finder.ids(NounPhrase(where.noun))[0])
         found = corners(work.scene.room, names)
         if not found:
             raise InputError("the room has no such corner")
@@ -226,7 +226,7 @@ def _region(work: Work, finder: Finder, order: Order) -> tuple[Region, tuple[str
         return Region(marks[0].centre, CORNER_REACH, f"the part by {marks[0].name}"), ()
     about = [where for where in order.places if where.noun is not None and where.noun.kind == "thing"]
     if about and about[0].noun is not None:
-        thing = work.scene[finder.ids(Phrase(about[0].noun))[0]]
+        thing = work.scene[finder.ids(NounPhrase(about[0].noun))[0]]
         reach = max(thing.size[:2]) / 2 + ABOUT
         return Region(thing.position[:2], reach, f"the surroundings of {thing.id}"), ()
     return None

@@ -32,7 +32,11 @@ def resize(work: Work, finder: Finder, order: Order) -> None:
         work.done.append("the room has that size already")
         return
     before = work.scene
-    room = resized(before.room, east, north, up)
+    try:
+        room = resized(before.room, east, north, up)
+    except InputError as error:
+        work.failed.append(f"the room was not resized: {error}")
+        return
     moved = [p for p in before.placements if _goes_along(before, p, east, north, up)]
     shifted = {p.id: _shifted(before, p, east, north, up) for p in moved}
     old = structs.replace(before, room=room, placements=tuple(shifted.get(p.id, p) for p in before.placements))
@@ -115,7 +119,7 @@ def resized(room: Room, east: float, north: float, up: float = 0.0) -> Room:
         shift = (moved[0] - start[0]) * ax + (moved[1] - start[1]) * ay
         offset = round(opening.offset - shift, 6) + 0.0
         if offset < 0.0:
-            raise InputError(f"the room cannot be made so: its wall would end in {opening.id}")
+            raise InputError(f"a wall would end {-offset:.2f} m before the far edge of {opening.id}")
         openings.append(structs.replace(opening, offset=offset) if abs(shift) > _AT_SIDE else opening)
     return structs.replace(room, floor=floor, height=round(room.height + up, 6), openings=tuple(openings))
 

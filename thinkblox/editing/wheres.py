@@ -7,7 +7,7 @@ from typing import cast, get_args
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
-from thinkblox.editing.orders import Phrase
+from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
@@ -89,7 +89,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
             return Bound("in_centre", ("centre",), where.negated)
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (_walls_of(finder.scene, side),), where.negated) if side else None
-    anchors = finder.ids(Phrase(whole), picks=(usual_anchor(category),))
+    anchors = finder.ids(NounPhrase(whole), picks=(usual_anchor(category),))
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
 
@@ -99,7 +99,7 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     word = where.word
     if name == "centre":
         if where.whole is not None and where.whole.kind in ("thing", "pronoun"):
-            return Bound("in_centre", finder.ids(Phrase(where.whole)), where.negated)
+            return Bound("in_centre", finder.ids(NounPhrase(where.whole)), where.negated)
         return Bound("in_centre", ("centre",), where.negated)
     if name in _OPENINGS:
         if not any(o.kind == name for o in finder.scene.room.openings):
@@ -127,7 +127,7 @@ def _corner_beside(where: Where, finder: Finder) -> tuple[str, ...] | None:
     whole = where.whole
     if whole is None or whole.kind not in ("place", "thing"):
         return None
-    name = whole.value if whole.kind == "place" else finder.ids(Phrase(whole))[0]
+    name = whole.value if whole.kind == "place" else finder.ids(NounPhrase(whole))[0]
     return corner_near(finder.scene, name)
 
 
@@ -159,7 +159,7 @@ def _walls_of(scene: Scene, place: str) -> str:
 
 def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Sequence[Picks]) -> Bound:
     kind = _NAMED.get(where.word, where.word)
-    phrase = Phrase(noun)
+    phrase = NounPhrase(noun)
     if where.negated:
         found = [p.id for p in finder.matching(noun)] if noun.kind == "thing" else list(finder.ids(phrase))
         if not found:
@@ -168,7 +168,7 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
     anchors = finder.ids(phrase, picks=(*picks, usual_anchor(category)))
     if where.second is not None:
         second = where.second
-        more = (second.value,) if second.kind == "place" else finder.ids(Phrase(second))
+        more = (second.value,) if second.kind == "place" else finder.ids(NounPhrase(second))
         anchors = (*anchors, *more)
     return Bound(_fitting(kind, where, category, anchors[0], finder), anchors)
 
@@ -212,7 +212,7 @@ CLOSE = 2.0
 """How far the nearest may be then [m]."""
 
 
-def named(finder: Finder, phrase: Phrase, said: Sequence[Where], *, picks: Sequence[Picks] = ()) -> tuple[str, ...]:
+def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: Sequence[Picks] = ()) -> tuple[str, ...]:
     """The objects that a phrase means, by where they are said to be.
 
     Raises:
