@@ -213,12 +213,19 @@ def _from_files(path: Path) -> _Source:
     if not (home / "trace.jsonl").is_file():
         return _Source(scene, None, None)
     episode = read_episode(home / "trace.jsonl")
-    if episode.scene != scene:
+    if not _is_part_of(scene, episode.scene):
         return _Source(scene, None, episode)
     report = read_json(home / "report.json", Report) if (home / "report.json").is_file() else None
     ids = {p.id for p in scene.placements}
     same = report is not None and {v.id for v in report.objects} == ids
     return _Source(scene, report if same else None, episode)
+
+
+def _is_part_of(scene: Scene, made: Scene) -> bool:
+    """Whether a scene is as it was made, but for what was taken out again before it was reported on."""
+    there = {p.id: p for p in made.placements}
+    same = all(p == there.get(p.id) and scene.asset_of(p) == made.assets.get(p.asset) for p in scene.placements)
+    return same and scene.room == made.room
 
 
 # --- carrying out
@@ -280,6 +287,8 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     """The orders, where "and turn it to face the room" belongs to the move before it."""
     joined: list[Order] = []
     for order in orders:
+        if order.doing == "make" and order.facing and order.things and not order.room:
+            order.doing = "turn"
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
         if joined and order.doing == "turn" and same and order.turn is None and joined[-1].doing in _ONTO_KNOWN[:3]:
             facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]

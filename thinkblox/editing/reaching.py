@@ -4,7 +4,7 @@ import math
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import islice
+from itertools import chain, islice
 
 from msgspec import structs
 
@@ -31,6 +31,8 @@ from thinkblox.verdict import Verdict
 
 SEARCHED = 24
 """Poses around the best start that are measured when nothing that was proposed will do."""
+LOOKED_AT = 250
+"""Poses nearby, and on the whole floor, that are held against the goals for that."""
 DIRECT = 16
 """Poses that follow from the order itself that are measured."""
 
@@ -226,12 +228,17 @@ class Reaching:
             start = self.work.scene[self.target.id]
         if start is None:
             return
-        for pose in nearest_poses(self.empty, self.asset, start):
-            away = math.dist(pose.position, start.position)
-            yield self._proposal((pose.position, pose.yaw), f"{away:.2f} m from there it may be free.")
-        if self.asset.mount == "floor" and start.position[2] < ON_FLOOR:
-            for far in whole_floor(self.empty, self.asset, start):
-                yield self._proposal(far, "The floor looks free there.")
+        near = ((pose.position, pose.yaw) for pose in nearest_poses(self.empty, self.asset, start))
+        on_floor = self.asset.mount == "floor" and start.position[2] < ON_FLOOR
+        far = whole_floor(self.empty, self.asset, start) if on_floor else iter(())
+        for position, yaw in chain(islice(near, LOOKED_AT), islice(far, LOOKED_AT)):
+            place = placed_at(self.empty, self.asset, id=self.target.id, position=position, yaw=yaw)
+            missed = self._missed_in(self.empty.with_placement(place, self.asset))
+            if missed:
+                self.missed = self.missed or [missed]
+                continue
+            away = math.dist(position, start.position)
+            yield self._proposal((position, yaw), f"{away:.2f} m from there it may be free.")
 
     def _record(
         self,

@@ -18,7 +18,7 @@ DRAWN_UP = (-0.08, 0.0, 0.08, 0.2, 0.3)
 """Gaps between a seat and the table that it is drawn up to; below 0 it is pushed under the top [m]."""
 STEP = 0.05
 """Between places that are tried along a side [m]."""
-GRID = 0.15
+GRID = 0.2
 """Between places on the whole floor [m]."""
 BACK = (0.02, 0.1, 0.25)
 """Gaps to the wall of what stands before a window [m]."""
