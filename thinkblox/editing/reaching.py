@@ -33,6 +33,8 @@ SEARCHED = 24
 """Poses around the best start that are measured when nothing that was proposed will do."""
 LOOKED_AT = 250
 """Poses nearby, and on the whole floor, that are held against the goals for that."""
+GROUPS = 4
+"""Poses at which something is measured with all that rests on it; before that it is measured by itself."""
 DIRECT = 16
 """Poses that follow from the order itself that are measured."""
 
@@ -68,6 +70,8 @@ class Reaching:
         self.there = self.target.id in self.work.scene
         gone = [self.target.id, *(p.id for p in self.work.scene.riders(self.target.id))] if self.there else []
         self.empty = without(self.work.scene, gone)
+        self.alone = self.work.world.with_scene(self.empty)
+        self.groups = 0
 
     def run(self) -> bool:
         """Place the object; False where nothing that was found both passes and meets the goals."""
@@ -167,6 +171,8 @@ class Reaching:
         committed: tuple[Placement, ...] = ()
         measured = 0
         for item in read:
+            if self.groups >= GROUPS:
+                break
             if isinstance(item, Try):
                 tries.append(item)
                 continue
@@ -207,6 +213,11 @@ class Reaching:
 
     def _measured(self, proposal: Proposal) -> Verdict:
         action, world = proposal.action, self.work.world
+        if self.there and proposal.placement is not None and self.work.scene.riders(self.target.id):
+            alone = self.alone.check([proposal.placement], proposal.asset or self.asset)[0]
+            if not alone.valid:
+                return alone
+            self.groups += 1
         if isinstance(action, Add) or (isinstance(action, Move) and proposal.placement is not None):
             asset = proposal.asset or self.asset
             return world.check([world.scene.apply(action)[action.id]], asset)[0]
