@@ -20,9 +20,7 @@ SHOWN = (
     "A living room, 5 m by 4.2 m, where a three-seat sofa faces a TV on a TV stand, with a coffee table on a rug "
     "between them, two armchairs, a floor lamp, a tall plant, a bookcase full of books and a picture above the sofa."
 )
-EDITED = "A bedroom, 5 m by 4.5 m, with a double bed, two nightstands, a lamp on each, a wardrobe, a desk and an armchair"
-    "A bedroom, 5 m by 4.5 m, with a double bed, two nightstands, a lamp on each, a wardrobe, a desk and an armchair."
-)
+EDITED = "A bedroom, 5 m by 4.5 m: a double bed, two nightstands, a lamp on each, a wardrobe, a desk and armchair."
 INSTRUCTION = (
     "Replace the armchair with a rocking chair, rotate the desk by 90 degrees, add a floor lamp next to the wardrobe and"
     " put a rug under the bed."
