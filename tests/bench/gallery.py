@@ -22,8 +22,8 @@ SHOWN = (
 )
 EDITED = "A bedroom, 5 m by 4.5 m: a double bed, two nightstands, a lamp on each, a wardrobe, a desk and armchair."
 INSTRUCTION = (
-    "Replace the armchair with a rocking chair, rotate the desk by 90 degrees, add a floor lamp next to the wardrobe and"
-    " put a rug under the bed."
+    "Replace the armchair with a rocking chair, rotate the desk by 90 degrees, add a floor lamp next to the wardrobe"
+    " and put a rug under the bed."
 )
 """The room of docs/editing.md, and what is changed in it."""
 ROOMS = (0, 3, 4, 7, 12, 13, 15, 16, 21)
