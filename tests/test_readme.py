@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}")
-    for name in ("README.md", "docs/guide.md", "docs/extending.md", "docs/models.md")
+    for name in ("README.md", "docs/guide.md", "docs/extending.md", "docs/models.md", "docs/editing.md")
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]
 
@@ -49,15 +49,17 @@ def test_make_test_lints_types_and_tests():
 
 def test_the_commands_of_the_readme_run(tmp_path):
     shown = re.findall(r"^    thinkblox (\w+)(.*)$", (ROOT / "README.md").read_text(), re.MULTILINE)
-    assert [command for command, _ in shown] == ["generate", "verify", "evaluate", "render", "assets", "schema"]
+    assert [command for command, _ in shown] == ["generate", "edit", "verify", "evaluate", "render", "assets", "schema"]
     values = {"PROMPT": "An empty room with nothing in it but a chair.", "DIR": str(tmp_path / "room")}
     values |= {"SCENE": values["DIR"], "N": "2", "PX": "96", "NAME": "scene", "WHO": "expert"}
+    values |= {"INSTRUCTION": "Turn the chair by 90 degrees."}
     values |= {"PATH": values["DIR"], "A,B": "scenesmith,sceneeval_sim", "FILE": str(tmp_path / "page.html")}
     demands = [{"id": "chair", "prompt": values["PROMPT"], "count": [["eq", 1, "chair"]]}]
     (tmp_path / "annotations.json").write_text(json.dumps(demands))
     for command, rest in shown:
         rest = rest.replace("--annotations FILE", f"--annotations {tmp_path / 'annotations.json'}")
         rest = rest.replace("--category NAME", "--category desk")
+        rest = rest.replace("--out DIR", f"--out {tmp_path / 'edited'}") if command == "edit" else rest
         words = re.sub(r"\[--(room|json|out|overwrite)[^]]*\]|#.*|[\[\]]", "", rest).split()
         arguments = [values.get(word, word) for word in words]
         done = subprocess.run(
@@ -67,7 +69,8 @@ def test_the_commands_of_the_readme_run(tmp_path):
 
 
 def test_links_point_at_files():
-    for name in ("README.md", "docs/guide.md", "docs/extending.md", "docs/models.md", "docs/benchmarks.md"):
+    pages = ("guide", "extending", "models", "editing", "training", "benchmarks")
+    for name in ("README.md", *(f"docs/{page}.md" for page in pages)):
         for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
             assert (ROOT / name).parent.joinpath(link).exists(), (name, link)
 

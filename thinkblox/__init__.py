@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from thinkblox.checking import VerifyOptions, verify_file
+    from thinkblox.editing import Edit, edit_room, undo_edit
     from thinkblox.episode import Episode, read_episode
     from thinkblox.errors import InputError, ThinkBloxError
     from thinkblox.exporters.saving import save_scene
@@ -41,6 +42,7 @@ __version__: str
 _HOME = {
     "Add": "thinkblox.scene.actions",
     "Asset": "thinkblox.scene.asset",
+    "Edit": "thinkblox.editing",
     "Effort": "thinkblox.placing",
     "Episode": "thinkblox.episode",
     "Generation": "thinkblox.furnishing",
@@ -68,6 +70,7 @@ _HOME = {
     "VerdictPool": "thinkblox.sim.workers.pool",
     "VerifyOptions": "thinkblox.checking",
     "World": "thinkblox.sim.verdict.world",
+    "edit_room": "thinkblox.editing",
     "generate_room": "thinkblox.generate",
     "judge": "thinkblox.judging",
     "judge_all": "thinkblox.judging",
@@ -77,12 +80,14 @@ _HOME = {
     "save_room": "thinkblox.saving",
     "save_scene": "thinkblox.exporters.saving",
     "score": "thinkblox.scoring",
+    "undo_edit": "thinkblox.editing",
     "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
 }
 __all__ = [
     "Add",
     "Asset",
+    "Edit",
     "Effort",
     "Episode",
     "Generation",
@@ -110,6 +115,7 @@ __all__ = [
     "VerdictPool",
     "VerifyOptions",
     "World",
+    "edit_room",
     "generate_room",
     "judge",
     "judge_all",
@@ -119,6 +125,7 @@ __all__ = [
     "save_room",
     "save_scene",
     "score",
+    "undo_edit",
     "verify",
     "verify_file",
 ]

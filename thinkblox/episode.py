@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 import msgspec
+from msgspec import structs
 
 from thinkblox.errors import InputError
 from thinkblox.json_faults import json_fault
@@ -23,6 +24,8 @@ from thinkblox.scene.scene import Scene
 from thinkblox.value import Value, Vec3, refuse_double_keys
 
 EPISODE_VERSION = 1
+EDIT_VERSION = 1
+"""Of the lines that edits add."""
 MAX_LINE = 8_000_000
 """Longest line of a trace that is read [bytes]."""
 MAX_TRACE = 1_000_000_000
@@ -85,7 +88,48 @@ class UsedAsset(Value, frozen=True, kw_only=True, tag_field="line", tag="asset")
     asset: Asset
 
 
-Line = Beginning | UsedAsset | Round
+class RoomState(Value, frozen=True, kw_only=True):
+    """A scene without its assets, which the trace holds once: their ids in the scene's order."""
+
+    room: Room
+    placements: tuple[Placement, ...] = ()
+    assets: tuple[str, ...] = ()
+
+    @staticmethod
+    def of(scene: Scene) -> "RoomState":
+        """The state of a scene."""
+        return RoomState(room=scene.room, placements=tuple(scene.placements), assets=tuple(scene.assets))
+
+
+class Edited(Value, frozen=True, kw_only=True, tag_field="line", tag="edit"):
+    """A line for every instruction by which the finished room was changed.
+
+    Attributes:
+        number: of the edit, from 1.
+        before, after: the room; `before` is what undoing it gives back.
+        rounds: every round of tries for what the instruction names.
+        done, failed: what was done, and what could not be, in sentences.
+    """
+
+    version: int = EDIT_VERSION
+    number: int
+    instruction: str
+    seed: int
+    before: RoomState
+    after: RoomState
+    rounds: tuple[Round, ...] = ()
+    done: tuple[str, ...] = ()
+    failed: tuple[str, ...] = ()
+
+
+class Undone(Value, frozen=True, kw_only=True, tag_field="line", tag="undo"):
+    """A line for every edit that was taken back."""
+
+    version: int = EDIT_VERSION
+    number: int
+
+
+Line = Beginning | UsedAsset | Round | Edited | Undone
 
 
 class Decision(NamedTuple):
@@ -106,6 +150,7 @@ class Episode(Value, frozen=True, kw_only=True):
     assets: dict[str, Asset] = {}
     rounds: tuple[Round, ...] = ()
     prompts: str = ""
+    edits: tuple[Edited | Undone, ...] = ()
 
     @property
     def start(self) -> Scene:
@@ -114,12 +159,30 @@ class Episode(Value, frozen=True, kw_only=True):
 
     @property
     def scene(self) -> Scene:
-        """The room as it became: what was committed in the attempt that was kept."""
+        """The room as it became: what was committed in the attempt that was kept, and edited after that."""
+        edits = [line for line in self.edits if isinstance(line, Edited)]
+        if edits:
+            standing = self.standing
+            return self.restored(standing[-1].after if standing else edits[0].before)
         scene = self.start
         for done in self.rounds:
             if done.kept:
                 scene = self.after(scene, done)
         return scene
+
+    @property
+    def standing(self) -> tuple[Edited, ...]:
+        """The edits that were not undone."""
+        undone = {line.number for line in self.edits if isinstance(line, Undone)}
+        return tuple(line for line in self.edits if isinstance(line, Edited) and line.number not in undone)
+
+    def restored(self, state: RoomState) -> Scene:
+        """The scene of a state; raises InputError where the trace does not hold its assets."""
+        try:
+            assets = {id: self.assets[id] for id in state.assets}
+        except KeyError as error:
+            raise InputError(f"the trace speaks of an asset that it does not hold: {error.args[0]!r}") from error
+        return Scene(prompt=self.prompt, seed=self.seed, room=state.room, placements=state.placements, assets=assets)
 
     def after(self, scene: Scene, done: Round) -> Scene:
         """A scene after what a round committed."""
@@ -168,6 +231,7 @@ class Episode(Value, frozen=True, kw_only=True):
         )
         yield from (UsedAsset(asset=asset) for asset in self.assets.values())
         yield from self.rounds
+        yield from self.edits
 
     def to_jsonl(self) -> bytes:
         """The bytes of its trace.jsonl."""
@@ -196,6 +260,7 @@ def episode_of(lines: Iterable[bytes], where: str) -> Episode:
     beginning: Beginning | None = None
     assets: dict[str, Asset] = {}
     rounds: list[Round] = []
+    edits: list[Edited | Undone] = []
     for number, text in enumerate(lines, 1):
         line = _decoded(decoder, text, f"{where}, line {number}")
         if isinstance(line, Beginning):
@@ -204,11 +269,14 @@ def episode_of(lines: Iterable[bytes], where: str) -> Episode:
             beginning = line
         elif isinstance(line, UsedAsset):
             assets[line.asset.id] = line.asset
+        elif isinstance(line, Edited | Undone):
+            edits.append(line)
         else:
             rounds.append(line)
     if beginning is None:
         raise InputError(f"{where}: no line of it begins an episode; traces of before version 0.2 hold none")
-    return _checked(where, beginning, assets, rounds)
+    _check_edits(where, assets, edits)
+    return structs.replace(_checked(where, beginning, assets, rounds), edits=tuple(edits))
 
 
 def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> Line:
@@ -218,6 +286,24 @@ def _decoded(decoder: "msgspec.json.Decoder[Line]", text: bytes, where: str) -> 
         raise InputError(f"{where}: {json_fault(error, text, Line)}") from error
     refuse_double_keys(text, where)
     return line
+
+
+def _check_edits(where: str, assets: dict[str, Asset], edits: list[Edited | Undone]) -> None:
+    numbers: set[int] = set()
+    for line in edits:
+        if line.version != EDIT_VERSION:
+            raise InputError(f"{where}: edit version {line.version} is not known; this release reads {EDIT_VERSION}")
+        if isinstance(line, Undone) and line.number not in numbers:
+            raise InputError(f"{where}: edit {line.number} is undone, which is not there or undone already")
+        if isinstance(line, Undone):
+            numbers.remove(line.number)
+            continue
+        numbers.add(line.number)
+        states = (line.before, line.after)
+        used = {id for state in states for id in (*state.assets, *(p.asset for p in state.placements))}
+        used |= {id for done in line.rounds for id in (done.asset, *(p.asset for p in done.committed))}
+        if missing := used.difference(assets):
+            raise InputError(f"{where}: edit {line.number} speaks of an asset that is not there: {min(missing)!r}")
 
 
 def _checked(where: str, beginning: Beginning, assets: dict[str, Asset], rounds: list[Round]) -> Episode:

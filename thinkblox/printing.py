@@ -30,6 +30,12 @@ def summary(report: Report, *, placed: int) -> str:
     return "\n".join([_whole(report, placed), *_faults(report), *_score(report), *report.notes])
 
 
+def in_figures(report: Report, *, placed: int) -> str:
+    """The measures of the whole, and what does not pass, a line each."""
+    failing = [f"  {verdict}" for verdict in report.objects if not verdict.valid]
+    return "\n".join(["; ".join((f"{placed} object{'' if placed == 1 else 's'}", *headline(report))), *failing])
+
+
 def _whole(report: Report, placed: int) -> str:
     counts = f"{placed} object{'' if placed == 1 else 's'} placed, {len(report.absent)} not"
     return "; ".join((counts, *headline(report)))

@@ -2,14 +2,17 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from thinkblox.exporters.formats import DEFAULT
 from thinkblox.exporters.saving import save_scene
-from thinkblox.furnishing import Generation
+
+if TYPE_CHECKING:
+    from thinkblox.editing.edit import Made
 
 
 def save_room(
-    result: Generation,
+    result: "Made",
     out: str | Path,
     *,
     formats: Sequence[str] = DEFAULT,
@@ -19,7 +22,7 @@ def save_room(
     """Write a room to the folder `out` with all its files, whole or not at all; returns its path.
 
     Args:
-        result: what `generate_room` returned.
+        result: what `generate_room` or `edit_room` returned.
         out: the folder, made together with its parents.
         formats: names of export formats, as `thinkblox.exporters.formats` lists them.
         pictures: with preview.png and top.png.

@@ -11,6 +11,8 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled, package_version
 from thinkblox.sim.geometry.access import access, stands_on_floor
+from thinkblox.sim.geometry.bounds import Neighbours, piece_boxes
+from thinkblox.sim.geometry.solid import solid_of
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.contacts import Contacts
@@ -84,6 +86,126 @@ def verify(
         robot=robot,
         notes=(*_motion_notes(state, held, tolerances, physics), *_way_notes(walkable)),
     )
+
+
+NEAR = 0.05
+"""Whatever is nearer to what has changed is measured again, with all that hangs together with it [m]."""
+OPENS_WITHIN = 1.5
+"""The same for what has doors or drawers, and for what may be in the way of a changed thing's [m]."""
+HANGS = 0.02
+"""Free things nearer than this to each other hang together [m]."""
+
+
+def reverify(
+    scene: Scene,
+    before: Scene,
+    report: Report | None,
+    *,
+    tolerances: Tolerances | None = None,
+    physics: Physics | None = None,
+    walking: Walking | None = None,
+) -> Report:
+    """Measure a scene that differs from one that was measured: what has changed, and what that can concern.
+
+    The verdict on everything else is that of `report`, and the whole is held still as far as it concerns what has
+    changed; the figures of the whole are the larger ones of the two. Without a report, every object is measured, the
+    whole is held still as far, and a note says so.
+
+    Args:
+        scene: as it is now.
+        before: as it was.
+        report: on `before`, by the same settings.
+        tolerances: where the lines are drawn.
+        physics: the engine's options.
+        walking: what a walkable way is.
+    """
+    tolerances, physics, walking = tolerances or Tolerances(), physics or Physics(), walking or Walking()
+    known = {v.id: v for v in report.objects} if report is not None else {}
+    walkable = access(scene, walking)
+    cut_off = bool(walkable.unreachable or (report and report.walker and report.walker.unreachable))
+    concerned = _concerned(scene, before)
+    anew = {p.id for p in scene.placements} if cut_off or scene.room != before.room else concerned
+    anew |= {p.id for p in scene.placements if p.id not in known}
+    world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
+    robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
+    objects = tuple(
+        _verdict(world, p, bool(walkable.unreachable), robot)
+        if p.id in anew
+        else _as_driven(known[p.id], p, scene, robot)
+        for p in scene.placements
+    )
+    if scene.room != before.room:
+        concerned |= {v.id for v in objects if v.boundary > -HANGS}
+    was = Hold(depth=0.0, drift=0.0, tilt=0.0, seconds=physics.hold_time, unstable=False)
+    notes: tuple[str, ...] = ()
+    if report is None:
+        notes = ("Only what the change concerns was held still with everything free; the rest stood as it does.",)
+    elif not _still(report, tolerances):
+        concerned = {p.id for p in scene.placements}
+    else:
+        was = structs.replace(was, depth=report.depth, drift=report.drift, tilt=report.tilt)
+    held, state = _held_in_part(scene, concerned, physics)
+    held = structs.replace(
+        held, depth=max(was.depth, held.depth), drift=max(was.drift, held.drift), tilt=max(was.tilt, held.tilt)
+    )
+    valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
+    moving = _motion_notes(state, held, tolerances, physics) if state is not None else ()
+    return Report(
+        valid=valid,
+        complete=valid,
+        prompt=scene.prompt,
+        seed=scene.seed,
+        versions={"thinkblox": package_version(), "mujoco": mujoco.__version__},
+        objects=objects,
+        depth=held.depth,
+        drift=held.drift,
+        tilt=held.tilt,
+        simulated=held.seconds,
+        walker=walkable,
+        robot=robot,
+        notes=(*moving, *_way_notes(walkable), *notes),
+    )
+
+
+def _concerned(scene: Scene, before: Scene) -> set[str]:
+    """What has changed, what is near to it or was, and what hangs together with that."""
+    old, new = ({p.id: (p, s.asset_of(p)) for p in s.placements} for s in (before, scene))
+    differs = [id for id in (*old, *new) if old.get(id) != new.get(id)]
+    changed = dict.fromkeys(differs)
+    there = Neighbours(scene)
+    found = {id for id in changed if id in new}
+    for id in changed:
+        for placement, asset in (entry for entry in (old.get(id), new.get(id)) if entry is not None):
+            if not asset.collides:
+                continue
+            boxes = piece_boxes(solid_of(asset), placement)
+            found |= there.meetings(boxes, NEAR).keys()
+            around = there.meetings(boxes, OPENS_WITHIN).keys()
+            found |= {o for o in around if asset.made_of[2] or new[o][1].made_of[2]}
+    solid = {id for id in found if new[id][1].collides}
+    return found | there.hanging_together(solid, HANGS)
+
+
+def _as_driven(known: Verdict, placement: Placement, scene: Scene, robot: Access) -> Verdict:
+    """A verdict as it was, with what a robot can reach now."""
+    if not stands_on_floor(placement, scene.asset_of(placement)):
+        return known
+    return structs.replace(known, reachable=placement.id not in robot.unreachable)
+
+
+def _still(report: Report, tolerances: Tolerances) -> bool:
+    held = Hold(depth=report.depth, drift=report.drift, tilt=report.tilt, seconds=0.0, unstable=False)
+    return _stands_still(held, tolerances)
+
+
+def _held_in_part(scene: Scene, ids: set[str], physics: Physics) -> tuple[Hold, SettledState | None]:
+    """Hold a part of a scene still, with nothing else in the room."""
+    still = Hold(depth=0.0, drift=0.0, tilt=0.0, seconds=physics.hold_time, unstable=False)
+    if not any(scene.asset_of(scene[id]).free for id in ids):
+        return still, None
+    model = compiled(build_spec(scene, physics=physics, only=frozenset(ids)))
+    state = rest(model, physics)
+    return hold(model, state, physics), state
 
 
 def _verdict(world: World, placement: Placement, way: bool, robot: Access) -> Verdict:

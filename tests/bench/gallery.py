@@ -12,6 +12,7 @@ from PIL import Image
 
 from tests.bench.rooms import PROMPTS
 from thinkblox.assets import CATALOGUE, make_asset
+from thinkblox.editing import edit_room
 from thinkblox.generate import generate_room
 from thinkblox.observe import Observation, Sight
 from thinkblox.sim.render import contact_sheet, render_preview, render_top
@@ -20,6 +21,12 @@ SHOWN = (
     "A living room, 5 m by 4.2 m, where a three-seat sofa faces a TV on a TV stand, with a coffee table on a rug "
     "between them, two armchairs, a floor lamp, a tall plant, a bookcase full of books and a picture above the sofa."
 )
+EDITED = "A bedroom, 5 m by 4.5 m: a double bed, two nightstands, a lamp on each, a wardrobe, a desk and armchair."
+INSTRUCTION = (
+    "Replace the armchair with a rocking chair, rotate the desk by 90 degrees, add a floor lamp next to the wardrobe"
+    " and put a rug under the bed."
+)
+"""The room of docs/editing.md, and what is changed in it."""
 ROOMS = (0, 3, 4, 7, 12, 13, 15, 16, 21)
 """Lines of prompts.txt in the overview."""
 
@@ -51,12 +58,30 @@ def sight(observation: Observation) -> Image.Image:
     return sheet
 
 
+def edited() -> tuple[Image.Image, Image.Image]:
+    """A room before and after an instruction."""
+    made = generate_room(EDITED)
+    result = edit_room(made, INSTRUCTION)
+    return render_preview(made.scene, size=640), render_preview(result.scene, size=640)
+
+
+def draw_edit(out: Path) -> None:
+    """Draw the room of docs/editing.md before and after its instruction."""
+    for name, picture in zip(("edit_before.png", "edit_after.png"), edited(), strict=True):
+        picture.convert("RGB").save(out / name, optimize=True)
+
+
 def main() -> int:
     """Draw every picture into the folder."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("docs/pictures"))
-    out = parser.parse_args().out
+    parser.add_argument("--edit", action="store_true", help="only the pair of docs/editing.md")
+    arguments = parser.parse_args()
+    out = arguments.out
     out.mkdir(parents=True, exist_ok=True)
+    draw_edit(out)
+    if arguments.edit:
+        return 0
     shown = generate_room(SHOWN)
     scene = shown.scene
     render_preview(scene).save(out / "preview.png", optimize=True)

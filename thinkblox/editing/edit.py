@@ -1,0 +1,375 @@
+"""Editing a finished room by instructions: what is named changes and is measured, everything else stays as it is."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, Protocol
+
+import numpy as np
+from msgspec import structs
+
+from thinkblox.assets.source import AssetSource, ProceduralAssets
+from thinkblox.brief import Brief
+from thinkblox.editing.adding import add, remove, replace
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.moving import move, resite, swap, turn
+from thinkblox.editing.orders import Instruction, Order
+from thinkblox.editing.reading import read_instruction
+from thinkblox.editing.rearranging import free, rearrange
+from thinkblox.editing.resizing import resize
+from thinkblox.editing.wheres import named
+from thinkblox.editing.work import Work
+from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
+from thinkblox.errors import InputError
+from thinkblox.placing import Effort
+from thinkblox.plainness import plain_things
+from thinkblox.plan import Plan
+from thinkblox.policies import Policy
+from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene, load_scene
+from thinkblox.sim.settings import Tolerances
+from thinkblox.sim.verdict.verify import reverify
+from thinkblox.sim.verdict.world import World
+from thinkblox.value import read_json
+from thinkblox.verdict import Report
+
+What = Literal["added", "removed", "replaced", "moved", "turned", "carried"]
+Doer = Callable[[Work, Finder, Order], None]
+_ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
+
+
+class Made(Protocol):
+    """A room with its report and how it came about, as a Generation or an Edit has them."""
+
+    @property
+    def scene(self) -> Scene:
+        """The room."""
+        ...
+
+    @property
+    def report(self) -> Report:
+        """What was measured of it."""
+        ...
+
+    @property
+    def episode(self) -> Episode:
+        """How it came about."""
+        ...
+
+
+@dataclass(frozen=True)
+class Changed:
+    """What became of one object.
+
+    Attributes:
+        what: "carried" is what rode along with what it rests on.
+        before, after: where it stood and stands; None where it was or is not there.
+    """
+
+    id: str
+    what: What
+    before: Placement | None
+    after: Placement | None
+
+
+@dataclass(frozen=True)
+class Edit:
+    """A room after an instruction.
+
+    Attributes:
+        scene: the room; what is not in `changes` is bit-identical to what it was.
+        report: what was measured of it; `complete` where the instruction was carried out, every word of it was
+            understood, and everything passed.
+        episode: how the room came about, this edit included.
+        instruction: what was asked.
+        changes: what became of each object that is not as it was.
+        done: what was done, in sentences that name the objects.
+        failed: what could not be done, with what was measured.
+        unknown: words of the instruction that mean nothing.
+    """
+
+    scene: Scene
+    report: Report
+    episode: Episode
+    instruction: str
+    changes: tuple[Changed, ...] = ()
+    done: tuple[str, ...] = ()
+    failed: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
+
+    @property
+    def plan(self) -> Plan:
+        """By which the room was made."""
+        return self.episode.plan
+
+    @property
+    def trace(self) -> tuple[Round, ...]:
+        """The rounds of this edit."""
+        last = self.episode.edits[-1] if self.episode.edits else None
+        return last.rounds if isinstance(last, Edited) else ()
+
+    @property
+    def complete(self) -> bool:
+        """Whether everything is done as asked, and the room passes."""
+        return self.report.complete
+
+
+@dataclass(frozen=True)
+class _Source:
+    """What is edited: a scene, what is known of it, and what led to it."""
+
+    scene: Scene
+    report: Report | None
+    episode: Episode | None
+
+
+def edit_room(
+    room: Scene | Made | str | Path,
+    instruction: str,
+    *,
+    seed: int = 0,
+    policy: Policy | None = None,
+    source: AssetSource | None = None,
+    effort: Effort | None = None,
+    tolerances: Tolerances | None = None,
+) -> Edit:
+    """Change a finished room as an English instruction says; what it does not name stays bit-identical.
+
+    Every change is measured in MuJoCo like any placement; what cannot be done is not done, and `failed` says why with
+    the numbers. What rests on a thing that moves, moves along. The report is made anew for what has changed and what
+    that can concern; where a report on the room is known, it holds for the rest.
+
+    Args:
+        room: a scene, a generated or edited room, or the folder that one was saved to.
+        instruction: one or more orders, such as "Move the desk under the window and turn it to face the room."
+        seed: every random choice follows from it.
+        policy: who proposes places; the embedded expert when not given.
+        source: where assets come from; the catalogue when not given.
+        effort: how hard to try.
+        tolerances: what counts as valid.
+
+    Raises:
+        InputError: the room or the instruction cannot be used: it names what is not there, or what could be several.
+    """
+    if type(seed) is not int or not 0 <= seed < 2**63:
+        raise InputError(f"the seed is {seed!r}; it must be a whole number from 0 to 2^63 - 1")
+    if policy is not None and not callable(getattr(policy, "propose", None)):
+        raise InputError(f"the policy is a {type(policy).__name__}, which has no propose(); see thinkblox.policies")
+    made = _opened(room)
+    read = read_instruction(instruction, [p.id for p in made.scene.placements])
+    work = Work(
+        World(made.scene, tolerances=tolerances or Tolerances()),
+        prompt=f"{made.scene.prompt}\nNow: {instruction.strip()}".strip(),
+        planned=made.episode.plan if made.episode is not None else None,
+        policy=policy or ExpertPolicy(),
+        source=source or ProceduralAssets(),
+        effort=effort or Effort(rounds=2),
+        rng=np.random.default_rng((seed, 11)),
+        seed=seed,
+    )
+    _carry_out(work, read)
+    return _finished(work, made, read, tolerances)
+
+
+def undo_edit(room: Made | str | Path) -> Edit:
+    """Give a room back as it was before its last edit that was not undone; the history says so.
+
+    Args:
+        room: an edited room, or the folder that one was saved to.
+
+    Raises:
+        InputError: it has no edit to undo, or was changed since by other means.
+    """
+    made = _opened(room)
+    standing = made.episode.standing if made.episode is not None else ()
+    if made.episode is None or not standing:
+        raise InputError("there is no edit to undo; the trace of the room holds none")
+    last, episode = standing[-1], made.episode
+    if RoomState.of(made.scene) != last.after:
+        raise InputError(f"the room has been changed since edit {last.number}; it cannot be undone")
+    scene = episode.restored(last.before)
+    report = reverify(scene, made.scene, made.report)
+    episode = structs.replace(episode, edits=(*episode.edits, Undone(number=last.number)))
+    says = (f"edit {last.number} undone: {last.instruction}",)
+    return Edit(scene, report, episode, f"undo edit {last.number}", _changes(made.scene, scene), says)
+
+
+def _opened(room: object) -> _Source:
+    if isinstance(room, Scene):
+        return _Source(room, None, None)
+    if isinstance(room, str | Path):
+        return _from_files(Path(room))
+    scene, report, episode = (getattr(room, name, None) for name in ("scene", "report", "episode"))
+    if isinstance(scene, Scene) and isinstance(report, Report) and isinstance(episode, Episode):
+        return _Source(scene, report, episode)
+    raise InputError(f"a {type(room).__name__} is no room to edit; give a Scene, a generated room or its folder")
+
+
+def _from_files(path: Path) -> _Source:
+    scene = load_scene(path)
+    home = path if path.is_dir() else path.parent
+    if not (home / "trace.jsonl").is_file():
+        return _Source(scene, None, None)
+    episode = read_episode(home / "trace.jsonl")
+    if not _is_part_of(scene, episode.scene):
+        return _Source(scene, None, episode)
+    report = read_json(home / "report.json", Report) if (home / "report.json").is_file() else None
+    ids = {p.id for p in scene.placements}
+    same = report is not None and {v.id for v in report.objects} == ids
+    return _Source(scene, report if same else None, episode)
+
+
+def _is_part_of(scene: Scene, made: Scene) -> bool:
+    """Whether a scene is as it was made, but for what was taken out again before it was reported on."""
+    there = {p.id: p for p in made.placements}
+    same = all(p == there.get(p.id) and scene.asset_of(p) == made.assets.get(p.asset) for p in scene.placements)
+    return same and scene.room == made.room
+
+
+# --- carrying out
+
+
+def _put(work: Work, finder: Finder, order: Order) -> None:
+    """Put what is there, or add what is new: "the vase", "a vase"."""
+    known = [
+        p.id or p.noun.definite or p.noun.kind in ("pronoun", "number") or p.rank or p.noun.ordinal
+        for p in order.things
+    ]
+    if order.things and not any(known):
+        add(work, finder, order)
+    else:
+        move(work, finder, order)
+
+
+def _bring(work: Work, finder: Finder, order: Order) -> None:
+    """Move what is there; "bring a chair" where there is none adds one."""
+    if order.away:
+        remove(work, finder, order)
+        return
+    new = [p.noun.kind == "thing" and not p.noun.definite and not finder.matching(p.noun) for p in order.things]
+    (add if order.things and all(new) else move)(work, finder, order)
+
+
+def _keep(work: Work, finder: Finder, order: Order) -> None:
+    """Everything that is not named stays where it is in any case."""
+
+
+_DOERS: dict[str, Doer] = {
+    "add": add,
+    "put": _put,
+    "move": _bring,
+    "turn": turn,
+    "replace": replace,
+    "remove": remove,
+    "swap": swap,
+    "rearrange": rearrange,
+    "resite": resite,
+    "make": resize,
+    "free": free,
+    "keep": _keep,
+}
+
+
+def _carry_out(work: Work, read: Instruction) -> None:
+    finder = Finder(work.scene)
+    kept = [phrase for order in read.orders if order.doing == "keep" for phrase in order.things]
+    work.kept = frozenset(
+        id for phrase in kept if phrase.noun.kind in ("thing", "number") for id in named(finder, phrase, phrase.places)
+    )
+    for order in _joined(read.orders):
+        finder.scene = work.before = work.scene
+        _DOERS[order.doing](work, finder, order)
+
+
+def _joined(orders: Sequence[Order]) -> list[Order]:
+    """The orders, where "and turn it to face the room" belongs to the move before it."""
+    joined: list[Order] = []
+    for order in orders:
+        if order.doing == "make" and order.facing and order.things and not order.room:
+            order.doing = "turn"
+        same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
+        if joined and order.doing == "turn" and same and order.turn is None and joined[-1].doing in _ONTO_KNOWN[:3]:
+            facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
+            joined[-1].facing += [*order.facing, *facing]
+        else:
+            joined.append(order)
+    return joined
+
+
+# --- the outcome
+
+
+def _finished(work: Work, made: _Source, read: Instruction, tolerances: Tolerances | None) -> Edit:
+    scene = _in_order(work.scene, made.scene)
+    report = reverify(scene, made.scene, made.report, tolerances=tolerances)
+    changes = _changes(made.scene, scene)
+    carried = [c.id for c in changes if c.what == "carried"]
+    done = [*work.done, *([f"{', '.join(carried)} went along with what carries it"] if carried else [])]
+    before = {v.id for v in made.report.objects if not v.valid} if made.report is not None else set()
+    old_faults = [v.id for v in report.objects if not v.valid and v.id in before]
+    if old_faults:
+        work.notes.append(f"{', '.join(old_faults)} did not pass before the edit either.")
+    report = structs.replace(
+        report,
+        complete=report.valid and not work.failed and not read.unknown,
+        unknown=read.unknown,
+        stand_ins=plain_things(scene),
+        notes=(*done, *(f"Not done: {text}" for text in work.failed), *work.notes, *report.notes),
+    )
+    episode = made.episode or _begun(made.scene)
+    number = 1 + sum(isinstance(line, Edited) for line in episode.edits)
+    line = Edited(
+        number=number,
+        instruction=read.text,
+        seed=work.seed,
+        before=RoomState.of(made.scene),
+        after=RoomState.of(scene),
+        rounds=tuple(work.rounds),
+        done=tuple(done),
+        failed=tuple(work.failed),
+    )
+    assets = {**episode.assets, **made.scene.assets, **work.assets, **scene.assets}
+    episode = structs.replace(episode, assets=assets, edits=(*episode.edits, line))
+    return Edit(scene, report, episode, read.text, changes, tuple(done), tuple(work.failed), read.unknown)
+
+
+def _begun(scene: Scene) -> Episode:
+    """The episode of a room of which it is not known how it came about."""
+    plan = Plan(brief=Brief(prompt=scene.prompt))
+    return Episode(prompt=scene.prompt, seed=scene.seed, room=scene.room, plan=plan, assets=dict(scene.assets))
+
+
+def _in_order(scene: Scene, before: Scene) -> Scene:
+    """The scene with its objects and assets in the order in which they were before, new ones last."""
+    place = {p.id: number for number, p in enumerate(before.placements)}
+    placements = tuple(sorted(scene.placements, key=lambda p: place.get(p.id, len(place))))
+    kept: dict[str, Asset] = {id: asset for id, asset in before.assets.items() if id in scene.assets}
+    same = [p.id for p in placements] == [p.id for p in scene.placements]
+    assets = {**kept, **scene.assets}
+    if same and list(assets) == list(scene.assets):
+        return scene
+    return structs.replace(scene, placements=placements, assets=assets)
+
+
+def _changes(before: Scene, after: Scene) -> tuple[Changed, ...]:
+    """What is not as it was, in the order of the scene, what is gone first."""
+    there = {p.id: p for p in before.placements}
+    found = [Changed(p.id, "removed", p, None) for p in before.placements if p.id not in after]
+    for new in after.placements:
+        old = there.get(new.id)
+        if old != new:
+            found.append(Changed(new.id, _what(before, after, old, new), old, new))
+    return tuple(found)
+
+
+def _what(before: Scene, after: Scene, old: Placement | None, new: Placement) -> What:
+    if old is None:
+        return "added"
+    if old.asset != new.asset:
+        return "replaced"
+    rides = old.support in before and old.support == new.support and before[old.support] != after[old.support]
+    if rides:
+        return "carried"
+    return "moved" if old.position != new.position else "turned"

@@ -1,0 +1,217 @@
+"""What an order wants of one object, measured on the scene before and after: geometry alone, metres and degrees."""
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+from thinkblox.brief import RelationKind
+from thinkblox.plan import Tie
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.free_parts import parts, takers
+from thinkblox.scene.landmarks import Landmark, things
+from thinkblox.scene.relations import measure
+from thinkblox.scene.room import turn_between
+from thinkblox.scene.scene import Scene
+from thinkblox.value import Vec2, Vec3
+
+EXACT = 0.02
+"""How far a thing may stand from where it was to go [m]."""
+TURN_EXACT = 2.0
+"""The same for its yaw [degrees]."""
+LEAST = 0.02
+"""Least by which something comes nearer or goes away, where there is so much room [m]."""
+INTO_ROOM = 45.0
+"""Largest angle between a front and the way into the room [degrees]."""
+ELSEWHERE, ELSEWHERE_SMALL = 0.75, 0.15
+"""Least distance of another place from the one before: on the floor, and on a surface or a wall [m]."""
+
+Finding = tuple[bool, str]
+"""Whether it is so, and what was measured."""
+
+
+class Goal(Protocol):
+    """Anything that can be measured of an object after a change."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Whether it is so, and what was measured."""
+        ...
+
+    @property
+    def tie(self) -> Tie | None:
+        """The same as a policy is told it; None where the language of plans has no word for it."""
+        ...
+
+
+@dataclass(frozen=True)
+class Related:
+    """It stands in a relation of a brief to ids or Places, or does not."""
+
+    kind: RelationKind
+    anchors: tuple[str, ...] = ()
+    negated: bool = False
+    index: int = 0
+    count: int = 1
+    measured: RelationKind | None = None
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """As `thinkblox.scene.relations` measures it; of several around a table, each by itself."""
+        found = measure(after, self.measured or self.kind, id, self.anchors, negated=self.negated)
+        return found.holds, found.measured
+
+    @property
+    def tie(self) -> Tie | None:
+        """The relation itself."""
+        return None if self.negated else Tie(kind=self.kind, anchors=self.anchors, index=self.index, count=self.count)
+
+
+@dataclass(frozen=True)
+class Untied:
+    """What has no word in the language of plans."""
+
+    @property
+    def tie(self) -> Tie | None:
+        """None."""
+        return None
+
+
+@dataclass(frozen=True)
+class Nearing(Untied):
+    """It comes nearer to something or goes away from it, by so much [m] where that is said."""
+
+    anchors: tuple[str, ...]
+    nearer: bool
+    by: float | None = None
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance between the outlines, and where these touch that between the middles."""
+        old, new = self.of(before, id), self.of(after, id)
+        change = old - new if self.nearer else new - old
+        wanted = self.by - EXACT if self.by is not None else min(LEAST, old / 3) if self.nearer else LEAST
+        exact = self.by is None or change <= self.by + EXACT
+        return change >= max(
+            wanted, 1e-3
+        ) and exact, f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
+
+    def of(self, scene: Scene, id: str) -> float:
+        """The distance now [m]."""
+        marks = [mark for name in self.anchors for mark in things(scene, name)]
+        return min((ground_gap(things(scene, id)[0], mark) for mark in marks), default=math.inf)
+
+    @property
+    def tie(self) -> Tie | None:
+        """Near it, or far from it."""
+        return Tie(kind="near" if self.nearer else "far", anchors=self.anchors)
+
+
+@dataclass(frozen=True)
+class Turned(Untied):
+    """It is turned to one of these yaws [degrees]."""
+
+    yaws: tuple[float, ...]
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Within TURN_EXACT."""
+        turn = min(turn_between(after[id].yaw, yaw) for yaw in self.yaws)
+        return turn <= TURN_EXACT, f"yaw {before[id].yaw:g} before, {after[id].yaw:g} now" if id in before else ""
+
+
+@dataclass(frozen=True)
+class IntoRoom(Untied):
+    """Its front points away from the wall that it is nearest to, or to the middle of the room."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Within INTO_ROOM degrees."""
+        placement = after[id]
+        if after.asset_of(placement).front == "any":
+            return True, f"{id} faces every way"
+        mark = things(after, id)[0]
+        wall = min(things(after, "wall"), key=lambda w: ground_gap(mark, w))
+        x, y = after.room.polygon.centroid.coords[0]
+        middle = math.degrees(math.atan2(y - placement.position[1], x - placement.position[0]))
+        turn = min(turn_between(placement.yaw, wall.yaw), turn_between(placement.yaw, middle))
+        return turn <= INTO_ROOM, f"front of {id} {turn:.0f} degrees off the way into the room"
+
+
+@dataclass(frozen=True)
+class At(Untied):
+    """Its middle is so near to a point [m]."""
+
+    point: Vec2
+    reach: float = EXACT
+    height: float | None = None
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance, and of what hangs that of its height."""
+        x, y, z = after[id].position
+        away = math.dist((x, y), self.point)
+        if self.height is not None:
+            away = max(away, abs(z - self.height))
+        return away <= self.reach, f"{id} {away:.2f} m from ({self.point[0]:.2f}, {self.point[1]:.2f})"
+
+
+@dataclass(frozen=True)
+class Along(Untied):
+    """It has moved in a direction of the room (unit vector), further than to either side of it."""
+
+    direction: Vec3
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far along it."""
+        step = [b - a for a, b in zip(before[id].position, after[id].position, strict=True)]
+        along = sum(s * d for s, d in zip(step, self.direction, strict=True))
+        aside = math.sqrt(max(0.0, sum(s * s for s in step) - along * along))
+        return along >= LEAST and aside <= along, f"{id} has moved {along:.2f} m that way and {aside:.2f} m aside"
+
+
+@dataclass(frozen=True)
+class Elsewhere(Untied):
+    """It stands at another place than before."""
+
+    least: float = ELSEWHERE
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance between the two."""
+        away = math.dist(before[id].position, after[id].position)
+        return away >= self.least, f"{id} {away:.2f} m from where it was"
+
+
+@dataclass(frozen=True)
+class Free(Untied):
+    """It does not stand in a part of the room."""
+
+    place: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Whether any box of the part is taken by it or by what rests on it."""
+        mine = {id, *(rider.id for rider in after.riders(id))}
+        others = frozenset(p.id for p in after.placements if p.id not in mine)
+        found = [takers(after, part, besides=others) for part in parts(after.room, self.place)]
+        taken = min(found, key=len, default=())
+        return not taken, f"{', '.join(taken) or id} {'in' if taken else 'out of'} the {self.place}"
+
+
+@dataclass(frozen=True)
+class Region:
+    """A round part of the floor [m]."""
+
+    centre: Vec2
+    reach: float
+    name: str
+
+    def holds(self, mark: Landmark) -> bool:
+        """Whether the middle of something is in it."""
+        return math.dist(mark.centre, self.centre) <= self.reach
+
+
+@dataclass(frozen=True)
+class Within(Untied):
+    """Its middle is in a region, or is not."""
+
+    region: Region
+    inside: bool = True
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance from the middle of the region."""
+        mark = things(after, id)[0]
+        away = math.dist(mark.centre, self.region.centre)
+        return self.region.holds(mark) == self.inside, f"{id} {away:.2f} m from the middle of {self.region.name}"

@@ -1,0 +1,321 @@
+"""Orders on many things at once: keep a part of the room free, rearrange the room or a region of it."""
+
+from collections.abc import Callable, Sequence
+
+from thinkblox.assets import facts_of
+from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.goals import Free, Goal, Region, Related, Within
+from thinkblox.editing.moving import moved_words, related
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.reaching import Reaching, ties_of
+from thinkblox.editing.wheres import bound, corner_near, named
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.judging import asset_for
+from thinkblox.knowledge.rooms import Usual, room_types
+from thinkblox.knowledge.things import counts_as
+from thinkblox.plan import Tie
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
+from thinkblox.scene.free_parts import measure_free, parts, takers
+from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene
+
+CORNER_REACH = 1.7
+"""How far from its corner a thing's middle may be to belong to that corner of the room [m]."""
+ABOUT = 1.0
+"""How far beyond a thing its surroundings reach [m]."""
+AMID = ("in_centre",)
+GoalsOf = Callable[[str], Sequence[Goal]]
+
+
+def rearrange(work: Work, finder: Finder, order: Order) -> None:
+    """Rearrange the room, a region of it or some things; keep free what is to stay free."""
+    if order.free:
+        free(work, finder, order)
+        return
+    region = _region(work, finder, order)
+    if region is not None:
+        _rearrange_region(work, region[0], region[1], order)
+        return
+    if order.things:
+        ids = [id for phrase in order.things for id in named(finder, phrase, ())]
+        places = [where for phrase in order.things for where in phrase.places]
+        goals = {id: [_related(work, finder, id, w, n, len(ids)) for w in places] for n, id in enumerate(ids)}
+        _arranged(work, ids, lambda id: goals.get(id, ()), "them")
+        return
+    movers = [id for id in _standing(work.scene) if id not in work.kept]
+    _arranged(work, movers, lambda id: (), "the room")
+
+
+def _related(work: Work, finder: Finder, id: str, where: Where, number: int, count: int) -> Goal:
+    category = work.scene[id].category
+    return related(bound(where, category, finder), category, number, count)
+
+
+def _standing(scene: Scene) -> list[str]:
+    """Everything on the floor that is not walked on."""
+    return [p.id for p in scene.placements if p.support == "floor" and scene.asset_of(p).collides]
+
+
+# --- keeping free
+
+
+def free(work: Work, finder: Finder, order: Order) -> None:
+    """Move what stands in parts of the room that are to be free out of them, and nothing else if that will do."""
+    places = [_place(noun) for noun in order.free]
+    for place in places:
+        if not parts(work.scene.room, place):
+            raise InputError(f"the room has no {place.replace('_', ' ')} that could be kept free")
+    work.freed = tuple(dict.fromkeys((*work.freed, *places)))
+    goals = [Free(place) for place in places]
+    movers = [id for id in _takers(work.scene, places) if id not in work.kept]
+    stuck = [id for id in _takers(work.scene, places) if id in work.kept]
+    if stuck:
+        work.failed.append(f"the {places[0]} is not free: {', '.join(stuck)} was to stay where it is")
+        return
+    if not movers:
+        work.done.append("; ".join(measure_free(work.scene, place)[1] for place in places))
+        return
+    why = ""
+    everything = [id for id in _standing(work.scene) if id not in work.kept]
+    for group in (_with_company(work.scene, movers), list(dict.fromkeys([*movers, *everything]))):
+        before = work.scene
+        why = _replaced(work, group, lambda id: goals)
+        if not why:
+            _say_moved(work, before, group)
+            break
+    held = [measure_free(work.scene, place) for place in places]
+    says = "; ".join(text for _, text in held)
+    (work.failed if why or not all(h for h, _ in held) else work.done).append(f"{says}{f'; {why}' if why else ''}")
+
+
+def _place(noun: Noun) -> str:
+    name = noun.value.split()[0] if noun.kind == "place" else ""
+    if noun.kind == "part" and noun.value == "middle":
+        return "centre"
+    if not name:
+        raise InputError(f"'{noun.text}' is no part of the room that could be kept free")
+    return name
+
+
+def _takers(scene: Scene, places: Sequence[str]) -> list[str]:
+    """What stands or hangs in these parts, each by what it rests on."""
+    found: list[str] = []
+    for place in places:
+        all_parts = [takers(scene, part) for part in parts(scene.room, place)]
+        for id in min(all_parts, key=len, default=()):
+            carriers = scene.carriers(id)
+            found.append(carriers[-1] if carriers else id)
+    return list(dict.fromkeys(found))
+
+
+def _with_company(scene: Scene, ids: Sequence[str]) -> list[str]:
+    """These, and the seats that are drawn up to them."""
+    seats = [p.id for p in scene.placements if p.support == "floor" and facts_of(p.category).is_in("seating")]
+    drawn_up = [
+        seat
+        for id in ids
+        for seat in seats
+        if seat != id and measure(scene, "at", seat, (id,)).holds and _is_table(scene, id)
+    ]
+    return list(dict.fromkeys([*ids, *drawn_up]))
+
+
+def _is_table(scene: Scene, id: str) -> bool:
+    return facts_of(scene[id].category).is_in("tables", "desks", "counters")
+
+
+# --- everything anew
+
+
+def _arranged(work: Work, ids: Sequence[str], goals_of: GoalsOf, what: str) -> None:
+    movers = [id for id in ids if id not in work.kept]
+    before = work.scene
+    why = _replaced(work, movers, goals_of)
+    if why:
+        work.failed.append(f"no other arrangement was found for {what}: {why}")
+        return
+    _say_moved(work, before, movers)
+    if all(work.scene[id] == before[id] for id in movers):
+        work.failed.append("the arrangement is the same as before; another seed may find another one")
+
+
+def _say_moved(work: Work, before: Scene, ids: Sequence[str]) -> None:
+    for id in ids:
+        if work.scene[id] != before[id]:
+            work.done.append(moved_words(before[id], work.scene[id]))
+
+
+def _replaced(work: Work, ids: Sequence[str], goals_of: GoalsOf) -> str:
+    """Take things out and place each anew, large ones first; why not, where that cannot be, and all is as before."""
+    before, saved = work.scene, work.saved()
+    company = {id: _table_of(before, id, ids) for id in ids}
+    taken = take(work, ids)
+    ordered = sorted(ids, key=lambda id: (bool(company[id]), -before[id].size[0] * before[id].size[1]))
+    for id in ordered:
+        why = _placed(work, before, id, company, goals_of(id))
+        if why:
+            work.restore(saved)
+            return why
+    for id in ordered:
+        lost = put_back(work, before[id], [p for p in taken if p.id not in ids], before)
+        for rider in (p for p in taken if p.id in lost):
+            if not place_anew(work, rider, carriers=(id,)):
+                work.restore(saved)
+                return f"{rider.id} found no place on {id} any more"
+    return ""
+
+
+def _table_of(scene: Scene, id: str, among: Sequence[str]) -> str:
+    """The table that a seat is drawn up to, of these."""
+    if not facts_of(scene[id].category).is_in("seating"):
+        return ""
+    tables = (other for other in among if other != id and _is_table(scene, other))
+    return next((table for table in tables if measure(scene, "at", id, (table,)).holds), "")
+
+
+def _placed(work: Work, before: Scene, id: str, company: dict[str, str], goals: Sequence[Goal]) -> str:
+    old, asset, table = before[id], work.assets[before[id].asset], company[id]
+    mates = [other for other, at in company.items() if at and at == table]
+    planned = tuple(tie for tie in work.usual_ties(id) if tie.kind not in AMID or not work.freed)
+    ties: tuple[Tie, ...] = ties_of(goals) or planned or usual_ties(work.scene, old.category)
+    wanted = list(goals)
+    if table:
+        ties = (Tie(kind="around", anchors=(table,), index=mates.index(id), count=len(mates)),)
+        wanted.append(Related("near", (table,)))
+    if work.freed:
+        ties = tuple(tie for tie in ties if tie.kind not in AMID)
+    why = ""
+    for told in dict.fromkeys((ties, ())):
+        target = work.target(id, old.category, told, asset.attributes)
+        reaching = Reaching(work, target, asset, wanted, begin=(old.position, old.yaw))
+        if reaching.run():
+            return ""
+        why = reaching.why
+    return why
+
+
+# --- a region
+
+
+def _region(work: Work, finder: Finder, order: Order) -> tuple[Region, tuple[str, ...]] | None:
+    """The region that an order names, and the walls of its corner; None for the whole room."""
+    place = next((phrase for phrase in order.things if phrase.noun.kind == "place"), None)
+    if place is not None and place.noun.value.split()[0] == "corner":
+        names = tuple(place.noun.value.split()[1:])
+        for where in place.places:
+            if where.noun is not None:
+                mark = where.noun.value.split()[0] if where.noun.kind == "place" else ""
+                names = corner_near(work.scene, mark or finder.ids(NounPhrase(where.noun))[0])
+        found = corners(work.scene.room, names)
+        if not found:
+            raise InputError("the room has no such corner")
+        corner = (
+            min(found, key=lambda c: sum(_near(p, c.centre) for p in work.scene.placements)) if not names else found[0]
+        )
+        walls = tuple(corner.name.removeprefix("corner of ").split(" and "))
+        return Region(corner.centre, CORNER_REACH, f"the {corner.name}"), walls
+    if place is not None:
+        marks = things(work.scene, place.noun.value.split()[0])
+        if not marks:
+            raise InputError(f"the room has no {place.noun.value.replace('_', ' ')}")
+        return Region(marks[0].centre, CORNER_REACH, f"the part by {marks[0].name}"), ()
+    about = [where for where in order.places if where.noun is not None and where.noun.kind == "thing"]
+    if about and about[0].noun is not None:
+        thing = work.scene[finder.ids(NounPhrase(about[0].noun))[0]]
+        reach = max(thing.size[:2]) / 2 + ABOUT
+        return Region(thing.position[:2], reach, f"the surroundings of {thing.id}"), ()
+    return None
+
+
+def _near(placement: Placement, point: tuple[float, float]) -> bool:
+    return abs(placement.position[0] - point[0]) + abs(placement.position[1] - point[1]) < CORNER_REACH
+
+
+def _rearrange_region(work: Work, region: Region, walls: tuple[str, ...], order: Order) -> None:
+    movers = [id for id in _standing(work.scene) if id not in work.kept and region.holds(things(work.scene, id)[0])]
+    if not order.into:
+        if not movers:
+            work.failed.append(f"nothing stands in {region.name}")
+            return
+        _arranged(work, movers, lambda id: (Within(region),), region.name)
+        return
+    zone = room_types().get(order.into)
+    if zone is None:
+        raise InputError(f"it is not known what a {order.into.replace('_', ' ')} is made of")
+    before, saved = work.scene, work.saved()
+    why = _furnished(work, region, walls, movers, zone.expected or zone.usual)
+    if why:
+        work.restore(saved)
+        work.failed.append(f"{region.name} did not become a {order.into.replace('_', ' ')}: {why}")
+        return
+    _say_moved(work, before, [id for id in movers if id in work.scene])
+    new = [p.id for p in work.scene.placements if p.id not in before]
+    work.done += [f"{id} added at ({work.scene[id].position[0]:.2f}, {work.scene[id].position[1]:.2f})" for id in new]
+
+
+def _furnished(
+    work: Work, region: Region, walls: tuple[str, ...], movers: Sequence[str], wanted: Sequence[Usual]
+) -> str:
+    """Make a zone of a region: what belongs there comes first, then what stood there; why not, where it cannot be."""
+    before = work.scene
+    taken = take(work, movers)
+    placed: dict[str, str] = {}
+    for usual in wanted:
+        for _ in range(usual.count):
+            old = next((id for id in movers if id not in placed.values() and _is(before, id, usual.category)), "")
+            why = _zone_piece(work, region, walls, usual, old, before, placed)
+            if why:
+                return why
+    for id in (i for i in movers if i not in work.scene):
+        if not _where_it_was(work, before[id]) and not place_anew(work, before[id]):
+            return f"{id}, which stood there, finds no other place"
+    for id in movers:
+        lost = put_back(work, before[id], [p for p in taken if p.id not in movers], before)
+        for rider in (p for p in taken if p.id in lost):
+            if not place_anew(work, rider, carriers=(id,)):
+                return f"{rider.id}, which rested on {id}, finds no other place"
+    return ""
+
+
+def _is(scene: Scene, id: str, category: str) -> bool:
+    return counts_as(scene[id].category, category)
+
+
+def _where_it_was(work: Work, old: Placement) -> bool:
+    asset = work.assets[old.asset]
+    if not work.world.check([old], asset)[0].valid:
+        return False
+    work.world = work.world.with_placement(old, asset)
+    return True
+
+
+def _zone_piece(
+    work: Work,
+    region: Region,
+    walls: tuple[str, ...],
+    usual: Usual,
+    old: str,
+    before: Scene,
+    placed: dict[str, str],
+) -> str:
+    goals: list[Goal] = []
+    for kind, anchor, _ in usual.relations:
+        if anchor in placed:
+            goals.append(Related(kind, (placed[anchor],)))  # type: ignore[arg-type]
+        elif kind == "in_corner" and walls:
+            goals.append(Related("in_corner", walls))
+    goals.append(Within(Region(region.centre, region.reach + 0.5, region.name)))
+    category = before[old].category if old else usual.category
+    id = old or work.new_id(category)
+    target = work.target(id, category, ties_of(goals))
+    asset = work.assets[before[old].asset] if old else asset_for(target, work.scene, work.source)
+    reaching = Reaching(work, target, asset, goals, begin=((*region.centre, 0.0), 0.0))
+    if not reaching.run():
+        return reaching.why
+    placed[usual.category] = id
+    return ""

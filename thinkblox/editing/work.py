@@ -1,0 +1,131 @@
+"""The state of a room while it is edited, and what a policy is told of what is to be done."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from msgspec import structs
+
+from thinkblox.assets.source import AssetSource
+from thinkblox.brief import Brief
+from thinkblox.episode import Round
+from thinkblox.observe import Kind
+from thinkblox.placing import Effort
+from thinkblox.plan import Plan, Target, Tie, is_object
+from thinkblox.policies import Policy
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.verdict.world import World
+
+_PLAIN_ID = "abcdefghijklmnopqrstuvwxyz0123456789_"
+
+
+@dataclass
+class Work:
+    """A room that is being edited, with everything that was tried.
+
+    Attributes:
+        world: the room as it is now.
+        start: the room before the instruction.
+        before: the room before the order that is being done.
+        planned: the plan that the room was made by, where that is known: what belongs to what.
+        rounds: every round of tries.
+        assets: of everything that was tried.
+        done: what was done, in sentences.
+        failed: what could not be done, with what was measured.
+        notes: what else there is to say.
+        freed: Places that are kept free.
+        kept: ids that must not be touched.
+    """
+
+    world: World
+    prompt: str
+    planned: Plan | None
+    policy: Policy
+    source: AssetSource
+    effort: Effort
+    rng: np.random.Generator
+    seed: int
+    rounds: list[Round] = field(default_factory=list)
+    assets: dict[str, Asset] = field(default_factory=dict)
+    done: list[str] = field(default_factory=list)
+    failed: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    freed: tuple[str, ...] = ()
+    kept: frozenset[str] = frozenset()
+
+    def __post_init__(self) -> None:
+        self.start = self.before = self.world.scene
+
+    @property
+    def scene(self) -> Scene:
+        """The room as it is now."""
+        return self.world.scene
+
+    def asset_of(self, id: str) -> Asset:
+        """The asset of an object that is there."""
+        return self.scene.asset_of(self.scene[id])
+
+    def saved(self) -> tuple[World, int]:
+        """What `restore` needs to take back what was done since."""
+        return self.world, len(self.done)
+
+    def restore(self, saved: tuple[World, int]) -> None:
+        """Take back what was done since; what was tried stays noted."""
+        self.world = saved[0]
+        del self.done[saved[1] :]
+
+    def plan(self, target: Target) -> Plan:
+        """What is there and what is to be placed, as a policy is told it."""
+        brief = self.planned.brief if self.planned is not None else Brief(prompt=self.scene.prompt or "a room")
+        old = {t.id: t for t in self.planned.targets} if self.planned is not None else {}
+        targets = [
+            old[p.id] if p.id in old and old[p.id].category == p.category else _bare_target(p)
+            for p in self.scene.placements
+            if p.id != target.id and set(p.id) <= set(_PLAIN_ID) and is_object(p.id)
+        ]
+        told = structs.replace(brief, prompt=self.prompt, free=self.freed)
+        return Plan(brief=told, targets=(*targets, target), free=self.freed)
+
+    def kinds(self, plan: Plan) -> dict[str, Kind]:
+        """What is known of the categories of a plan: the sizes of those that are there."""
+        found = {p.category: Kind(size=p.size, mount=self.scene.asset_of(p).mount) for p in self.scene.placements}
+        for target in plan.targets:
+            if target.category not in found:
+                size, mount = self.source.usual(target.category)
+                found[target.category] = Kind(size=size, mount=mount)
+        return found
+
+    def request_of(self, category: str) -> str:
+        """The key under which things of a category are planned: that of those that are there."""
+        targets = self.planned.targets if self.planned is not None else ()
+        return next((t.request for t in targets if t.category == category), category)
+
+    def new_id(self, category: str) -> str:
+        """An id that nothing has or had."""
+        taken = {p.id for p in (*self.scene.placements, *self.start.placements)}
+        number = 1 + max((int(n) for n in _numbers(category, taken)), default=0)
+        return f"{category}_{number}"
+
+    def target(self, id: str, category: str, ties: Sequence[Tie], attributes: tuple[str, ...] = ()) -> Target:
+        """A target of an edit."""
+        return Target(
+            id=id, category=category, request=self.request_of(category), ties=tuple(ties), attributes=attributes
+        )
+
+    def usual_ties(self, id: str) -> tuple[Tie, ...]:
+        """The relations that an object was planned with and whose anchors are there."""
+        targets = self.planned.targets if self.planned is not None else ()
+        ties = next((t.ties for t in targets if t.id == id), ())
+        return tuple(tie for tie in ties if all(a in self.scene or not is_object(a) for a in tie.anchors))
+
+
+def _numbers(category: str, ids: set[str]) -> list[str]:
+    tails = (id.removeprefix(f"{category}_") for id in ids if id.startswith(f"{category}_"))
+    return [tail for tail in tails if tail.isdecimal()]
+
+
+def _bare_target(placement: Placement) -> Target:
+    on = (Tie(kind="on", anchors=(placement.support,), asked=False),) if is_object(placement.support) else ()
+    return Target(id=placement.id, category=placement.category, request=placement.category, asked=False, ties=on)
