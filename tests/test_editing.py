@@ -447,3 +447,11 @@ def test_an_empty_room_can_be_furnished() -> None:
     after = done(built(room()), "Add a bed.").scene
     assert [p.id for p in after.placements] == ["bed_1"]
     assert bytes_of(after)
+
+
+def test_who_places_can_be_said_in_a_word() -> None:
+    made = generate_room("A study with a desk and a chair", seed=3)
+    said, usual = (edit_room(made, "Add a bookcase against a wall.", policy=who) for who in ("expert", None))
+    assert said.scene == usual.scene
+    with pytest.raises(InputError, match="'somebody' names nobody"):
+        edit_room(made, "Add a bookcase.", policy="somebody")

@@ -26,6 +26,9 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--out", metavar="DIR", type=Path, required=True, help="folder to write; whole or not at all")
     parser.add_argument("--undo", action="store_true", help="take the last edit back instead")
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="other choices (0)")
+    parser.add_argument(
+        "--policy", metavar="WHO", default="expert", help="who says where things go; docs/models.md (expert)"
+    )
     parser.add_argument("--no-pictures", action="store_true", help="leave out preview.png and top.png")
     parser.add_argument("--overwrite", action="store_true", help="replace a room that is there, such as SCENE itself")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
@@ -57,7 +60,7 @@ def _edited(arguments: argparse.Namespace) -> "Edit":
 
     if arguments.undo:
         return undo_edit(arguments.scene)
-    return edit_room(arguments.scene, arguments.instruction, seed=arguments.seed)
+    return edit_room(arguments.scene, arguments.instruction, seed=arguments.seed, policy=arguments.policy)
 
 
 def _tell(result: "Edit") -> None:

@@ -24,6 +24,7 @@ from thinkblox.errors import InputError
 from thinkblox.placing import Effort
 from thinkblox.plainness import plain_things
 from thinkblox.plan import Plan
+from thinkblox.players import EXPERT, players
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.scene.asset import Asset
@@ -130,7 +131,7 @@ def edit_room(
     instruction: str,
     *,
     seed: int = 0,
-    policy: Policy | None = None,
+    policy: Policy | str | None = None,
     source: AssetSource | None = None,
     effort: Effort | None = None,
     tolerances: Tolerances | None = None,
@@ -145,7 +146,7 @@ def edit_room(
         room: a scene, a generated or edited room, or the folder that one was saved to.
         instruction: one or more orders, such as "Move the desk under the window and turn it to face the room."
         seed: every random choice follows from it.
-        policy: who proposes places; the embedded expert when not given.
+        policy: who proposes places, or that in a word as for `generate_room`; the embedded expert when not given.
         source: where assets come from; the catalogue when not given.
         effort: how hard to try.
         tolerances: what counts as valid.
@@ -155,6 +156,8 @@ def edit_room(
     """
     if type(seed) is not int or not 0 <= seed < 2**63:
         raise InputError(f"the seed is {seed!r}; it must be a whole number from 0 to 2^63 - 1")
+    if isinstance(policy, str):
+        policy = players(policy, briefer=EXPERT, planner=EXPERT, seed=seed).policy
     if policy is not None and not callable(getattr(policy, "propose", None)):
         raise InputError(f"the policy is a {type(policy).__name__}, which has no propose(); see thinkblox.policies")
     made = _opened(room)
