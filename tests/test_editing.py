@@ -12,6 +12,7 @@ from thinkblox import Edit, Scene, World, edit_room, load_scene, read_episode, s
 from thinkblox.cli import main
 from thinkblox.editing.reading import MAX_INSTRUCTION, read_instruction
 from thinkblox.errors import InputError
+from thinkblox.generate import generate_room
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
