@@ -41,6 +41,7 @@ def assume(draft: Draft, fill: Fill) -> None:
             for theme in draft.themes:
                 _fill(draft, theme.expected(draft.room))
         _staff(draft)
+        _give_places(draft)
         _carry(draft)
 
 
@@ -142,8 +143,8 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
-        there = any(_is_one(noun, usual.category) for noun in present | draft.excluded)
-        if there or usual.category in unlikely:
+        there = any(_serves(noun, usual) for noun in present) or any(_is_one(n, usual.category) for n in draft.excluded)
+        if there or usual.category in unlikely or _have_tables(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
         if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
@@ -158,6 +159,18 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
 def _place(anchors: str, made: Mapping[str, Mention]) -> str:
     """The first of "a|b" that is there: a thing, or a place of the room; empty where none is."""
     return next((anchor for anchor in anchors.split("|") if anchor in made or anchor in _PLACES), "")
+
+
+def _serves(noun: str, usual: Usual) -> bool:
+    """Whether a <noun> will do instead of what is expected: not an island for the cabinets along a wall."""
+    walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
+    amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around")
+    return _is_one(noun, usual.category) and not amid
+
+
+def _have_tables(draft: Draft, category: str) -> bool:
+    """Whether a thing is a place of one's own where the prompt names tables for the people."""
+    return category == room_type(draft.room).place and _has(draft, "meal_tables")
 
 
 def _is_one(noun: str, category: str) -> bool:
@@ -218,6 +231,29 @@ def _staff(draft: Draft) -> None:
     for desk in draft.things:
         if draft.people and desk.count is None and not desk.rows and desk.noun == room_type(draft.room).place:
             desk.count = draft.people
+
+
+def _give_places(draft: Draft) -> None:
+    """A place for each of the people of a room, where fewer are named: pupils do not sit at the teacher's desk."""
+    room = room_type(draft.room)
+    there = [t for t in draft.things if _is_one(t.noun, room.place)]
+    unsaid = any(t.count is None or t.noun == room.place or t.count >= draft.people for t in there)
+    if draft.people < 2 or not room.place or not there or unsaid or _has(draft, "meal_tables"):
+        return
+    made: dict[str, Mention] = {t.noun: t for t in draft.things}
+    for usual in room.usual:
+        own = usual.category == room.place
+        drawn = any(anchor == room.place and each for _, anchor, each in usual.relations)
+        if own or (
+            drawn and room.place in made and not any(t.asked and _is_one(t.noun, usual.category) for t in draft.things)
+        ):
+            thing = made[usual.category] = _add(draft, usual.category, draft.people)
+            for kind, anchor, each in usual.relations:
+                if place := _place(anchor, made):
+                    bond = Bond(relation_kind(kind), thing, (made.get(place, place),), each=each, asked=False)
+                    draft.bonds.append(bond)
+                elif not anchor:
+                    draft.bonds.append(Bond(relation_kind(kind), thing, (), each=each, asked=False))
 
 
 def _is_chair(thing: Mention) -> bool:
