@@ -106,3 +106,21 @@ def test_what_belongs_to_a_wall_is_there_or_left_out(lived_in: Generation) -> No
         for tie in target.ties:
             if not target.asked and target.id in lived_in.scene and tie.kind == "against_wall":
                 assert measure(lived_in.scene, tie.kind, target.id, tie.anchors).holds, target.id
+
+
+@pytest.mark.parametrize(
+    ("prompt", "assumed"),
+    [
+        ("A kitchen with an island", {"base_cabinet": 3, "sink": 1, "hob": 1, "fridge": 1}),
+        (
+            "A small classroom for twelve pupils with a teacher's desk and a whiteboard",
+            {"school_desk": 12, "chair": 12},
+        ),
+        ("A living room with a sofa and a reading corner", {"armchair": 1, "floor_lamp": 1, "bookcase": 1}),
+        ("A classroom with four round tables and 16 chairs", {"school_desk": 0}),
+        ("A classroom with 20 desks in rows", {"school_desk": 0}),
+    ],
+)
+def test_what_a_person_would_expect_is_assumed(prompt: str, assumed: dict[str, int]) -> None:
+    found = {request.category: request.count for request in read_brief(prompt).requests if not request.asked}
+    assert {category: found.get(category, 0) for category in assumed} == assumed
