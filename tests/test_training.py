@@ -141,7 +141,7 @@ def test_tiered_training_measures_and_logs(data: str, tmp_path: Path) -> None:
     logged = state["log_history"][0]
     assert {"rewards/coll/mean", "share/parsed", "share/valid", "tiers/hard/live", "tiers/cons/spread"} <= set(logged)
     assert logged["rewards/format/mean"] == -1.0
-    HfModel(trained, max_new_tokens=4)
+    assert HfModel(trained, max_new_tokens=4).sight == Sight(size=56, views=1, words="compact")
 
 
 @pytest.mark.slow

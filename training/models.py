@@ -4,10 +4,13 @@ from pathlib import Path
 from typing import Any
 
 from thinkblox.errors import InputError
+from thinkblox.policies.hf import SIGHT
 from thinkblox.policies.pretrained import Pretrained, load_pretrained, quiet
 from thinkblox.policies.tiny import build_tiny
 from thinkblox.training.config import Lora, Training
-from thinkblox.training.rows import texts_of
+from thinkblox.training.rows import recipe_of, texts_of
+from thinkblox.value import to_json
+from thinkblox.whole_file import write_whole
 
 LANGUAGE_LAYERS = r".*language_model.*\.(q|k|v|o|gate|up|down)_proj"
 """The layers that an adapter is for. Those of the vision tower have the same names."""
@@ -51,12 +54,17 @@ def adapter_for(lora: Lora | None) -> Any:
     )
 
 
-def save_trained(model: Any, processor: Any, out: str | Path) -> Path:
-    """Write a trained model, adapters merged, with its processor; returns its folder, which `hf:` loads."""
-    folder = Path(out) / MODEL
+def save_trained(model: Any, processor: Any, config: Training) -> Path:
+    """Write a trained model, adapters merged, with its processor and what it is used to be shown, for `hf:`.
+
+    Returns:
+        Its folder.
+    """
+    folder = Path(config.out) / MODEL
     with quiet():
         if hasattr(model, "merge_and_unload"):
             model = model.merge_and_unload()
         model.save_pretrained(folder)
         processor.save_pretrained(folder)
+    write_whole(folder / SIGHT, to_json(recipe_of(config.data).sight))
     return folder

@@ -7,11 +7,16 @@ from thinkblox.observe import Observation, Sight
 
 
 class ModelPolicy:
-    """Lets a model place objects: it is shown each observation, and its answers are the proposals."""
+    """Lets a model place objects: it is shown each observation, and its answers are the proposals.
+
+    Args:
+        model: is asked.
+        sight: what it is shown; what it was trained on, its `sight`, when not given.
+    """
 
     def __init__(self, model: ChatModel, *, sight: Sight | None = None) -> None:
         self._model = model
-        self._sight = sight or Sight()
+        self._sight = sight or getattr(model, "sight", None) or Sight()
 
     def propose(self, observation: Observation, n: int, rng: np.random.Generator) -> list[str]:
         """Up to `n` texts `<think>...</think><answer>...</answer>`."""
