@@ -11,8 +11,8 @@ from thinkblox.observe import Sight
 from thinkblox.policies.chat_format import encode
 from thinkblox.policies.decoding import Counts, Decoder, Sampling
 from thinkblox.policies.pretrained import Pretrained, load_pretrained
-from thinkblox.value import read_json
 from thinkblox.policies.token_grammar import TokenGrammar
+from thinkblox.value import read_json
 
 SIGHT = "sight.json"
 """In the folder of a model that was trained on our demonstrations: what it was shown."""
