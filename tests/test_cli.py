@@ -36,8 +36,9 @@ def test_json_is_the_report_and_nothing_else(tmp_path):
 
 def test_what_the_catalogue_lacks_has_a_plain_stand_in_and_that_is_said(tmp_path):
     done = run("generate", "A room with a griffin and a table.", "--out", tmp_path / "room", "--no-pictures")
-    assert done.returncode == 0
+    assert done.returncode == 1
     assert "as plain stand-ins: griffin" in done.stdout
+    assert "no such thing is known" in done.stdout
 
 
 def test_what_cannot_be_shown_is_said_and_the_status_is_1(tmp_path):

@@ -39,7 +39,7 @@ def _written(tmp_path, text):
     [
         ("", "not JSON"),
         ("{", "not JSON"),
-        (b"\xff\xfe\x00", "not JSON"),
+        (b"\xff\xfe\x00", "not UTF-8"),
         ("[" * 100_000, "nested too deeply"),
         ('{"a": NaN}', "NaN is not a number"),
         ('{"a": -Infinity}', "not a number"),

@@ -15,7 +15,7 @@ from thinkblox.placing import Effort
 from thinkblox.plan import Plan
 from thinkblox.planning import ExpertPlanner
 from thinkblox.prompts import TemplateName, filled, one_line, prompts_version, template
-from thinkblox.prompts.answers import Edit, ObjectSet, PlannedOrder, WholeRoom, read_answer
+from thinkblox.prompts.answers import EditAnswer, ObjectSet, PlannedOrder, WholeRoom, read_answer
 from thinkblox.reading import GrammarBriefer
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.scene.scene import Scene
@@ -38,8 +38,8 @@ def test_the_answers_that_the_templates_show_are_read():
     order = read_answer(shown("plan"), PlannedOrder)
     assert isinstance(order, PlannedOrder)
     assert order.anchors == ("bed_1",)
-    edit = read_answer(shown("edit"), Edit)
-    assert isinstance(edit, Edit)
+    edit = read_answer(shown("edit"), EditAnswer)
+    assert isinstance(edit, EditAnswer)
     assert edit.actions[0].action == "move"
 
 

@@ -172,12 +172,13 @@ def test_the_way_round_is_that_of_the_whole_floor(case: tuple[Scene, Placement, 
     assert set(before.cut_off(placement, solid_of(kind))) == lost
 
 
-def test_what_floats_above_a_candidate_falls_on_it() -> None:
+def test_what_floats_above_a_candidate_falls_on_it_and_that_is_not_its_fault() -> None:
     placed = scene(ROOM, (put(CRATE, 1.0, 1.0, 0.4), CRATE))
     ball = put(BALL, 1.0, 1.0, id="new_1")
     cut, whole = World(placed).check([ball], BALL)[0], whole_room(placed).check([ball], BALL)[0]
-    assert "pushes" in whole.reasons
+    assert "pushes" not in whole.reasons
     assert agree(cut, whole)
+    assert "drop" in World(placed.with_placement(ball, BALL)).check([placed["crate_1"]], CRATE)[0].reasons
 
 
 def test_what_floats_falls_on_what_stands_squarely_below() -> None:

@@ -178,7 +178,7 @@ class PlannedOrder(CheckedValue, frozen=True, kw_only=True):
         return structs.replace(known, targets=tuple(in_order(tied)))
 
 
-class Edit(Value, frozen=True, kw_only=True):
+class EditAnswer(Value, frozen=True, kw_only=True):
     """The answer to "edit": what the instruction speaks of, and what is done.
 
     Attributes:

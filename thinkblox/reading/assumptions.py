@@ -7,6 +7,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
+from thinkblox.knowledge.seats import usual_seat
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -14,13 +15,6 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
-_SAT_AT: dict[str, tuple[RelationKind, str, int]] = {
-    "desk": ("at", "office_chair", 1),
-    "corner_desk": ("at", "office_chair", 1),
-    "school_desk": ("at", "chair", 1),
-    "dining_table": ("around", "chair", 4),
-}
-"""How many of which seats are drawn up to a thing, where the type of room does not say."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -115,7 +109,8 @@ def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
             if anchor == noun and kind in ("at", "around") and load_habits().is_in(usual.category, "drawn_aside"):
                 tables = sum(other.count for other in usuals if other.category == anchor) or 1
                 return relation_kind(kind), usual.category, max(1, usual.count // tables)
-    return _SAT_AT.get(noun, ("at", "", 0))
+    drawn = usual_seat(noun)
+    return (relation_kind(drawn.relations[0][0]), drawn.category, drawn.count) if drawn else ("at", "", 0)
 
 
 def _is_bare(draft: Draft) -> bool:
