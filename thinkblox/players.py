@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from thinkblox.assets.source import AssetSource
 from thinkblox.chat import ChatModel
@@ -13,11 +14,15 @@ from thinkblox.observe import Sight
 from thinkblox.planning import ExpertPlanner
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
-from thinkblox.policies.model import ModelPolicy
+from thinkblox.policies.model import SIGHT, ModelPolicy
 from thinkblox.policies.one_shot import OneShotPolicy
 from thinkblox.policies.understanding import ModelBriefer, ModelPlanner
 from thinkblox.reading import GrammarBriefer
 from thinkblox.replaying import Replay
+from thinkblox.value import read_json
+
+if TYPE_CHECKING:
+    from thinkblox.policies.openai_server import Asking, OpenAiModel
 
 EXPERT = "expert"
 FORMS = "expert, hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
@@ -101,6 +106,21 @@ def chat_model(spec: str) -> ChatModel:
     return found
 
 
+def judging_server(spec: str, *, asking: "Asking | None" = None) -> "OpenAiModel":
+    """The model behind a server that a specification names, for who needs more of it than answers.
+
+    Raises:
+        InputError: it names none, or one whose address cannot be used.
+    """
+    from thinkblox.policies.openai_server import OpenAiModel
+
+    kind, _, rest = spec.partition(":")
+    if kind != "openai":
+        raise InputError("a judge of pictures is a model behind a server: openai:BASE_URL#MODEL")
+    url, _, model = rest.strip().partition("#")
+    return OpenAiModel(url, model, asking=asking)
+
+
 def _player(spec: str) -> ChatModel | Replay | None:
     """Who a specification names; None for the expert."""
     if spec == EXPERT:
@@ -149,7 +169,25 @@ def _policy(policy: Policy | str | None, who: _Who, mode: Mode, sight: Sight | N
         return ExpertPolicy() if policy is None or isinstance(policy, str) else policy
     if isinstance(found, Replay):
         return found
-    return OneShotPolicy(found) if mode == "one-shot" else ModelPolicy(found, sight=sight)
+    return model_policy(str(policy), found, mode=mode, sight=sight)
+
+
+def model_policy(spec: str, model: ChatModel, *, mode: Mode, sight: Sight | None = None) -> Policy:
+    """The policy of a model; one of our training is shown what it was shown there, unless a sight is given."""
+    return OneShotPolicy(model) if mode == "one-shot" else ModelPolicy(model, sight=sight or trained_sight(spec))
+
+
+def trained_sight(spec: str) -> Sight | None:
+    """What a model of our training was shown; None for any other.
+
+    Raises:
+        InputError: what its folder says of that cannot be read.
+    """
+    kind, _, rest = spec.partition(":")
+    for folder in (rest.strip(), rest.strip().rpartition("+")[2]):
+        if kind == "hf" and folder and (Path(folder) / SIGHT).is_file():
+            return read_json(Path(folder) / SIGHT, Sight)
+    return None
 
 
 def _briefer(briefer: Briefer | str, who: _Who, fill: Fill, seed: int) -> Briefer:

@@ -5,6 +5,9 @@ import numpy as np
 from thinkblox.chat import ChatModel
 from thinkblox.observe import Observation, Sight
 
+SIGHT = "sight.json"
+"""In the folder of a model of our training: what it was shown, and is to be shown again."""
+
 
 class ModelPolicy:
     """Lets a model place objects: it is shown each observation, and its answers are the proposals."""
