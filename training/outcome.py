@@ -58,8 +58,8 @@ class Outcome(NamedTuple):
         distances: how far the answer is from each thing that its reasoning says of it, in metres, or in degrees by
             `ANGLE`; None for a text that cannot be read.
         holds: for each relation wanted of the object that can be told from it alone, whether it holds; None as above.
-        alignment: cosine between its front and the direction to what it serves; None where it serves nothing, or as
-            above.
+        alignment: cosine between where one looks who uses it and the direction to what it serves: its front, or its
+            back for what is worked at from its front, such as a desk; None where it serves nothing, or as above.
         after: the scene with the object in it, wherever that is; None as above.
     """
 
@@ -130,4 +130,5 @@ def _holds(case: Case, after: Scene) -> tuple[bool, ...]:
 def _alignment(case: Case, placement: Placement) -> float | None:
     if case.served is None:
         return None
-    return math.cos(math.radians(direction_error(placement, case.scene[case.served].position[:2])))
+    cosine = math.cos(math.radians(direction_error(placement, case.scene[case.served].position[:2])))
+    return -cosine if case.asset.gaze == "back" else cosine

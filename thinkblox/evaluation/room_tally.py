@@ -30,7 +30,7 @@ class StepTally(Value, frozen=True, kw_only=True):
         supported: carried where it is put, or fixed where it is to be.
         stable: comes to rest, and moves neither itself nor others.
         relations: share of the relations wanted of it that hold; None where none can be told.
-        orientation: cosine between its front and the direction to what it serves; None where it serves nothing.
+        orientation: cosine between where it looks and the direction to what it serves; None where it serves nothing.
     """
 
     id: str
