@@ -137,6 +137,15 @@ def test_what_was_stopped_goes_on(server: Stub, prompts: Path, tmp_path: Path) -
     assert len(server.seen) == asked + 2 + 4
 
 
+def test_a_model_that_is_not_there_is_found_out_before_the_others_are_measured(
+    server: Stub, prompts: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    gone = "openai:http://127.0.0.1:9/v1#gone"
+    assert main(["evaluate", "--prompts", str(prompts), "--policy", server.spec, "--policy", gone]) == 2
+    assert len(server.seen) == 2, "one room of three"
+    assert "gone: http://127.0.0.1:9/v1: cannot be reached" in capsys.readouterr().err
+
+
 def test_a_judge_rates_what_was_furnished(server: Stub, prompts: Path, tmp_path: Path) -> None:
     found = evaluate(tmp_path / "out", prompts, "--policy", "expert", "--judge", server.spec)
     assert found["judge"] == "stub"
@@ -194,6 +203,15 @@ def test_a_model_of_our_training_is_shown_what_it_was_trained_on(tmp_path: Path)
     (tmp_path / "sight.json").write_text('{"size": 3}')
     with pytest.raises(InputError, match=r"sight\.json"):
         Contender(name="a", policy=policy).check()
+
+
+@pytest.mark.slow
+def test_a_model_on_this_machine_has_its_tokens_counted(tiny_folder: Path, prompts: Path, tmp_path: Path) -> None:
+    found = evaluate(tmp_path / "out", prompts, "--policy", f"hf:{tiny_folder}", "--runs", 1)
+    (room,) = found["rows"][0]["rooms"]
+    assert [step["parsed"] for step in room["steps"]] == [False, False]
+    assert room["read"] > 200
+    assert room["written"] > 2
 
 
 def room(run: int, *steps: StepTally, planned: int | None = None, **more: Any) -> RoomTally:

@@ -53,7 +53,14 @@ def check_options(arguments: argparse.Namespace) -> None:
 
 def measure_policies(arguments: argparse.Namespace) -> int:
     """Measure, print and write; returns the exit status."""
-    from thinkblox.evaluation.comparing import checked_judge, make_rooms_folder, measured, named_apart, read_prompts
+    from thinkblox.evaluation.comparing import (
+        checked_judge,
+        make_rooms_folder,
+        measured,
+        named_apart,
+        read_prompts,
+        try_out,
+    )
     from thinkblox.evaluation.contenders import Contender
     from thinkblox.evaluation.folder import check_evaluation
     from thinkblox.evaluation.policy_run import Trial
@@ -83,6 +90,7 @@ def measure_policies(arguments: argparse.Namespace) -> int:
         judge=arguments.judge or "",
         kept=make_rooms_folder(arguments.out, anew=arguments.overwrite),
     )
+    try_out(contenders, trial)
     tell = teller(trial, quiet=arguments.json)
     rows = [measured(contender, trial, jobs=arguments.jobs, on_room=tell) for contender in contenders]
     return shown(arguments, trial, arguments.prompts.name, judge, rows)

@@ -10,6 +10,7 @@ from thinkblox.evaluation.folder import JSON, MARKDOWN
 from thinkblox.evaluation.policy_run import Trial, measured_rooms
 from thinkblox.evaluation.ratings import RoomRater
 from thinkblox.evaluation.room_tally import RoomTally
+from thinkblox.players import EXPERT
 from thinkblox.regular_file import read_regular
 from thinkblox.whole_file import write_whole
 
@@ -49,6 +50,18 @@ def measured(contender: Contender, trial: Trial, *, jobs: int, on_room: Told) ->
         rooms.append(room)
     rooms.sort(key=lambda room: (room.run, room.prompt))
     return Measured(contender=contender, rooms=tuple(rooms))
+
+
+def try_out(contenders: Sequence[Contender], trial: Trial) -> None:
+    """Let each model furnish the first room, so that one that cannot is found out before the others take hours.
+
+    Raises:
+        NoPolicyError: it cannot be had, or is gone.
+    """
+    once = trial._replace(prompts=trial.prompts[:1], runs=1)
+    for contender in contenders if len(contenders) > 1 else ():
+        if contender.policy != EXPERT:
+            list(measured_rooms(contender, once))
 
 
 def named_apart(contenders: Sequence[Contender]) -> None:
