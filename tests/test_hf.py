@@ -13,11 +13,11 @@ from thinkblox.errors import InputError
 from thinkblox.observe import Sight
 from thinkblox.placing import Effort
 from thinkblox.policies.chat_format import encode
-from thinkblox.policies.constraint import step_grammar
 from thinkblox.policies.hf import HfModel
 from thinkblox.policies.model import ModelPolicy
 from thinkblox.policies.pretrained import Pretrained, load_pretrained
 from thinkblox.policies.tiny import TinySize, build_tiny
+from thinkblox.policies.token_grammar import step_grammar
 from thinkblox.steps import Step, parse
 
 pytest.importorskip("torch")

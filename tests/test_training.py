@@ -11,7 +11,6 @@ from msgspec import structs
 from tests.stub_server import stub
 from thinkblox import InputError
 from thinkblox.observe import Sight
-from thinkblox.players import trained_sight
 from thinkblox.training.building import build
 from thinkblox.training.config import GdpoConfig, SftConfig, read_experiment, section
 from thinkblox.training.recipe import Recipe
@@ -147,9 +146,7 @@ def test_tiered_training_measures_and_logs(data: str, tmp_path: Path) -> None:
     assert {"rewards/coll/mean", "share/parsed", "share/valid", "tiers/hard/live", "tiers/cons/spread"} <= set(logged)
     assert logged["rewards/format/mean"] == -1.0
     assert logged["rewards/render:stub/mean"] == 0.0, "the log says who judged"
-    HfModel(trained, max_new_tokens=4)
-    for folder in (start, trained):
-        assert trained_sight(f"hf:{folder}") == Sight(size=56, views=1, words="compact")
+    assert HfModel(trained, max_new_tokens=4).sight == Sight(size=56, views=1, words="compact")
 
 
 @pytest.mark.slow

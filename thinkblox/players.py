@@ -14,12 +14,11 @@ from thinkblox.observe import Sight
 from thinkblox.planning import ExpertPlanner
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.policies.expert import ExpertPolicy
-from thinkblox.policies.model import SIGHT, ModelPolicy
+from thinkblox.policies.model import ModelPolicy
 from thinkblox.policies.one_shot import OneShotPolicy
 from thinkblox.policies.understanding import ModelBriefer, ModelPlanner
 from thinkblox.reading import GrammarBriefer
 from thinkblox.replaying import Replay
-from thinkblox.value import read_json
 
 if TYPE_CHECKING:
     from thinkblox.policies.openai_server import Asking, OpenAiModel
@@ -169,25 +168,12 @@ def _policy(policy: Policy | str | None, who: _Who, mode: Mode, sight: Sight | N
         return ExpertPolicy() if policy is None or isinstance(policy, str) else policy
     if isinstance(found, Replay):
         return found
-    return model_policy(str(policy), found, mode=mode, sight=sight)
+    return model_policy(found, mode=mode, sight=sight)
 
 
-def model_policy(spec: str, model: ChatModel, *, mode: Mode, sight: Sight | None = None) -> Policy:
-    """The policy of a model; one of our training is shown what it was shown there, unless a sight is given."""
-    return OneShotPolicy(model) if mode == "one-shot" else ModelPolicy(model, sight=sight or trained_sight(spec))
-
-
-def trained_sight(spec: str) -> Sight | None:
-    """What a model of our training was shown; None for any other.
-
-    Raises:
-        InputError: what its folder says of that cannot be read.
-    """
-    kind, _, rest = spec.partition(":")
-    for folder in (rest.strip(), rest.strip().rpartition("+")[2]):
-        if kind == "hf" and folder and (Path(folder) / SIGHT).is_file():
-            return read_json(Path(folder) / SIGHT, Sight)
-    return None
+def model_policy(model: ChatModel, *, mode: Mode, sight: Sight | None = None) -> Policy:
+    """The policy of a model, asked for one object after the other or once for all of them."""
+    return OneShotPolicy(model) if mode == "one-shot" else ModelPolicy(model, sight=sight)
 
 
 def _briefer(briefer: Briefer | str, who: _Who, fill: Fill, seed: int) -> Briefer:

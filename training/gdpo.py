@@ -41,7 +41,7 @@ def train_gdpo(config: GdpoConfig) -> Path:
         measure = Measuring(Episodes(config.data), pool)
         trainer = gdpo_trainer(config, start.model, start.processor, rows, measure, judge=judge)
         run(trainer, config)
-    return save_trained(trainer.accelerator.unwrap_model(trainer.model), start.processor, config.out)
+    return save_trained(trainer.accelerator.unwrap_model(trainer.model), start.processor, config)
 
 
 class Measuring:

@@ -3,16 +3,12 @@
 from pathlib import Path
 from typing import Any
 
-import msgspec
-
 from thinkblox.errors import InputError
-from thinkblox.policies.model import SIGHT
+from thinkblox.policies.hf import SIGHT
 from thinkblox.policies.pretrained import Pretrained, load_pretrained, quiet
 from thinkblox.policies.tiny import build_tiny
-from thinkblox.regular_file import read_regular
 from thinkblox.training.config import Lora, Training
 from thinkblox.training.rows import recipe_of, texts_of
-from thinkblox.training.running import CONFIG
 from thinkblox.value import to_json
 from thinkblox.whole_file import write_whole
 
@@ -58,25 +54,17 @@ def adapter_for(lora: Lora | None) -> Any:
     )
 
 
-def save_trained(model: Any, processor: Any, out: str | Path) -> Path:
-    """Write a trained model, adapters merged, with its processor and what it was shown; `hf:` loads what is returned.
+def save_trained(model: Any, processor: Any, config: Training) -> Path:
+    """Write a trained model, adapters merged, with its processor and what it is used to be shown, for `hf:`.
 
-    What it was shown is taken from the data of the run in `out`.
+    Returns:
+        Its folder.
     """
-    folder = Path(out) / MODEL
+    folder = Path(config.out) / MODEL
     with quiet():
         if hasattr(model, "merge_and_unload"):
             model = model.merge_and_unload()
         model.save_pretrained(folder)
         processor.save_pretrained(folder)
-    said = Path(out) / CONFIG
-    if said.is_file():  # an observation at run time has to be the one of the training
-        trained = msgspec.json.decode(read_regular(said), type=_Data)
-        write_whole(folder / SIGHT, to_json(recipe_of(trained.data).sight))
+    write_whole(folder / SIGHT, to_json(recipe_of(config.data).sight))
     return folder
-
-
-class _Data(msgspec.Struct):
-    """What of a run's configuration says where its data are."""
-
-    data: str

@@ -23,7 +23,7 @@ def train_sft(config: SftConfig) -> Path:
     start = starting_model(config)
     trainer = _trainer(config, start.model, start.processor, rows)
     run(trainer, config)
-    return save_trained(trainer.accelerator.unwrap_model(trainer.model), start.processor, config.out)
+    return save_trained(trainer.accelerator.unwrap_model(trainer.model), start.processor, config)
 
 
 def _trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:

@@ -16,7 +16,7 @@ from thinkblox.evaluation.contenders import Contender, Mark, NoPolicyError
 from thinkblox.evaluation.policy_run import Trial
 from thinkblox.modes import Mode
 from thinkblox.orders import Order
-from thinkblox.players import EXPERT, trained_sight
+from thinkblox.players import EXPERT
 from thinkblox.regular_file import read_regular
 from thinkblox.value import Value
 
@@ -116,9 +116,10 @@ def contender_of(row: AblationRow, models: dict[str, str], home: Path) -> Conten
     name = next((name for name in row.models if name in models), "")
     spec = models.get(name, "")
     policy = spec if not spec or spec == EXPERT or spec.startswith(("hf:", "openai:")) else f"hf:{home / spec}"
-    sight = trained_sight(policy)
+    contender = Contender(name=row.name, policy=policy, mode=row.mode, order=row.order, without=row.without)
+    sight = contender.trained
     own = name == row.models[0] and sight is not None and not all(getattr(sight, mark) for mark in row.without)
-    return Contender(name=row.name, policy=policy, mode=row.mode, order=row.order, without=() if own else row.without)
+    return msgspec.structs.replace(contender, without=()) if own else contender
 
 
 def _not_there(policy: str) -> str:

@@ -11,9 +11,10 @@ from thinkblox.errors import InputError
 from thinkblox.modes import Mode
 from thinkblox.observe import Sight
 from thinkblox.orders import Order
-from thinkblox.players import EXPERT, FORMS, chat_model, model_policy, trained_sight
+from thinkblox.players import EXPERT, FORMS, chat_model, model_policy
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.policies.hf import trained_sight
 from thinkblox.value import Value
 
 Mark = Literal["grid", "ids", "fronts", "target", "pictures"]
@@ -58,16 +59,26 @@ class Contender(Value, frozen=True, kw_only=True):
             self.sight()
 
     @property
+    def folders(self) -> list[Path]:
+        """Where a model on this machine is, and then its adapter."""
+        kind, _, rest = self.policy.partition(":")
+        model, _, adapter = (rest, "", "") if Path(rest).is_dir() else rest.rpartition("+")
+        return [Path(part) for part in (model, adapter) if kind == "hf" and part and Path(part).is_dir()]
+
+    @property
     def stamp(self) -> str:
         """Of when the files of a model on this machine are: what was measured of others is not of these."""
-        kind, _, rest = self.policy.partition(":")
-        folders = [Path(part) for part in (rest, *rest.rpartition("+")[::2]) if kind == "hf" and part]
-        files = [file for folder in folders if folder.is_dir() for file in sorted(folder.glob("*.safetensors"))]
+        files = [file for folder in self.folders for file in sorted(folder.glob("*.safetensors"))]
         return " ".join(f"{file.name}:{file.stat().st_size}:{file.stat().st_mtime_ns}" for file in files)
+
+    @property
+    def trained(self) -> Sight | None:
+        """What a model was shown in training, where its folder says so; raises InputError."""
+        return next((sight for folder in self.folders[:1] if (sight := trained_sight(folder))), None)
 
     def sight(self) -> Sight:
         """What a model is shown; raises InputError where it is not shown what is to be left out."""
-        whole = trained_sight(self.policy) or Sight()
+        whole = self.trained or Sight()
         less = [mark for mark in self.without if not getattr(whole, mark) or not whole.pictures]
         if less:
             raise InputError(f"{self.name}: {self.policy} was trained without {less[0]}; there is nothing to leave out")
@@ -93,9 +104,7 @@ class Player:
         """A policy for one room, that knows nothing of others."""
         if self._model is None:
             return ExpertPolicy()
-        return model_policy(
-            self._contender.policy, self._model, mode=self._contender.mode, sight=self._contender.sight()
-        )
+        return model_policy(self._model, mode=self._contender.mode, sight=self._contender.sight())
 
     @property
     def spent(self) -> Spent | None:

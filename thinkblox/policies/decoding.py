@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thinkblox.policies.constraint import Constraint
+from thinkblox.policies.token_grammar import TokenGrammar
 
 END = "</answer>"
 _PIECE = 512
@@ -70,7 +70,7 @@ class Decoder:
         self.counts = Counts()
 
     def continuations(
-        self, inputs: Any, seeds: Sequence[int], sampling: Sampling, constraint: Constraint | None = None
+        self, inputs: Any, seeds: Sequence[int], sampling: Sampling, constraint: TokenGrammar | None = None
     ) -> list[str]:
         """A text for each seed: up to the end of the answer, the end of the turn, or a limit.
 

@@ -7,10 +7,15 @@ import numpy as np
 
 from thinkblox.chat import Chat
 from thinkblox.errors import InputError
+from thinkblox.observe import Sight
 from thinkblox.policies.chat_format import encode
-from thinkblox.policies.constraint import Constraint
 from thinkblox.policies.decoding import Counts, Decoder, Sampling
 from thinkblox.policies.pretrained import Pretrained, load_pretrained
+from thinkblox.policies.token_grammar import TokenGrammar
+from thinkblox.value import read_json
+
+SIGHT = "sight.json"
+"""In the folder of a model that was trained on our demonstrations: what it was shown."""
 
 
 class HfModel:
@@ -53,10 +58,11 @@ class HfModel:
         if isinstance(model, Pretrained) and (adapter is not None or device is not None):
             raise InputError("a model that was read before has its adapter and its device; give its name for others")
         read = model if isinstance(model, Pretrained) else load_pretrained(model, adapter=adapter, device=device)
+        self.sight = trained_sight(model)
         self._processor = read.processor
         self._sampling = Sampling(temperature=temperature, top_p=top_p, tokens=max_new_tokens, seconds=seconds)
         tokenizer = read.processor.tokenizer
-        self._constraint = Constraint(grammar, tokenizer, len(tokenizer)) if grammar is not None else None
+        self._constraint = TokenGrammar(grammar, tokenizer, len(tokenizer)) if grammar is not None else None
         self._context = int(read.model.config.get_text_config().max_position_embeddings)
         self._decoder = Decoder(read.model, tokenizer, image_token=read.processor.image_token_id, reuse=reuse_prefix)
 
@@ -80,6 +86,16 @@ class HfModel:
         count = n if self._sampling.temperature > 0.0 else 1
         seeds = [int(seed) for seed in rng.integers(2**63, size=n)][:count]
         return self._decoder.continuations(inputs, seeds, self._sampling, self._constraint)
+
+
+def trained_sight(model: str | Path | Pretrained) -> Sight | None:
+    """What a model was shown in training, where its folder says so.
+
+    Raises:
+        InputError: what it says cannot be read.
+    """
+    file = None if isinstance(model, Pretrained) else Path(model) / SIGHT
+    return read_json(file, Sight) if file is not None and file.is_file() else None
 
 
 def _check(max_new_tokens: int, temperature: float, top_p: float, seconds: float) -> None:

@@ -43,7 +43,7 @@ def _three(number: dict[str, Any]) -> dict[str, Any]:
     return {"type": "array", "items": number, "minItems": 3, "maxItems": 3}
 
 
-class Constraint:
+class TokenGrammar:
     """A grammar, ready for the tokens of one tokenizer."""
 
     def __init__(self, grammar: str, tokenizer: Any, vocabulary: int) -> None:
