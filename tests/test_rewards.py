@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 
 import pytest
+from msgspec import structs
 
 from tests.sim_rooms import asset, put, scene, table, vase
 from thinkblox.plan import Target, Tie
@@ -87,6 +88,14 @@ def test_alignment(pool: VerdictPool) -> None:
     tie = Tie(kind="at", anchors=("table_1",))
     assert reward(pool, "align", texts, CHAIR, tie) == pytest.approx([1.0, 0.5, -1.0], abs=1e-9)
     assert reward(pool, "align", [*texts, "?"], CHAIR) == [None] * 4
+
+
+def test_a_desk_is_aligned_with_what_is_seen_from_it(pool: VerdictPool) -> None:
+    desk = structs.replace(CHAIR, id="desk-0", category="desk", gaze="back")
+    tie = Tie(kind="facing", anchors=("table_1",))
+    texts = [text(desk, (1.0, 2.5, 0.0), yaw) for yaw in (180.0, 0.0)]
+    assert reward(pool, "align", texts, desk, tie) == pytest.approx([1.0, -1.0], abs=1e-9)
+    assert reward(pool, "rules", texts, desk, tie) == [1.0, 0.0]
 
 
 def test_relations(pool: VerdictPool) -> None:

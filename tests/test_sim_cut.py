@@ -68,7 +68,7 @@ BALL = asset("ball", (0.2, 0.2, 0.2), Shape(kind="sphere", size=(0.2, 0.2, 0.2),
 CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 POST = asset("post", (0.06, 0.06, 1.2), mass=3.0)
 GIVEN_UP = 0.1
-"""What falls further than this is not followed to the ground: how far it was seen to fall is when that was noticed [m]."""
+"""What falls further than this is given up: how far it was seen to fall depends on when that was noticed [m]."""
 FLUNG = 0.05
 """What is deeper than this in another thing or a wall is flung out, and hits what is metres away [m]."""
 MOST_CALM = 3

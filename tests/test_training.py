@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from msgspec import structs
 
+from tests.stub_server import stub
 from thinkblox import InputError
 from thinkblox.observe import Sight
 from thinkblox.training.building import build
@@ -136,9 +137,13 @@ def test_tiered_training_measures_and_logs(data: str, tmp_path: Path) -> None:
         tokens=12,
         log=1,
     )
-    trained = train_gdpo(config)
+    with stub(lambda body: "Yes", logprobs={"Yes": 0.0}) as server:
+        config = structs.replace(config, soft=("align", "rules", "render"), judge=server.spec)
+        trained = train_gdpo(config)
+        assert len(server.seen) == 1, "nothing was there to be judged, but the judge was tried"
     state = json.loads((tmp_path / "gdpo" / "checkpoint-2" / "trainer_state.json").read_text())
     logged = state["log_history"][0]
+    assert logged["rewards/render:stub/mean"] == 0.0, "the log says who judged"
     assert {"rewards/coll/mean", "share/parsed", "share/valid", "tiers/hard/live", "tiers/cons/spread"} <= set(logged)
     assert logged["rewards/format/mean"] == -1.0
     assert HfModel(trained, max_new_tokens=4).sight == Sight(size=56, views=1, words="compact")

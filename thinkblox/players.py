@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from thinkblox.assets.source import AssetSource
 from thinkblox.chat import ChatModel
@@ -18,6 +19,9 @@ from thinkblox.policies.one_shot import OneShotPolicy
 from thinkblox.policies.understanding import ModelBriefer, ModelPlanner
 from thinkblox.reading import GrammarBriefer
 from thinkblox.replaying import Replay
+
+if TYPE_CHECKING:
+    from thinkblox.policies.openai_server import Asking, OpenAiModel
 
 EXPERT = "expert"
 FORMS = "expert, hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
@@ -101,6 +105,21 @@ def chat_model(spec: str) -> ChatModel:
     return found
 
 
+def judging_server(spec: str, *, asking: "Asking | None" = None) -> "OpenAiModel":
+    """The model behind a server that a specification names, for who needs more of it than answers.
+
+    Raises:
+        InputError: it names none, or one whose address cannot be used.
+    """
+    from thinkblox.policies.openai_server import OpenAiModel
+
+    kind, _, rest = spec.partition(":")
+    if kind != "openai":
+        raise InputError("a judge of pictures is a model behind a server: openai:BASE_URL#MODEL")
+    url, _, model = rest.strip().partition("#")
+    return OpenAiModel(url, model, asking=asking)
+
+
 def _player(spec: str) -> ChatModel | Replay | None:
     """Who a specification names; None for the expert."""
     if spec == EXPERT:
@@ -149,7 +168,12 @@ def _policy(policy: Policy | str | None, who: _Who, mode: Mode, sight: Sight | N
         return ExpertPolicy() if policy is None or isinstance(policy, str) else policy
     if isinstance(found, Replay):
         return found
-    return OneShotPolicy(found) if mode == "one-shot" else ModelPolicy(found, sight=sight)
+    return model_policy(found, mode=mode, sight=sight)
+
+
+def model_policy(model: ChatModel, *, mode: Mode, sight: Sight | None = None) -> Policy:
+    """The policy of a model, asked for one object after the other or once for all of them."""
+    return OneShotPolicy(model) if mode == "one-shot" else ModelPolicy(model, sight=sight)
 
 
 def _briefer(briefer: Briefer | str, who: _Who, fill: Fill, seed: int) -> Briefer:

@@ -121,6 +121,8 @@ class GdpoConfig(Training, frozen=True, kw_only=True):
             raise InputError(f"weights name {stray[0]!r}; the tiers are {', '.join(self.tiers)}")
         if any("render" in rewards for rewards in self.tiers.values()) and not self.judge:
             raise InputError("the reward 'render' needs a judge: judge: openai:BASE_URL#MODEL")
+        if self.judge and not any("render" in rewards for rewards in self.tiers.values()):
+            raise InputError("a judge is named, but no tier has its reward 'render': soft: [align, render]")
         if (self.rollouts * self.prompts) % self.batch:
             raise InputError(
                 f"{self.prompts} prompts of {self.rollouts} rollouts are no whole number of batches of {self.batch};"

@@ -5,7 +5,7 @@ from collections import OrderedDict
 from itertools import pairwise
 from pathlib import Path
 
-from thinkblox.episode import Episode, episode_of
+from thinkblox.episode import Decision, Episode, episode_of
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
 from thinkblox.training.demonstration import scene_of
@@ -68,11 +68,12 @@ class Episodes:
         return [lines[start:end] for start, end in pairwise([*starts, len(lines)])]
 
 
+def case_of(episode: Episode, decision: Decision) -> Case:
+    """What was asked at a decision of an episode."""
+    target = episode.plan.target(decision.round.id)
+    scene = scene_of(decision)
+    return Case(scene, target, episode.assets.get(decision.round.asset) or asset_for(target, scene))
+
+
 def _cases(episode: Episode) -> dict[int, Case]:
-    found = {}
-    for number, decision in enumerate(episode.decisions()):
-        target = episode.plan.target(decision.round.id)
-        scene = scene_of(decision)
-        asset = episode.assets.get(decision.round.asset) or asset_for(target, scene)
-        found[number] = Case(scene, target, asset)
-    return found
+    return {number: case_of(episode, decision) for number, decision in enumerate(episode.decisions())}

@@ -6,14 +6,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from thinkblox.errors import InputError
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.training.advantages import Advantages, tiered_advantages
 from thinkblox.training.config import GdpoConfig, section
 from thinkblox.training.episodes import Episodes
 from thinkblox.training.models import adapter_for, save_trained, starting_model
 from thinkblox.training.outcome import Outcome, outcomes
-from thinkblox.training.rewards import REWARDS
+from thinkblox.training.picture_judge import PictureJudge
+from thinkblox.training.render_reward import RenderReward
+from thinkblox.training.rewards import REWARDS, Reward
 from thinkblox.training.rows import rows_of
 from thinkblox.training.running import common_arguments, resuming, run
 
@@ -25,13 +29,17 @@ def train_gdpo(config: GdpoConfig) -> Path:
         The folder of the trained model, which `hf:` loads.
 
     Raises:
-        InputError: the configuration, the dataset or the model cannot be used; said before anything is trained.
+        InputError: the configuration, the dataset, the model or the judge cannot be used; said before anything is
+            trained. Or the judge is gone later on; the checkpoints stay.
     """
+    judge = None if config.judge is None else PictureJudge(config.judge)
+    if judge is not None:
+        judge.check()
     rows = rows_of(config.data, "train")
     start = starting_model(config)
     with VerdictPool(workers=config.measurers) as pool:
         measure = Measuring(Episodes(config.data), pool)
-        trainer = gdpo_trainer(config, start.model, start.processor, rows, measure)
+        trainer = gdpo_trainer(config, start.model, start.processor, rows, measure, judge=judge)
         run(trainer, config)
     return save_trained(trainer.accelerator.unwrap_model(trainer.model), start.processor, config)
 
@@ -49,7 +57,13 @@ class Measuring:
 
 
 def gdpo_trainer(
-    config: GdpoConfig, model: Any, processor: Any, rows: Any, measure: Callable[..., list[Outcome]]
+    config: GdpoConfig,
+    model: Any,
+    processor: Any,
+    rows: Any,
+    measure: Callable[..., list[Outcome]],
+    *,
+    judge: PictureJudge | None = None,
 ) -> Any:
     """A GRPOTrainer of TRL whose advantages are those of the tiers."""
     from trl import GRPOConfig
@@ -71,7 +85,7 @@ def gdpo_trainer(
         args=arguments,
         train_dataset=rows.select_columns(["prompt", "images", "at"]),
         processing_class=processor,
-        reward_funcs=[_named(name) for name in names],
+        reward_funcs=[_named(name, judge) for name in names],
         peft_config=adapter_for(config.lora),
     )
     trainer.tiers = {tier: [names.index(name) for name in rewards] for tier, rewards in tiers.items()}
@@ -80,8 +94,15 @@ def gdpo_trainer(
     return trainer
 
 
-def _named(name: str) -> Any:
-    reward = REWARDS[name]
+def _named(name: str, judge: PictureJudge | None) -> Any:
+    """A reward as TRL logs it; its name says who judges."""
+    if name in REWARDS:
+        reward: Reward = REWARDS[name]
+    elif judge is not None:
+        reward = RenderReward(judge)
+        name = reward.name
+    else:
+        raise InputError(f"the reward {name!r} needs a judge")
 
     def rewarded(**columns: Any) -> list[float | None]:
         return reward(**columns)
@@ -120,10 +141,8 @@ def _tiered_trainer() -> Any:
             size = self.num_generations if self.model.training else self.num_generations_eval
             found = tiered_advantages(rewards, list(self.tiers.values()), self.tier_weights, size)
             device = output["advantages"].device
-            here = len(inputs) * self.accelerator.process_index
-            output["advantages"] = torch.tensor(
-                found.total[here : here + len(inputs)], dtype=output["advantages"].dtype, device=device
-            )
+            mine = own_share(found.total, len(inputs), self.accelerator.process_index)
+            output["advantages"] = torch.tensor(mine, dtype=output["advantages"].dtype, device=device)
             self._log_advantages(found)
             return output
 
@@ -145,6 +164,11 @@ def _tiered_trainer() -> Any:
             logged.extend(found.total.tolist())
 
     return TieredTrainer
+
+
+def own_share(total: NDArray[np.float64], count: int, rank: int) -> NDArray[np.float64]:
+    """The advantages of a process's own `count` rollouts, of those of all processes in the order of their ranks."""
+    return total[rank * count : (rank + 1) * count]
 
 
 SHARES: dict[str, Callable[[Any], bool]] = {

@@ -58,8 +58,9 @@ class Outcome(NamedTuple):
         distances: how far the answer is from each thing that its reasoning says of it, in metres, or in degrees by
             `ANGLE`; None for a text that cannot be read.
         holds: for each relation wanted of the object that can be told from it alone, whether it holds; None as above.
-        alignment: cosine between its front and the direction to what it serves; None where it serves nothing, or as
-            above.
+        alignment: cosine between where one looks who uses it and the direction to what it serves: its front, or its
+            back for what is worked at from its front, such as a desk; None where it serves nothing, or as above.
+        after: the scene with the object in it, wherever that is; None as above.
     """
 
     case: Case
@@ -67,6 +68,7 @@ class Outcome(NamedTuple):
     distances: tuple[float, ...] | None = None
     holds: tuple[bool, ...] | None = None
     alignment: float | None = None
+    after: Scene | None = None
 
     @property
     def parsed(self) -> bool:
@@ -91,6 +93,13 @@ def outcomes(
     return made
 
 
+def outcome_of(case: Case, tried: Try, *, source: AssetSource | None = None) -> Outcome:
+    """What became of a text that was measured before, where its object was asked for."""
+    if tried.rejection is not None:
+        return Outcome(case, tried)
+    return _outcome(case, understand(case.scene, case.target, tried.text, asset=case.asset, source=source), tried)
+
+
 def _outcome(case: Case, found: Proposal | Rejection, tried: Try) -> Outcome:
     if isinstance(found, Rejection) or found.placement is None or found.asset is None:
         return Outcome(case, tried)
@@ -101,6 +110,7 @@ def _outcome(case: Case, found: Proposal | Rejection, tried: Try) -> Outcome:
         distances=_distances(case.scene, found),
         holds=_holds(case, after),
         alignment=_alignment(case, found.placement),
+        after=after,
     )
 
 
@@ -120,4 +130,5 @@ def _holds(case: Case, after: Scene) -> tuple[bool, ...]:
 def _alignment(case: Case, placement: Placement) -> float | None:
     if case.served is None:
         return None
-    return math.cos(math.radians(direction_error(placement, case.scene[case.served].position[:2])))
+    cosine = math.cos(math.radians(direction_error(placement, case.scene[case.served].position[:2])))
+    return -cosine if case.asset.gaze == "back" else cosine

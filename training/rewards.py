@@ -51,7 +51,10 @@ def r_valid(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
 
 
 def r_align(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
-    """Cosine between the front and the direction to what the object serves (ThinkBLOX, R_align); None without one."""
+    """Cosine between the front and the direction to what the object serves (ThinkBLOX, R_align); None without one.
+
+    A desk that is worked at from its front serves what one sees from there: its back counts.
+    """
     return [None if each.case.served is None else -1.0 if not each.parsed else each.alignment for each in outcome]
 
 

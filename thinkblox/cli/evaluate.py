@@ -1,9 +1,10 @@
-"""`thinkblox evaluate`: judge rooms, or the reading of prompts, by annotations of what the prompts demand."""
+"""`thinkblox evaluate`: judge rooms by annotations of what their prompts demand, or measure policies on prompts."""
 
 import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from thinkblox.cli.measuring import add_policies, check_options, measure_policies
 from thinkblox.cli.options import natural, seconds, whole
 from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
@@ -16,20 +17,22 @@ if TYPE_CHECKING:
     from thinkblox.evaluation.results import Evaluation, Judgement
 
 STATUS = (
-    "exit status: 0 every demand is met; 1 judged, but not all are met; 2 the input cannot be used; 70 a fault of ours;"
-    " 130 stopped, it says what was written"
+    "exit status: 0 every demand is met, or every room of every policy is measured; 1 judged or measured, but not so; 2"
+    " the input cannot be used; 70 a fault of ours; 130 stopped, it says what was written"
 )
 
 
 def add_command(commands: "Commands") -> None:
     """Add the command and its options."""
-    parser = commands.add_parser("evaluate", help="judge rooms by what their prompts demand", epilog=STATUS)
+    parser = commands.add_parser("evaluate", help="judge rooms by their prompts, or measure policies", epilog=STATUS)
     annotations = "what each prompt demands: CSV as SceneEval publishes it, or JSON; see the guide"
-    parser.add_argument("--annotations", metavar="FILE", type=Path, required=True, help=annotations)
+    by = parser.add_mutually_exclusive_group(required=True)
+    by.add_argument("--annotations", metavar="FILE", type=Path, help=annotations)
+    by.add_argument("--prompts", metavar="FILE", type=Path, help="measure policies on these prompts, one a line")
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--reading", action="store_true", help="judge the reading of the prompts alone, without rooms")
     what.add_argument("--rooms", metavar="DIR", type=Path, help="judge the rooms in DIR/<id> instead of making them")
-    out = "write evaluation.json and evaluation.md there, and in rooms/<id> the rooms that are made"
+    out = "write evaluation.json and evaluation.md there, and in rooms what is made or measured"
     parser.add_argument("--out", metavar="DIR", type=Path, help=out)
     parser.add_argument("--only", metavar="ID", action="append", default=[], help="only this prompt (may be repeated)")
     parser.add_argument("--limit", metavar="N", type=_limit, help="only the first N prompts")
@@ -39,6 +42,7 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--pictures", action="store_true", help="make the pictures of every room too")
     parser.add_argument("--overwrite", action="store_true", help="replace an evaluation that is there")
     parser.add_argument("--json", action="store_true", help="print the evaluation as JSON")
+    add_policies(parser)
     parser.set_defaults(run=_evaluate)
 
 
@@ -51,6 +55,11 @@ def _jobs(text: str) -> int:
 
 
 def _evaluate(arguments: argparse.Namespace) -> int:
+    check_options(arguments)
+    return measure_policies(arguments) if arguments.prompts is not None else _judge(arguments)
+
+
+def _judge(arguments: argparse.Namespace) -> int:
     from thinkblox.evaluation.annotation_file import read_annotations
     from thinkblox.evaluation.document import as_json, as_text
     from thinkblox.evaluation.folder import check_evaluation, write_evaluation

@@ -5,13 +5,14 @@ from collections.abc import Iterable
 import msgspec
 
 from thinkblox.evaluation.results import Evaluation, Judgement
-from thinkblox.evaluation.summary import Table, tables
+from thinkblox.evaluation.summary import tables
+from thinkblox.evaluation.table import cell, markdown_table, text_table
 from thinkblox.evaluation.tallies import JudgedRow
 
 
 def as_text(evaluation: Evaluation) -> str:
     """The tables, columns under one another."""
-    return "\n\n".join(_text_table(table) for table in tables(evaluation) if table.rows)
+    return "\n\n".join(text_table(table) for table in tables(evaluation) if table.rows)
 
 
 def failure_lines(judgement: Judgement) -> Iterable[str]:
@@ -43,8 +44,8 @@ def as_json(evaluation: Evaluation) -> bytes:
 def as_markdown(evaluation: Evaluation) -> str:
     """The tables and every failure."""
     what = "Rooms" if evaluation.of == "rooms" else "The reading of the prompts"
-    parts = [f"# {what}, judged by {_cell(evaluation.annotations)}"]
-    parts += [f"## {table.title}\n\n{_markdown_table(table)}" for table in tables(evaluation) if table.rows]
+    parts = [f"# {what}, judged by {cell(evaluation.annotations)}"]
+    parts += [f"## {table.title}\n\n{markdown_table(table)}" for table in tables(evaluation) if table.rows]
     parts.append("## Every demand that is not met")
     parts += [_failures(judgement) for judgement in evaluation.judgements if judgement.failures or judgement.refused]
     parts += _disagreements(evaluation)
@@ -55,7 +56,7 @@ def _disagreements(evaluation: Evaluation) -> list[str]:
     differing = [judgement for judgement in evaluation.judgements if judgement.disagrees]
     if not differing:
         return []
-    lines = [f"- {_cell(j.id)}: {opinions(j)}" for j in differing]
+    lines = [f"- {cell(j.id)}: {opinions(j)}" for j in differing]
     return ["## Where the report and the judge disagree", "\n".join(lines)]
 
 
@@ -68,28 +69,11 @@ def opinions(judgement: Judgement) -> str:
 
 def _failures(judgement: Judgement) -> str:
     mark = " **(the report says otherwise)**" if judgement.disagrees else ""
-    head = f"**{_cell(judgement.id)}** {_cell(judgement.prompt)}{mark}\n"
-    lines = [f"- refused: {_cell(judgement.refused)}"] if judgement.refused else []
-    lines += [f"- {_label(row)}: {_cell(row.demand)}: {_cell(row.says)}" for row in judgement.failures]
+    head = f"**{cell(judgement.id)}** {cell(judgement.prompt)}{mark}\n"
+    lines = [f"- refused: {cell(judgement.refused)}"] if judgement.refused else []
+    lines += [f"- {_label(row)}: {cell(row.demand)}: {cell(row.says)}" for row in judgement.failures]
     return "\n".join([head, *lines])
 
 
 def _label(row: JudgedRow) -> str:
     return f"{row.kind} {row.about}".rstrip()
-
-
-def _text_table(table: Table) -> str:
-    lines = [table.header, *table.rows]
-    widths = [max(len(line[column]) for line in lines) for column in range(len(table.header))]
-    shown = ["  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines]
-    return "\n".join([table.title, *(line for line in shown if line)])
-
-
-def _markdown_table(table: Table) -> str:
-    lines = [table.header, ("---",) * len(table.header), *table.rows]
-    return "\n".join(f"| {' | '.join(_cell(cell) for cell in line)} |" for line in lines)
-
-
-def _cell(text: str) -> str:
-    """A text from outside that can end neither a cell nor a line."""
-    return " ".join(text.split()).replace("|", "\\|").replace("<", "&lt;")

@@ -5,18 +5,11 @@ from functools import partial
 from typing import NamedTuple
 
 from thinkblox.evaluation.results import Evaluation, Judgement
+from thinkblox.evaluation.table import Table
 from thinkblox.evaluation.tallies import JudgedRow, Kind
 
 TOTAL = "all"
 _UNNAMED = "(none)"
-
-
-class Table(NamedTuple):
-    """Cells as they are shown; the first column names the row."""
-
-    title: str
-    header: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
 
 
 class Share(NamedTuple):

@@ -92,8 +92,30 @@ class OpenAiModel:
             NoAnswerError: it failed this time.
         """
         key = key_from()
-        body = {"max_tokens": 1, "temperature": 0.0, "logprobs": True, "top_logprobs": TOP}
-        choices = self._asked(self._single(key, {"messages": _messages(chat), **body}), key)
+        return self._likelihood(self._asked(self._single(key, _first_token(chat)), key), word)
+
+    def probabilities(self, chats: Sequence[Chat], word: str) -> list[float | None]:
+        """`probability` for many chats, asked together; None where the server failed for one.
+
+        It takes at most `Asking.seconds` for every `Asking.at_once` chats.
+
+        Raises:
+            UnavailableError: as for `probability`, or all chats failed, time and again.
+        """
+        key = key_from()
+        found = _run(self._together(key, [_first_token(chat) for chat in chats]))
+        failures = [self._error(each, key) for each in found if isinstance(each, Exception)]
+        gone = next((each for each in failures if not isinstance(each, NoAnswerError)), None)
+        if gone is not None:
+            raise gone
+        self._failures = self._failures + 1 if chats and len(failures) == len(chats) else 0
+        if self._failures >= PATIENCE:
+            raise UnavailableError(
+                f"{failures[-1]}; that was so for all of {len(chats)}, {self._failures} times in a row"
+            )
+        return [None if isinstance(each, BaseException) else self._likelihood(each, word) for each in found]
+
+    def _likelihood(self, choices: "list[Choice]", word: str) -> float:
         logprobs = choices[0].logprobs
         if logprobs is None or not logprobs.content or not logprobs.content[0].top_logprobs:
             raise UnavailableError(
@@ -115,13 +137,18 @@ class OpenAiModel:
         return choices
 
     def _failure(self, error: Exception, key: str) -> InputError:
-        from thinkblox.policies.server_errors import error_of
-
-        found = error_of(error, self._url, self._model, lambda text: shown(text, key), has_key=bool(key))
+        found = self._error(error, key)
         self._failures += 1
         if isinstance(found, NoAnswerError) and self._failures >= PATIENCE:
             return UnavailableError(f"{found}; that was so {self._failures} times in a row")
         return found
+
+    def _error(self, error: Exception, key: str) -> InputError:
+        from thinkblox.policies.server_errors import error_of
+
+        if isinstance(error, InputError):
+            return error
+        return error_of(error, self._url, self._model, lambda text: shown(text, key), has_key=bool(key))
 
     async def _sampled(self, key: str, messages: list[dict[str, Any]], n: int, seed: int) -> "list[Choice]":
         """As many answers as the server gives in one go, and the others one by one."""
@@ -148,6 +175,16 @@ class OpenAiModel:
     async def _single(self, key: str, body: dict[str, Any]) -> "list[Choice]":
         async with self._client(key) as client:
             return await self._choices(client, body)
+
+    async def _together(self, key: str, bodies: Sequence[dict[str, Any]]) -> "list[list[Choice] | BaseException]":
+        gate = asyncio.Semaphore(self._asking.at_once)
+        async with self._client(key) as client:
+
+            async def one(body: dict[str, Any]) -> "list[Choice]":
+                async with gate:
+                    return await self._choices(client, body)
+
+            return await asyncio.gather(*map(one, bodies), return_exceptions=True)
 
     @asynccontextmanager
     async def _client(self, key: str) -> "AsyncIterator[AsyncOpenAI]":
@@ -187,6 +224,12 @@ class OpenAiModel:
         if "max_tokens" in body and "max_tokens" in self._left_out and "max_completion_tokens" not in self._left_out:
             kept["max_completion_tokens"] = body["max_tokens"]
         return kept
+
+
+def _first_token(chat: Chat) -> dict[str, Any]:
+    """A request for the likeliest first tokens of an answer."""
+    body = {"max_tokens": 1, "temperature": 0.0, "logprobs": True, "top_logprobs": TOP}
+    return {"messages": _messages(chat), **body}
 
 
 def _run(asking: Coroutine[Any, Any, R]) -> R:

@@ -12,17 +12,19 @@ from typing import Literal, get_args
 
 TemplateName = Literal["objects", "plan", "step", "revision", "edit", "one_shot"]
 """Object-set extraction, global planning, one step, its revision after a rejection, an edit, a whole room at once."""
+JudgeName = Literal["judge_step", "judge_room"]
+"""What a judge is asked: whether an object is well placed, and how good a room is. No policy is told this."""
 NUMBER = 1
 """Raised with every change of meaning."""
 
 
 @cache
-def template(name: TemplateName) -> str:
+def template(name: TemplateName | JudgeName) -> str:
     """The text of a template."""
     return Path(__file__).with_name(f"{name}.txt").read_text(encoding="utf-8").rstrip("\n")
 
 
-def filled(name: TemplateName, **values: str) -> str:
+def filled(name: TemplateName | JudgeName, **values: str) -> str:
     """A template with its names filled in; raises KeyError where one is missing."""
     return Template(template(name)).substitute(values)
 

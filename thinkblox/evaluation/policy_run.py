@@ -1,0 +1,180 @@
+"""Letting policies furnish rooms with their own first answers, in several processes, and taking down what was measured.
+
+What is done is kept in a file for each room, so that a run that was stopped goes on.
+"""
+
+import time
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+from typing import NamedTuple
+
+import msgspec
+from msgspec import structs
+
+from thinkblox.crew import work_through
+from thinkblox.errors import InputError, UnavailableError
+from thinkblox.evaluation.contenders import Contender, NoPolicyError, Player, Spent
+from thinkblox.evaluation.ratings import RoomRater
+from thinkblox.evaluation.room_tally import RoomTally, tally_of
+from thinkblox.generate import BrokenOffError, Generation, generate_room
+from thinkblox.holding import note_placed, placed, signals_held
+from thinkblox.orders import Order
+from thinkblox.placing import Effort
+from thinkblox.value import from_json, to_json
+
+GRACE = 600.0
+"""How much longer than the budget for placing one room may take in all, a model being loaded before it [s]."""
+
+
+class Trial(NamedTuple):
+    """How contenders are measured.
+
+    Attributes:
+        prompts: each is furnished.
+        runs: how often.
+        seed: of the first run; each other has the next one.
+        budget: for placing the objects of a room [s].
+        judge: who rates pictures; empty for nobody.
+        kept: folder of a file for each room; nothing is kept when None.
+    """
+
+    prompts: tuple[str, ...]
+    runs: int = 1
+    seed: int = 0
+    budget: float = 900.0
+    judge: str = ""
+    kept: Path | None = None
+
+
+class _Task(NamedTuple):
+    contender: Contender
+    text: str
+    prompt: int
+    run: int
+    seed: int
+    budget: float
+    judge: str
+
+
+class _Answer(NamedTuple):
+    tally: RoomTally | None = None
+    unusable: str = ""
+
+
+def measured_rooms(contender: Contender, trial: Trial, *, jobs: int = 1) -> Iterator[RoomTally]:
+    """Furnish every prompt, and give what was measured; what is done already comes first.
+
+    Raises:
+        NoPolicyError: the policy or the judge cannot be had, or is gone; what is done is kept.
+    """
+    left = []
+    for task in _tasks(contender, trial):
+        before = _kept(task, trial.kept)
+        if before is None:
+            left.append(task)
+        else:
+            yield before
+    for done in work_through(_measured, left, jobs=jobs, seconds=trial.budget + GRACE):
+        task = left[done.number]
+        answer = done.result or _Answer(RoomTally(prompt=task.prompt, run=task.run, refused=f"a fault: {done.fault}"))
+        if answer.tally is None:
+            raise NoPolicyError(f"{contender.name}: {answer.unusable}")
+        if done.result is not None and trial.kept is not None:
+            _keep(answer.tally, _file(task, trial.kept))
+        yield answer.tally
+
+
+def _keep(tally: RoomTally, file: Path) -> None:
+    draft = file.with_suffix(".draft")
+    try:
+        with signals_held():
+            draft.write_bytes(to_json(tally))
+            draft.replace(file)
+            if file.parent not in placed():
+                note_placed(file.parent)
+    except OSError as error:
+        raise InputError(f"{file}: cannot be written: {error.strerror}") from error
+
+
+def _tasks(contender: Contender, trial: Trial) -> Sequence[_Task]:
+    return [
+        _Task(contender, text, number, run, trial.seed + run - 1, trial.budget, trial.judge)
+        for run in range(1, trial.runs + 1)
+        for number, text in enumerate(trial.prompts, 1)
+    ]
+
+
+def _kept(task: _Task, folder: Path | None) -> RoomTally | None:
+    """What was measured of a room before; None where there is nothing that can be read."""
+    file = None if folder is None else _file(task, folder)
+    if file is None or not file.is_file():
+        return None
+    try:
+        found = from_json(file.read_bytes(), RoomTally)
+    except InputError:
+        return None
+    return structs.replace(found, prompt=task.prompt, run=task.run)
+
+
+def _file(task: _Task, folder: Path) -> Path:
+    """The name says all that decides on the room, and not the name of the row or the prompt's number."""
+    contender = structs.replace(task.contender, name="")
+    said = (contender, contender.stamp, task.text, task.seed, task.budget, task.judge)
+    return folder / f"{sha256(msgspec.json.encode(said)).hexdigest()[:16]}.json"
+
+
+def _measured(task: _Task) -> _Answer:
+    """What one process does with one prompt."""
+    try:
+        player = _player(structs.replace(task.contender, name=""))
+        rater = _rater(task.judge) if task.judge else None
+    except InputError as error:
+        return _Answer(unusable=str(error))
+    try:
+        return _Answer(_furnished(task, player, rater))
+    except (BrokenOffError, UnavailableError) as error:
+        return _Answer(unusable=str(error))
+    except InputError as error:
+        return _Answer(RoomTally(prompt=task.prompt, run=task.run, refused=str(error)))
+
+
+def _furnished(task: _Task, player: Player, rater: RoomRater | None) -> RoomTally:
+    before, began = player.spent, time.perf_counter()
+    made = first_answers(task.text, player, order=task.contender.order, seed=task.seed, budget=task.budget)
+    tally = structs.replace(
+        tally_of(made, prompt=task.prompt, run=task.run), seconds=round(time.perf_counter() - began, 3)
+    )
+    if before is not None and (after := player.spent) is not None:
+        spent = Spent(after.read - before.read, after.written - before.written)
+        tally = structs.replace(tally, read=spent.read, written=spent.written)
+    rating = None if rater is None else rater.rating(made.scene)
+    return tally if rating is None else structs.replace(tally, **structs.asdict(rating))
+
+
+def first_answers(text: str, player: Player, *, order: Order, seed: int, budget: float) -> Generation:
+    """A room of a policy's first answers alone: one for each object, and what is not valid is left out.
+
+    Who reads the prompt and who plans is the same for all policies.
+    """
+    effort = Effort(candidates=1, rounds=1, repairs=0, revisions=0, restarts=0, resort=False, seconds=budget)
+    return generate_room(
+        text,
+        seed=seed,
+        policy=player.policy(),
+        briefer="expert",
+        planner="expert",
+        order=order,
+        effort=effort,
+    )
+
+
+@lru_cache(maxsize=1)
+def _player(contender: Contender) -> Player:
+    return Player(contender)
+
+
+@lru_cache(maxsize=1)
+def _rater(spec: str) -> RoomRater:
+    return RoomRater(spec)
