@@ -15,7 +15,7 @@ from thinkblox.plan import Target, Tie
 from thinkblox.policies.openai_server import Asking
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import write_step
-from thinkblox.training.outcome import Case, Outcome, outcomes
+from thinkblox.training.outcome import Asked, Rollout, outcomes
 from thinkblox.training.picture_judge import PictureJudge
 from thinkblox.training.render_reward import RenderReward
 
@@ -25,14 +25,14 @@ QUICK = Asking(temperature=0.0, seconds=0.5, retries=0, at_once=3)
 
 
 @pytest.fixture(scope="module")
-def rollouts() -> list[Outcome]:
+def rollouts() -> list[Rollout]:
     """Two chairs at a table, one that is in it, and a text that cannot be read."""
     chair, board = asset("chair", (0.5, 0.5, 0.9), mass=5.0), table()
     room = scene(None, (put(board, 2.0, 2.5), board))
     target = Target(id="chair_1", category="chair", request="chair", ties=(Tie(kind="at", anchors=("table_1",)),))
     texts = [write_step(["Here."], id="chair_1", position=(x, 2.5, 0.0), yaw=0.0, size=chair.size) for x in (1, 0.5, 2)]
     with VerdictPool(workers=0) as pool:
-        return outcomes(pool, [(Case(room, target, chair), [*texts, "nowhere"])])[0]
+        return outcomes(pool, [(Asked(room, target, chair), [*texts, "nowhere"])])[0]
 
 
 @pytest.fixture
@@ -41,11 +41,11 @@ def server() -> Iterator[Stub]:
         yield made
 
 
-def rewards(server: Stub, rollouts: list[Outcome], asking: Asking = QUICK) -> list[float | None]:
+def rewards(server: Stub, rollouts: list[Rollout], asking: Asking = QUICK) -> list[float | None]:
     return RenderReward(PictureJudge(server.spec, asking=asking), size=64)(outcome=rollouts)
 
 
-def test_the_reward_is_the_probability_of_yes(server: Stub, rollouts: list[Outcome]) -> None:
+def test_the_reward_is_the_probability_of_yes(server: Stub, rollouts: list[Rollout]) -> None:
     assert rewards(server, rollouts) == pytest.approx([0.8, 0.8, 0.8, 0.0])
     (content,) = (message["content"] for message in server.seen[0]["messages"])
     assert [part["type"] for part in content] == ["text", "image_url", "image_url"]
@@ -54,7 +54,7 @@ def test_the_reward_is_the_probability_of_yes(server: Stub, rollouts: list[Outco
     assert RenderReward(PictureJudge(server.spec)).name == "render:stub"
 
 
-def test_no_more_requests_than_allowed_are_under_way(rollouts: list[Outcome]) -> None:
+def test_no_more_requests_than_allowed_are_under_way(rollouts: list[Rollout]) -> None:
     with stub(lambda body: "Yes", logprobs=YES) as made:
         reply = made.reply
 
@@ -67,7 +67,7 @@ def test_no_more_requests_than_allowed_are_under_way(rollouts: list[Outcome]) ->
     assert 1 < made.busiest <= QUICK.at_once
 
 
-def test_what_is_not_answered_has_no_reward(server: Stub, rollouts: list[Outcome]) -> None:
+def test_what_is_not_answered_has_no_reward(server: Stub, rollouts: list[Rollout]) -> None:
     server.first = [error(500, "no")]
     logged: dict[str, float] = {}
     judge = RenderReward(PictureJudge(server.spec, asking=QUICK), size=64)
@@ -76,7 +76,7 @@ def test_what_is_not_answered_has_no_reward(server: Stub, rollouts: list[Outcome
     assert logged == {"unanswered/render:stub": pytest.approx(1 / 3)}
 
 
-def test_a_judge_that_hangs_ends_the_training_instead_of_it(server: Stub, rollouts: list[Outcome]) -> None:
+def test_a_judge_that_hangs_ends_the_training_instead_of_it(server: Stub, rollouts: list[Rollout]) -> None:
     server.first = [Reply(seconds=30.0)] * 20
     judge = RenderReward(PictureJudge(server.spec, asking=QUICK), size=64)
     start = time.monotonic()

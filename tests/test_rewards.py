@@ -12,7 +12,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import write_step
-from thinkblox.training.outcome import Case, outcomes
+from thinkblox.training.outcome import Asked, outcomes
 from thinkblox.training.rewards import REWARDS
 from thinkblox.value import Vec3
 
@@ -33,7 +33,7 @@ def text(kind: Asset, position: Vec3, yaw: float = 0.0, says: str = "") -> str:
 
 def reward(pool: VerdictPool, name: str, texts: list[str], kind: Asset = CHAIR, *ties: Tie, room: Scene = ROOM):
     target = Target(id=f"{kind.category}_1", category=kind.category, request=kind.category, ties=ties)
-    (found,) = outcomes(pool, [(Case(room, target, kind), texts)])
+    (found,) = outcomes(pool, [(Asked(room, target, kind), texts)])
     return REWARDS[name](outcome=found, prompts=[], completions=[])
 
 

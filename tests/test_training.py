@@ -157,17 +157,17 @@ def test_advantages_that_differ_move_the_model(data: str, tmp_path: Path) -> Non
     from thinkblox.policies.tiny import TinySize, build_tiny
     from thinkblox.steps import Rejection
     from thinkblox.training.gdpo import gdpo_trainer
-    from thinkblox.training.outcome import Case, Outcome
+    from thinkblox.training.outcome import Asked, Rollout
 
     size = TinySize(hidden=32, layers=1, heads=2, vocabulary=320, vision_hidden=16, vision_layers=1)
     start = load_pretrained(build_tiny(tmp_path / "tiny", size=size))
     from thinkblox.training.episodes import Episodes
 
-    case: Case = Episodes(data).case("0/0/0")
+    case: Asked = Episodes(data).case("0/0/0")
 
     def measure(at, texts):
         good, bad = Try(text=""), Try(text="", rejection=Rejection(reason="format", message="no"))
-        return [Outcome(case, good if number % 3 else bad) for number, _ in enumerate(texts)]
+        return [Rollout(case, good if number % 3 else bad) for number, _ in enumerate(texts)]
 
     config = GdpoConfig(
         data=data, out=str(tmp_path / "out"), steps=1, batch=8, rollouts=4, prompts=2, tokens=8, hard="paper", log=1,

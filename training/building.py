@@ -20,7 +20,7 @@ Work = Callable[[Callable[[int], ShardCount], Sequence[int]], Iterable[Done[Shar
 """Calls a function with each of some numbers, anywhere and in any order, and gives what comes of each as it is done."""
 
 
-class Manifest(Value, frozen=True, kw_only=True):
+class DatasetManifest(Value, frozen=True, kw_only=True):
     """What a dataset holds: its recipe, and what came of all its shards together."""
 
     recipe: Recipe
@@ -39,7 +39,7 @@ def build(
     workers: int = 1,
     work: Work | None = None,
     on_shard: Callable[[ShardCount, int, int], None] = lambda count, done, total: None,
-) -> Manifest:
+) -> DatasetManifest:
     """Make a dataset in a folder, or go on with one that was begun by the same recipe.
 
     What a shard holds depends on the recipe and on its number alone, so shards may be made anywhere and in any order;
@@ -101,14 +101,14 @@ def _done(recipe: Recipe, folder: Path) -> Iterator[ShardCount]:
                 yield count
 
 
-def _manifest(recipe: Recipe, counts: list[ShardCount]) -> Manifest:
+def _manifest(recipe: Recipe, counts: list[ShardCount]) -> DatasetManifest:
     def total(of: Callable[[ShardCount], dict[str, int]]) -> dict[str, int]:
         together: Counter[str] = Counter()
         for count in counts:
             together.update(of(count))
         return dict(sorted(together.items()))
 
-    return Manifest(
+    return DatasetManifest(
         recipe=recipe,
         scenes=sum(count.scenes for count in counts),
         demonstrations=total(lambda count: count.demonstrations),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from thinkblox.version import package_version
 
 if TYPE_CHECKING:
-    from thinkblox.training.building import Manifest
+    from thinkblox.training.building import DatasetManifest
 
 _MOST = 15
 _HEAD = """\
@@ -31,7 +31,7 @@ verdict, are in `episodes/`. Everything that decided what was made is in `recipe
 """
 
 
-def card_of(manifest: "Manifest") -> str:
+def card_of(manifest: "DatasetManifest") -> str:
     """The text of the card, README.md of the dataset."""
     splits = [split for split, count in manifest.demonstrations.items() if count]
     files = "\n".join(f"  - split: {split}\n    path: data/{split}-*.parquet" for split in splits)

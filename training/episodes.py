@@ -9,7 +9,7 @@ from thinkblox.episode import Decision, Episode, episode_of
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
 from thinkblox.training.demonstration import scene_of
-from thinkblox.training.outcome import Case
+from thinkblox.training.outcome import Asked
 from thinkblox.training.shard import episodes_file
 
 _BEGINS = b'{"line":"episode"'
@@ -23,9 +23,9 @@ class Episodes:
     def __init__(self, folder: str | Path) -> None:
         self._folder = Path(folder)
         self._lines: OrderedDict[int, list[list[bytes]]] = OrderedDict()
-        self._cases: OrderedDict[tuple[int, int], dict[int, Case]] = OrderedDict()
+        self._cases: OrderedDict[tuple[int, int], dict[int, Asked]] = OrderedDict()
 
-    def case(self, at: str) -> Case:
+    def case(self, at: str) -> Asked:
         """What was asked at a decision, "shard/episode/decision".
 
         Raises:
@@ -68,12 +68,12 @@ class Episodes:
         return [lines[start:end] for start, end in pairwise([*starts, len(lines)])]
 
 
-def case_of(episode: Episode, decision: Decision) -> Case:
+def case_of(episode: Episode, decision: Decision) -> Asked:
     """What was asked at a decision of an episode."""
     target = episode.plan.target(decision.round.id)
     scene = scene_of(decision)
-    return Case(scene, target, episode.assets.get(decision.round.asset) or asset_for(target, scene))
+    return Asked(scene, target, episode.assets.get(decision.round.asset) or asset_for(target, scene))
 
 
-def _cases(episode: Episode) -> dict[int, Case]:
+def _cases(episode: Episode) -> dict[int, Asked]:
     return {number: case_of(episode, decision) for number, decision in enumerate(episode.decisions())}

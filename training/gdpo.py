@@ -14,7 +14,7 @@ from thinkblox.training.advantages import Advantages, tiered_advantages
 from thinkblox.training.config import GdpoConfig, section
 from thinkblox.training.episodes import Episodes
 from thinkblox.training.models import adapter_for, save_trained, starting_model
-from thinkblox.training.outcome import Outcome, outcomes
+from thinkblox.training.outcome import Rollout, outcomes
 from thinkblox.training.picture_judge import PictureJudge
 from thinkblox.training.render_reward import RenderReward
 from thinkblox.training.rewards import REWARDS, Reward
@@ -50,7 +50,7 @@ class Measuring:
     def __init__(self, episodes: Episodes, pool: VerdictPool) -> None:
         self._episodes, self._pool = episodes, pool
 
-    def __call__(self, at: Sequence[str], texts: Sequence[str]) -> list[Outcome]:
+    def __call__(self, at: Sequence[str], texts: Sequence[str]) -> list[Rollout]:
         """What becomes of each text, the answer to the decision of the same number in `at`."""
         asked = [(self._episodes.case(place), [text]) for place, text in zip(at, texts, strict=True)]
         return [row[0] for row in outcomes(self._pool, asked)]
@@ -61,7 +61,7 @@ def gdpo_trainer(
     model: Any,
     processor: Any,
     rows: Any,
-    measure: Callable[..., list[Outcome]],
+    measure: Callable[..., list[Rollout]],
     *,
     judge: PictureJudge | None = None,
 ) -> Any:
@@ -122,7 +122,7 @@ def _tiered_trainer() -> Any:
 
         tiers: dict[str, list[int]]
         tier_weights: list[float]
-        measure: Callable[..., list[Outcome]]
+        measure: Callable[..., list[Rollout]]
 
         def _calculate_rewards(self, inputs: Any, prompts: Any, completions: Any, completion_ids_list: Any) -> Any:
             texts = [said[-1]["content"] if isinstance(said, list) else said for said in completions]
@@ -146,7 +146,7 @@ def _tiered_trainer() -> Any:
             self._log_advantages(found)
             return output
 
-        def _log_shares(self, found: Sequence[Outcome]) -> None:
+        def _log_shares(self, found: Sequence[Rollout]) -> None:
             verdicts = [each.tried.verdict for each in found]
             self._log_metric("share/parsed", float(np.mean([each.parsed for each in found])))
             for name, holds in SHARES.items():

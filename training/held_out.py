@@ -13,7 +13,7 @@ from thinkblox.policies.pretrained import Pretrained
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Step, parse, write_step
 from thinkblox.training.episodes import Episodes
-from thinkblox.training.outcome import Case, Outcome, outcomes
+from thinkblox.training.outcome import Asked, Rollout, outcomes
 from thinkblox.training.rewards import REWARDS
 from thinkblox.training.rows import rows_of
 from thinkblox.training.tiers import HARD
@@ -69,7 +69,7 @@ def score_steps(data: str | Path, answers: Answers, pool: VerdictPool, *, split:
     return score_of([row[0] for row in found])
 
 
-def score_of(found: Sequence[Outcome]) -> Score:
+def score_of(found: Sequence[Rollout]) -> Score:
     """The shares and means of what became of some steps."""
     verdicts = [each.tried.verdict for each in found]
     mounts: dict[str, list[bool]] = defaultdict(list)
@@ -96,7 +96,7 @@ def score_of(found: Sequence[Outcome]) -> Score:
     )
 
 
-def _mean(found: Sequence[Outcome], names: Sequence[str]) -> float:
+def _mean(found: Sequence[Rollout], names: Sequence[str]) -> float:
     table = np.array([REWARDS[name](outcome=found) for name in names], float)
     return round(float(np.nansum(table, 0).mean()), 4)
 
@@ -109,19 +109,19 @@ def demonstrated(rows: Sequence[dict[str, Any]]) -> list[str]:
 def anywhere(rows: Sequence[dict[str, Any]], episodes: Episodes, rng: np.random.Generator) -> list[str]:
     """Random poses in the room, at the height where such things are."""
 
-    def pose(case: Case) -> tuple[float, float, float, float]:
+    def pose(case: Asked) -> tuple[float, float, float, float]:
         width, depth = case.scene.room.extent
         return (rng.uniform(0, width), rng.uniform(0, depth), _height(case), float(rng.integers(4)) * 90)
 
     return [_said(episodes.case(row["at"]), *pose(episodes.case(row["at"]))) for row in rows]
 
 
-def _height(case: Case) -> float:
+def _height(case: Asked) -> float:
     room, asset = case.scene.room, case.asset
     return {"ceiling": room.height - asset.size[2], "wall": 1.5}.get(asset.mount, 0.0)
 
 
-def _said(case: Case, x: float, y: float, z: float, yaw: float) -> str:
+def _said(case: Asked, x: float, y: float, z: float, yaw: float) -> str:
     return write_step(("It goes here.",), id=case.target.id, position=(x, y, z), yaw=yaw, size=case.asset.size)
 
 

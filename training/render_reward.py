@@ -5,7 +5,7 @@ from typing import Any
 
 from thinkblox.chat import Chat, Message
 from thinkblox.prompts import filled, one_line
-from thinkblox.training.outcome import Outcome
+from thinkblox.training.outcome import Rollout
 from thinkblox.training.picture_judge import PictureJudge, judged_views
 from thinkblox.wording import describe_tie
 
@@ -29,7 +29,7 @@ class RenderReward:
         return f"render:{self._judge.name}"
 
     def __call__(
-        self, *, outcome: Sequence[Outcome], log_metric: Callable[[str, float], None] | None = None, **_: Any
+        self, *, outcome: Sequence[Rollout], log_metric: Callable[[str, float], None] | None = None, **_: Any
     ) -> list[float | None]:
         """The reward of each rollout.
 
@@ -44,7 +44,7 @@ class RenderReward:
         return [next(found) if _is_there(each) else 0.0 for each in outcome]
 
 
-def asked_of(outcome: Outcome, size: int = SIZE) -> Chat:
+def asked_of(outcome: Rollout, size: int = SIZE) -> Chat:
     """What a judge is asked of a placement."""
     target, scene = outcome.case.target, outcome.after
     if scene is None:
@@ -56,5 +56,5 @@ def asked_of(outcome: Outcome, size: int = SIZE) -> Chat:
     return (Message("user", (question, *judged_views(scene, size=size, ids=True))),)
 
 
-def _is_there(outcome: Outcome) -> bool:
+def _is_there(outcome: Rollout) -> bool:
     return outcome.after is not None

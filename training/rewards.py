@@ -1,7 +1,7 @@
 """The rewards of the ThinkBLOX paper, and two of the settle: pure functions of what became of each rollout.
 
 Each has the signature of a reward function of TRL: called with the columns of a batch, among them "outcome" (an
-`Outcome` for each completion, from `thinkblox.training.outcome.outcomes`), it gives a number for each, None where it
+`Rollout` for each completion, from `thinkblox.training.outcome.outcomes`), it gives a number for each, None where it
 does not apply to the object. A text that cannot be used gets the floor of every reward that does: a policy must not do
 better by saying nothing.
 """
@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from thinkblox.training.outcome import Outcome
+from thinkblox.training.outcome import Rollout
 from thinkblox.verdict import Verdict
 
 Reward = Callable[..., list[float | None]]
@@ -20,37 +20,37 @@ NEVER = 1.0
 """What reasoning that says nothing of the pose counts as: as far from the answer as it can be."""
 
 
-def r_format(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_format(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """0 for a text that can be used, -1 otherwise (ThinkBLOX, R_format)."""
     return [0.0 if each.parsed else -1.0 for each in outcome]
 
 
-def r_coll(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_coll(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """-tanh(5 sum of rho), rho being the share of its volume that is in each other object (ThinkBLOX, R_coll)."""
     return [_measured(each, lambda verdict: verdict.r_coll) for each in outcome]
 
 
-def r_layout(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_layout(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """-tanh of how far it reaches out of the room in metres (ThinkBLOX, R_layout)."""
     return [_measured(each, lambda verdict: verdict.r_layout) for each in outcome]
 
 
-def r_support(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_support(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """0 for what something carries where it is put, or the floor; -1 for what falls, or hangs at nothing."""
     return [_measured(each, _support) for each in outcome]
 
 
-def r_settle(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_settle(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """-tanh(drift / 5 cm + drop / 5 cm + tilt / 30 degrees) in the settle; -1 for what is not settled or restless."""
     return [_measured(each, _settle) for each in outcome]
 
 
-def r_valid(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_valid(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """0 for a placement that nothing speaks against, -1 for any other: the gate of the generator itself."""
     return [_measured(each, lambda verdict: 0.0 if verdict.valid else -1.0) for each in outcome]
 
 
-def r_align(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_align(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """Cosine between the front and the direction to what the object serves (ThinkBLOX, R_align); None without one.
 
     A desk that is worked at from its front serves what one sees from there: its back counts.
@@ -58,7 +58,7 @@ def r_align(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
     return [None if each.case.served is None else -1.0 if not each.parsed else each.alignment for each in outcome]
 
 
-def r_rules(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_rules(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """Share of the relations wanted of the object that hold, 0 to 1; None where none can be told: a judge by rules."""
     return [
         None if not each.case.told else 0.0 if each.holds is None else sum(each.holds) / len(each.holds)
@@ -66,7 +66,7 @@ def r_rules(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
     ]
 
 
-def r_cons(*, outcome: Sequence[Outcome], **_: Any) -> list[float | None]:
+def r_cons(*, outcome: Sequence[Rollout], **_: Any) -> list[float | None]:
     """-dist(planned(reasoning), action) (ThinkBLOX, R_cons), at least -1.
 
     The distance is the mean over what the reasoning says of the pose, each at most 1: metres, or degrees by 90.
@@ -89,7 +89,7 @@ REWARDS: dict[str, Reward] = {
 """Every reward that needs no judge besides, by name."""
 
 
-def _measured(each: Outcome, reward: Callable[[Verdict], float]) -> float:
+def _measured(each: Rollout, reward: Callable[[Verdict], float]) -> float:
     verdict = each.tried.verdict
     return -1.0 if verdict is None or "error" in verdict.reasons else reward(verdict)
 
@@ -107,7 +107,7 @@ def _settle(verdict: Verdict) -> float:
     return 0.0 - math.tanh(verdict.drift / DRIFT + verdict.drop / DROP + verdict.tilt / TILT)
 
 
-def _distance(each: Outcome) -> float:
+def _distance(each: Rollout) -> float:
     if each.distances is None:
         return NEVER
     return sum(min(d, NEVER) for d in each.distances) / len(each.distances) if each.distances else NEVER

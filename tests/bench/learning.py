@@ -18,7 +18,7 @@ from thinkblox.observe import Sight
 from thinkblox.plan import Target
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import write_step
-from thinkblox.training.outcome import Case, outcomes
+from thinkblox.training.outcome import Asked, outcomes
 from thinkblox.training.recipe import Recipe
 from thinkblox.training.rewards import REWARDS
 from thinkblox.training.shard import make_shard
@@ -53,7 +53,7 @@ def rewards() -> None:
         texts = [
             write_step(says, id=c.id, position=c.position, yaw=c.yaw, size=c.size) for c in found.candidates[:ROLLOUTS]
         ]
-        asked.append((Case(found.scene, target, found.asset), texts))
+        asked.append((Asked(found.scene, target, found.asset), texts))
     with VerdictPool(workers=2) as pool:
         outcomes(pool, asked)
         walls, spent = [], []

@@ -9,7 +9,7 @@ from thinkblox.generate import Generation
 from thinkblox.judging import Try, rejected
 from thinkblox.steps import Rejection
 from thinkblox.training.episodes import case_of
-from thinkblox.training.outcome import Outcome, outcome_of
+from thinkblox.training.outcome import Rollout, outcome_of
 from thinkblox.training.rewards import REWARDS
 from thinkblox.value import Value
 from thinkblox.verdict import Verdict
@@ -120,13 +120,13 @@ def _steps(made: Generation) -> Iterator[StepTally]:
         yield step_of(_outcome(made, decision))
 
 
-def _outcome(made: Generation, decision: Decision) -> Outcome:
+def _outcome(made: Generation, decision: Decision) -> Rollout:
     nothing = rejected("", Rejection(reason="policy", message="nothing was proposed"))
     tried: Try = next(iter(decision.round.tries), nothing)
     return outcome_of(case_of(made.episode, decision), tried)
 
 
-def step_of(outcome: Outcome) -> StepTally:
+def step_of(outcome: Rollout) -> StepTally:
     """What became of one answer; rewards by rules are those of training."""
     target, verdict = outcome.case.target, outcome.tried.verdict
     scores = {name: REWARDS[name](outcome=[outcome])[0] for name in ("rules", "align")}
