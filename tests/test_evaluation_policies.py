@@ -14,7 +14,12 @@ from thinkblox.cli import main
 from thinkblox.crew import Done, work_through
 from thinkblox.errors import InputError
 from thinkblox.evaluation import policy_run
-from thinkblox.evaluation.comparison import Comparison, Measured, comparison_json, comparison_markdown, comparison_text
+from thinkblox.evaluation.comparison import (
+    Comparison,
+    comparison_json,
+    comparison_markdown,
+    comparison_text,
+)
 from thinkblox.evaluation.contenders import Contender
 from thinkblox.evaluation.measures import ROOMS, STEPS, figure, psa
 from thinkblox.evaluation.room_tally import RoomTally, StepTally

@@ -26,7 +26,7 @@ _TOWARDS = ("at", "around", "facing", "opposite")
 """Relations by which an object serves what it looks at."""
 
 
-class Case(NamedTuple):
+class Asked(NamedTuple):
     """What a policy was asked: a scene, the object to place in it, and what that is."""
 
     scene: Scene
@@ -49,7 +49,7 @@ class Case(NamedTuple):
         )
 
 
-class Outcome(NamedTuple):
+class Rollout(NamedTuple):
     """A rollout, and what came of it.
 
     Attributes:
@@ -63,7 +63,7 @@ class Outcome(NamedTuple):
         after: the scene with the object in it, wherever that is; None as above.
     """
 
-    case: Case
+    case: Asked
     tried: Try
     distances: tuple[float, ...] | None = None
     holds: tuple[bool, ...] | None = None
@@ -77,8 +77,8 @@ class Outcome(NamedTuple):
 
 
 def outcomes(
-    pool: VerdictPool, asked: Sequence[tuple[Case, Sequence[object]]], *, source: AssetSource | None = None
-) -> list[list[Outcome]]:
+    pool: VerdictPool, asked: Sequence[tuple[Asked, Sequence[object]]], *, source: AssetSource | None = None
+) -> list[list[Rollout]]:
     """What becomes of the texts that answer each case, measured by the workers of a pool."""
     read = [
         [understand(case.scene, case.target, text, asset=case.asset, source=source) for text in texts]
@@ -93,18 +93,18 @@ def outcomes(
     return made
 
 
-def outcome_of(case: Case, tried: Try, *, source: AssetSource | None = None) -> Outcome:
+def outcome_of(case: Asked, tried: Try, *, source: AssetSource | None = None) -> Rollout:
     """What became of a text that was measured before, where its object was asked for."""
     if tried.rejection is not None:
-        return Outcome(case, tried)
+        return Rollout(case, tried)
     return _outcome(case, understand(case.scene, case.target, tried.text, asset=case.asset, source=source), tried)
 
 
-def _outcome(case: Case, found: Proposal | Rejection, tried: Try) -> Outcome:
+def _outcome(case: Asked, found: Proposal | Rejection, tried: Try) -> Rollout:
     if isinstance(found, Rejection) or found.placement is None or found.asset is None:
-        return Outcome(case, tried)
+        return Rollout(case, tried)
     after = case.scene.with_placement(found.placement, found.asset)
-    return Outcome(
+    return Rollout(
         case,
         tried,
         distances=_distances(case.scene, found),
@@ -123,11 +123,11 @@ def _distances(scene: Scene, found: Proposal) -> tuple[float, ...]:
     return tuple(d / ANGLE if kind in ANGLES else d for kind, d in far if d is not None)
 
 
-def _holds(case: Case, after: Scene) -> tuple[bool, ...]:
+def _holds(case: Asked, after: Scene) -> tuple[bool, ...]:
     return tuple(measure(after, tie.kind, case.target.id, tie.anchors, rows=tie.rows).holds for tie in case.told)
 
 
-def _alignment(case: Case, placement: Placement) -> float | None:
+def _alignment(case: Asked, placement: Placement) -> float | None:
     if case.served is None:
         return None
     cosine = math.cos(math.radians(direction_error(placement, case.scene[case.served].position[:2])))

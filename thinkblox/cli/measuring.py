@@ -13,7 +13,6 @@ from thinkblox.orders import ORDERS
 
 if TYPE_CHECKING:
     from thinkblox.evaluation.comparing import Told
-    from thinkblox.evaluation.comparison import Measured
     from thinkblox.evaluation.contenders import Contender
     from thinkblox.evaluation.policy_run import Trial
     from thinkblox.evaluation.room_tally import RoomTally

@@ -11,7 +11,7 @@ from msgspec import Meta
 
 from thinkblox.errors import InputError
 from thinkblox.evaluation.comparing import Told, measured
-from thinkblox.evaluation.comparison import Measured
+from thinkblox.evaluation.comparison import ContenderResult
 from thinkblox.evaluation.contenders import Contender, Mark, NoPolicyError
 from thinkblox.evaluation.policy_run import Trial
 from thinkblox.modes import Mode
@@ -90,7 +90,7 @@ def read_ablation(path: Path) -> Ablation:
 
 def measured_row(
     row: AblationRow, ablation: Ablation, home: Path, trial: Trial, *, jobs: int, on_room: Told
-) -> Measured:
+) -> ContenderResult:
     """A row measured, or why it is missing."""
     contender = contender_of(row, ablation.models, home)
     try:
@@ -100,11 +100,11 @@ def measured_row(
             raise NoPolicyError(why)
         contender.check()
     except InputError as error:
-        return Measured(contender=contender, missing=str(error), published=row.psa)
+        return ContenderResult(contender=contender, missing=str(error), published=row.psa)
     try:
         found = measured(contender, trial, jobs=jobs, on_room=on_room)
     except NoPolicyError as error:
-        return Measured(contender=contender, missing=str(error), published=row.psa)
+        return ContenderResult(contender=contender, missing=str(error), published=row.psa)
     return msgspec.structs.replace(found, published=row.psa)
 
 

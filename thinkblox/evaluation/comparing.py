@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from thinkblox.errors import InputError
-from thinkblox.evaluation.comparison import Comparison, Measured, comparison_json, comparison_markdown
+from thinkblox.evaluation.comparison import Comparison, ContenderResult, comparison_json, comparison_markdown
 from thinkblox.evaluation.contenders import Contender
 from thinkblox.evaluation.folder import JSON, MARKDOWN
 from thinkblox.evaluation.policy_run import Trial, measured_rooms
@@ -42,14 +42,14 @@ def checked_judge(spec: str | None) -> str:
     return rater.name
 
 
-def measured(contender: Contender, trial: Trial, *, jobs: int, on_room: Told) -> Measured:
+def measured(contender: Contender, trial: Trial, *, jobs: int, on_room: Told) -> ContenderResult:
     """All rooms of a contender; raises NoPolicyError where it cannot be had, or is gone."""
     rooms = []
     for room in measured_rooms(contender, trial, jobs=jobs):
         on_room(contender, room)
         rooms.append(room)
     rooms.sort(key=lambda room: (room.run, room.prompt))
-    return Measured(contender=contender, rooms=tuple(rooms))
+    return ContenderResult(contender=contender, rooms=tuple(rooms))
 
 
 def try_out(contenders: Sequence[Contender], trial: Trial) -> None:

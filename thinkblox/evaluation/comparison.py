@@ -16,7 +16,7 @@ BY_TYPE = ("parsed", "valid", "relations", "orientation")
 """Measures of single steps in the table by type of room."""
 
 
-class Measured(Value, frozen=True, kw_only=True):
+class ContenderResult(Value, frozen=True, kw_only=True):
     """A contender and its rooms.
 
     Attributes:
@@ -44,7 +44,7 @@ class Comparison(Value, frozen=True, kw_only=True):
     runs: int
     seed: int
     judge: str = ""
-    rows: tuple[Measured, ...]
+    rows: tuple[ContenderResult, ...]
     version: int = COMPARISON_VERSION
 
 
@@ -65,7 +65,7 @@ def comparison_tables(comparison: Comparison) -> list[Table]:
     return found
 
 
-def _rated(comparison: Comparison, rows: Sequence[Measured]) -> Table:
+def _rated(comparison: Comparison, rows: Sequence[ContenderResult]) -> Table:
     table = _table(f"Rated by {comparison.judge}: a reconstruction of LayoutVLM's measures", RATED, rows)
     if all(row.published is None for row in rows):
         return table
@@ -74,12 +74,12 @@ def _rated(comparison: Comparison, rows: Sequence[Measured]) -> Table:
     return Table(table.title, (*table.header, "PSA in the paper"), cells)
 
 
-def _table(title: str, measures: Sequence[Measure], rows: Sequence[Measured]) -> Table:
+def _table(title: str, measures: Sequence[Measure], rows: Sequence[ContenderResult]) -> Table:
     cells = tuple((row.contender.name, *(_shown(measure, row.rooms) for measure in measures)) for row in rows)
     return Table(title, ("", *(measure.name for measure in measures)), cells)
 
 
-def _by_type(rows: Sequence[Measured]) -> Table:
+def _by_type(rows: Sequence[ContenderResult]) -> Table:
     measures = [*ROOMS[:1], *(each for each in STEPS if each.name in BY_TYPE), *ROOMS[2:7]]
     cells = [
         (kind, row.contender.name, *(_shown(measure, rooms) for measure in measures))
@@ -90,7 +90,7 @@ def _by_type(rows: Sequence[Measured]) -> Table:
     return Table("By type of room, in %", ("room", "", *(measure.name for measure in measures)), tuple(cells))
 
 
-def kinds_of_rooms(rows: Iterable[Measured]) -> list[str]:
+def kinds_of_rooms(rows: Iterable[ContenderResult]) -> list[str]:
     """Every type of room that there is, and all together."""
     return [*sorted({room.kind for row in rows for room in row.rooms if room.kind}), ALL]
 

@@ -18,7 +18,8 @@ from thinkblox.errors import InputError, UnavailableError
 from thinkblox.evaluation.contenders import Contender, NoPolicyError, Player, Spent
 from thinkblox.evaluation.ratings import RoomRater
 from thinkblox.evaluation.room_tally import RoomTally, tally_of
-from thinkblox.generate import BrokenOffError, Generation, generate_room
+from thinkblox.furnishing import BrokenOffError, Generation
+from thinkblox.generate import generate_room
 from thinkblox.holding import note_placed, placed, signals_held
 from thinkblox.orders import Order
 from thinkblox.placing import Effort

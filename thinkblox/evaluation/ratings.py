@@ -24,7 +24,7 @@ SIZE = 512
 Points = Annotated[float, Meta(ge=0, le=100)]
 
 
-class Rating(Value, frozen=True, kw_only=True):
+class PictureRating(Value, frozen=True, kw_only=True):
     """What a judge says of a room, 0 to 100: whether things are, and face, where the prompt and their use want it."""
 
     position: Points
@@ -49,7 +49,7 @@ class RoomRater:
         if self.rating(empty) is None:
             raise NoPolicyError(f"the judge {self.name} does not rate: it gave no answer as it was asked to")
 
-    def rating(self, scene: Scene) -> Rating | None:
+    def rating(self, scene: Scene) -> PictureRating | None:
         """Its rating; None where it gives none, or none that can be read.
 
         Raises:
@@ -60,7 +60,7 @@ class RoomRater:
         except NoAnswerError:
             return None
         parts = tagged(next(iter(said), ""))
-        found = parts if isinstance(parts, Rejection) else decoded(parts[1], Rating)
+        found = parts if isinstance(parts, Rejection) else decoded(parts[1], PictureRating)
         return None if isinstance(found, Rejection) else found
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from msgspec import structs
 
 from thinkblox.episode import Decision
-from thinkblox.generate import Generation
+from thinkblox.furnishing import Generation
 from thinkblox.judging import Try, rejected
 from thinkblox.steps import Rejection
 from thinkblox.training.episodes import case_of
