@@ -146,7 +146,7 @@ def generate_room(
             can be used.
         BrokenOffError: a room was begun, and a model or a trace could not go on; it has what was tried until then.
     """
-    _check_arguments(prompt, seed, room)
+    check_arguments(prompt, seed, room)
     if order not in ORDERS:
         raise InputError(f"order is {order!r}; it must be one of {', '.join(ORDERS)}")
     cast = players(policy, briefer=briefer, planner=planner, mode=mode, fill=fill, seed=seed, source=source)
@@ -245,7 +245,8 @@ def _made(role: str, made: object, kind: type[M]) -> M:
     return made
 
 
-def _check_arguments(prompt: object, seed: object, room: object) -> None:
+def check_arguments(prompt: object, seed: object, room: object) -> None:
+    """Raise InputError unless a room can be begun with a prompt, a seed and, if not None, a room."""
     if not isinstance(prompt, str):
         raise InputError(f"the prompt is a {type(prompt).__name__}; it must be a text")
     if prompt.encode("utf-8", "ignore").decode() != prompt:
@@ -309,7 +310,7 @@ def furnish(
     Raises:
         BrokenOffError: the policy cannot go on.
     """
-    makeable, refused = _makeable(plan, scene, source)
+    makeable, refused = makeable_part(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until)
     made: list[_Attempt] = []
 
@@ -342,7 +343,7 @@ def furnish(
     return Generation(best.world.scene, best.report, episode(best, makeable))
 
 
-def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
+def makeable_part(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
     """The plan without what the source cannot make, and that with the reasons."""
     kept: list[Target] = []
     refused: list[Absence] = []
