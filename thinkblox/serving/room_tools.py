@@ -24,6 +24,7 @@ from thinkblox.reading import GrammarBriefer
 from thinkblox.scene.room import Opening, Room
 from thinkblox.scene.scene import Scene, load_scene
 from thinkblox.serving.desk import Desk
+from thinkblox.serving.naming import sayable
 from thinkblox.serving.placing_tools import Handle, next_id, next_words, plain
 from thinkblox.serving.room import AgentRoom
 from thinkblox.serving.root import MOST_LISTED
@@ -37,6 +38,8 @@ MOST_PROMPT = 10_000
 """Longest prompt of a room [characters]."""
 SECONDS = 300.0
 """How long the reading and measuring of a file may take [s]."""
+MOST_RENAMED = 60
+"""Most new ids that the text of an answer names; its data has them all."""
 HOW = (
     "How to answer, with the tool `answer` (or say the same with place, move, turn, replace, remove and swap):\n"
     + template("step")
@@ -114,7 +117,7 @@ class OpenRoom(Tool, frozen=True, kw_only=True):
         options = structs.replace(_options(self, desk), out=f"{home.name}/scene.json")
         report = verify_file(path, options, timeout=SECONDS)
         own = report.source == "thinkblox"
-        scene = load_scene(path if own else home.name)
+        scene, old = sayable(load_scene(path if own else home.name))
         episode, note = _history(desk, ours, scene) if own else (None, "")
         room = AgentRoom(
             scene, episode.plan if episode else None, desk.source, episode=episode, layout_of=report.source
@@ -123,8 +126,9 @@ class OpenRoom(Tool, frozen=True, kw_only=True):
         if not own:
             room.keeps = home  # its meshes are read from there again
         lines = [f"{handle} is open.", summary(report, placed=len(report.objects)), *([note] if note else [])]
+        lines += [f"To be spoken of, things have other ids here: {_renamed(old)}."] if old else []
         lines += [f"Room: {room_words(scene.room)}", next_words(room), "list_objects shows what stands there.", HOW]
-        return Said(("\n".join(lines),), _of(handle, room, lines))
+        return Said(("\n".join(lines),), {**_of(handle, room, lines), "ids_in_the_file": old})
 
 
 class CheckFile(Tool, frozen=True, kw_only=True):
@@ -288,6 +292,11 @@ class CloseRoom(Tool, frozen=True, kw_only=True):
 
 def _ids(room: AgentRoom) -> str:
     return ", ".join(target.id for target in room.plan.targets) or "none"
+
+
+def _renamed(old: dict[str, str]) -> str:
+    some = ", ".join(f"{id} is {before!r}" for id, before in list(old.items())[:MOST_RENAMED])
+    return some + (f", and {len(old) - MOST_RENAMED} more" if len(old) > MOST_RENAMED else "")
 
 
 def _of(handle: str, room: AgentRoom, lines: list[str] | None = None) -> dict[str, Any]:

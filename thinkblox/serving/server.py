@@ -3,7 +3,9 @@
 import contextlib
 import sys
 from base64 import b64encode
+from collections.abc import Callable
 from io import BytesIO
+from threading import Thread
 from typing import TYPE_CHECKING, Any
 
 from thinkblox.errors import InputError
@@ -46,7 +48,28 @@ def serve(root: Root) -> None:
 
     # The SDK takes the process's own stdout, and turns what anything else prints there to stderr.
     with contextlib.redirect_stdout(sys.__stdout__):
-        anyio.run(serving)
+        try:
+            _stoppable(lambda: anyio.run(serving))
+        except* BrokenPipeError:
+            pass  # whoever asked is gone
+
+
+def _stoppable(work: Callable[[], None]) -> None:
+    """Do work in a thread, so that a signal ends this one, though the other waits for a line that never comes."""
+    faults: list[BaseException] = []
+
+    def whole() -> None:
+        try:
+            work()
+        except BaseException as error:
+            faults.append(error)
+
+    # What it starts inherits that the process does not wait for it.
+    thread = Thread(target=whole, daemon=True)
+    thread.start()
+    thread.join()
+    if faults:
+        raise faults[0]
 
 
 def tool_server(desk: Desk) -> "Server[Any]":
