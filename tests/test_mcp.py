@@ -24,7 +24,7 @@ HELLO = {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"na
 
 @asynccontextmanager
 async def served(root: Path):
-    """A client of a server in a process of its own, and a function that calls a tool."""
+    """A client of a server in a process of its own, and a function that calls a tool there."""
     server = mcp.StdioServerParameters(
         command=sys.executable, args=[*COMMAND, str(root)], cwd=Path(__file__).parent.parent
     )
@@ -35,8 +35,7 @@ async def served(root: Path):
             assert result.is_error == error, result.content
             return result
 
-        call.client = client
-        yield call
+        yield client, call
 
 
 def test_an_agent_furnishes_a_room_from_end_to_end(tmp_path):
@@ -45,8 +44,8 @@ def test_an_agent_furnishes_a_room_from_end_to_end(tmp_path):
     assert len(said) == 5
 
     async def agent():
-        async with served(tmp_path) as call:
-            listed = await call.client.list_tools()
+        async with served(tmp_path) as (client, call):
+            listed = await client.list_tools()
             assert [tool.name for tool in listed.tools] == list(TOOLS)
             begun = await call("start_room", prompt=FIVE, seed=4)
             handle, next_id = begun.structured_content["room"], begun.structured_content["next"]
@@ -80,7 +79,7 @@ def test_an_agent_furnishes_a_room_from_end_to_end(tmp_path):
 
 def test_what_goes_wrong_is_an_answer_and_the_server_goes_on(tmp_path):
     async def agent():
-        async with served(tmp_path) as call:
+        async with served(tmp_path) as (_, call):
             await call("start_room", prompt="A chair")
             for name, arguments, says in (
                 ("observe", {"room": "room_7"}, "open are room_1"),

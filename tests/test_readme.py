@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}")
-    for name in ("README.md", "docs/guide.md", "docs/extending.md", "docs/models.md")
+    for name in ("README.md", "docs/guide.md", "docs/extending.md", "docs/models.md", "docs/mcp.md")
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]
 

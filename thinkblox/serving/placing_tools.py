@@ -7,7 +7,7 @@ from msgspec import Meta
 
 from thinkblox.observe import Sight
 from thinkblox.serving.desk import Desk
-from thinkblox.serving.room import AgentRoom, Outcome, pose_words
+from thinkblox.serving.room import AgentRoom, AnswerOutcome, pose_words
 from thinkblox.serving.said import Said
 from thinkblox.serving.tool import Tool
 from thinkblox.steps import write_step
@@ -31,7 +31,7 @@ Reasoning = Annotated[str, Meta(max_length=15_000, description="why, in lines; i
 Attributes = Annotated[tuple[Annotated[str, Meta(max_length=60)], ...], Meta(max_length=16)]
 
 
-class Observe(Tool, frozen=True, kw_only=True):
+class ObserveTool(Tool, frozen=True, kw_only=True):
     """See the room so far and the next object to place: text, and pictures with metres along the walls, ids and fronts.
 
     After an answer that was not valid it also has what was measured of that.
@@ -50,7 +50,7 @@ class Observe(Tool, frozen=True, kw_only=True):
         return Said(seen.chat(sight)[-1].parts)
 
 
-class Answer(Tool, frozen=True, kw_only=True):
+class AnswerTool(Tool, frozen=True, kw_only=True):
     """Answer with one text: <think>numbered reasoning</think><answer>one JSON object</answer>.
 
     The object adds the next object, {"id", "position", "yaw", "size"}, or has an "action": move, turn, replace, remove
@@ -66,7 +66,7 @@ class Answer(Tool, frozen=True, kw_only=True):
         return told(room, room.answer(self.text))
 
 
-class Place(Tool, frozen=True, kw_only=True):
+class PlaceTool(Tool, frozen=True, kw_only=True):
     """Place the next object of the plan, which observe shows. It is measured.
 
     What is not valid changes nothing, and you are told the numbers and what would help.
@@ -86,7 +86,7 @@ class Place(Tool, frozen=True, kw_only=True):
         return _done(room, self.reasoning, id=self.id, position=self.position, yaw=self.yaw, size=size)
 
 
-class Move(Tool, frozen=True, kw_only=True):
+class MoveTool(Tool, frozen=True, kw_only=True):
     """Move what stands there elsewhere, turned if a yaw is given; what rests on it rides along. It is measured."""
 
     room: Handle
@@ -101,7 +101,7 @@ class Move(Tool, frozen=True, kw_only=True):
         return _done(room, self.reasoning, action="move", id=self.id, position=self.position, yaw=self.yaw)
 
 
-class Turn(Tool, frozen=True, kw_only=True):
+class TurnTool(Tool, frozen=True, kw_only=True):
     """Turn what stands in the room about its own middle, with what rests on it. It is measured."""
 
     room: Handle
@@ -114,7 +114,7 @@ class Turn(Tool, frozen=True, kw_only=True):
         return _done(desk.room(self.room), self.reasoning, action="turn", id=self.id, yaw=self.yaw)
 
 
-class Replace(Tool, frozen=True, kw_only=True):
+class ReplaceTool(Tool, frozen=True, kw_only=True):
     """Let another thing stand where one stands, under its id: of another category, size or look. It is measured."""
 
     room: Handle
@@ -141,7 +141,7 @@ class Replace(Tool, frozen=True, kw_only=True):
         )
 
 
-class Remove(Tool, frozen=True, kw_only=True):
+class RemoveTool(Tool, frozen=True, kw_only=True):
     """Take away what stands in the room, if what rests on it stays where it is without it.
 
     An object of the plan is then to be placed again, unless you skip it.
@@ -156,7 +156,7 @@ class Remove(Tool, frozen=True, kw_only=True):
         return _done(desk.room(self.room), self.reasoning, action="remove", id=self.id)
 
 
-class Swap(Tool, frozen=True, kw_only=True):
+class SwapTool(Tool, frozen=True, kw_only=True):
     """Let two things that stand there change places and directions, each with what rests on it. It is measured."""
 
     room: Handle
@@ -169,7 +169,7 @@ class Swap(Tool, frozen=True, kw_only=True):
         return _done(desk.room(self.room), self.reasoning, action="swap", id=self.id, other=self.other)
 
 
-class AskExpert(Tool, frozen=True, kw_only=True):
+class AskExpertTool(Tool, frozen=True, kw_only=True):
     """Let the embedded expert place the next object, searching and moving what is in the way if need be."""
 
     room: Handle
@@ -180,7 +180,7 @@ class AskExpert(Tool, frozen=True, kw_only=True):
         return told(room, room.ask_expert())
 
 
-class Want(Tool, frozen=True, kw_only=True):
+class WantTool(Tool, frozen=True, kw_only=True):
     """Plan one object more; it is the next to place once all before it are. list_categories shows what there is."""
 
     room: Handle
@@ -195,7 +195,7 @@ class Want(Tool, frozen=True, kw_only=True):
         return Said((f"{target.id} is planned. {next_words(room)}",), {"id": target.id, "next": next_id(room)})
 
 
-class Skip(Tool, frozen=True, kw_only=True):
+class SkipTool(Tool, frozen=True, kw_only=True):
     """Leave an object of the plan out; the report says so, with your reason."""
 
     room: Handle
@@ -214,7 +214,7 @@ def _done(room: AgentRoom, reasoning: str, **said: Any) -> Said:
     return told(room, room.answer(write_step(reasoning.splitlines() or ["(no reason was given)"], **said)))
 
 
-def told(room: AgentRoom, outcome: Outcome) -> Said:
+def told(room: AgentRoom, outcome: AnswerOutcome) -> Said:
     """What came of an answer, and what is next."""
     lines = [("done: " if outcome.done else "not done, and nothing has changed: ") + outcome.line]
     lines += [f"{p.id} stands {pose_words(p)}" for p in outcome.committed]

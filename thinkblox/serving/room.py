@@ -41,7 +41,7 @@ _SEARCH = Effort(restarts=0, seconds=120.0)
 
 
 @dataclass(frozen=True)
-class Outcome:
+class AnswerOutcome:
     """What came of an answer.
 
     Attributes:
@@ -145,7 +145,7 @@ class AgentRoom:
             raise InputError(f"{id[:80]} is not what is to be placed next, which is {placing.target.id}")
         return placing.asset.size
 
-    def answer(self, text: str) -> Outcome:
+    def answer(self, text: str) -> AnswerOutcome:
         """Do what a text in the language of all policies says, if that may stand.
 
         An addition is about the next object; every other action about anything that stands there.
@@ -159,12 +159,12 @@ class AgentRoom:
         if isinstance(step, Step) and (step.action != "add" or step.id in self.scene):
             return self._changed(text, step)
         if isinstance(step, Rejection) and self.target is None:
-            return Outcome("", rejected(text, step), f"not used: {step.message}")
+            return AnswerOutcome("", rejected(text, step), f"not used: {step.message}")
         placing, seconds = self._placing(), self._thought()
         grown = placing.answer([text], seconds=seconds)
         return self._placed(placing, grown)
 
-    def ask_expert(self) -> Outcome:
+    def ask_expert(self) -> AnswerOutcome:
         """Let the embedded expert place the next object, with all its tries, repairs and revisions."""
         placing = self._placing()
         loop = replace(self._loop, until=time.monotonic() + self._loop.effort.seconds)
@@ -260,7 +260,7 @@ class AgentRoom:
         asked, self._asked = self._asked, 0.0
         return time.perf_counter() - asked if asked else 0.0
 
-    def _placed(self, placing: Placing, grown: World | None, since: int | None = None) -> Outcome:
+    def _placed(self, placing: Placing, grown: World | None, since: int | None = None) -> AnswerOutcome:
         done = placing.rounds[-1 if since is None else since :]
         self._rounds += done
         self._assets |= placing.assets
@@ -269,17 +269,19 @@ class AgentRoom:
         committed = tuple(p for each in done for p in each.committed)
         self.world = placing.world if grown is None else grown
         if grown is None:
-            return Outcome(id, tried, tried.feedback or f"{id}: {placing.reason}", committed)
-        return Outcome(id, tried, str(tried.verdict), committed, tuple(unmet(self.scene, placing.target)))
+            return AnswerOutcome(id, tried, tried.feedback or f"{id}: {placing.reason}", committed)
+        return AnswerOutcome(id, tried, str(tried.verdict), committed, tuple(unmet(self.scene, placing.target)))
 
-    def _changed(self, text: str, step: Step) -> Outcome:
+    def _changed(self, text: str, step: Step) -> AnswerOutcome:
         """Do something with what stands there."""
         start = time.perf_counter()
         found = understand(self.scene, _any_target(step.id), text, source=self._loop.source)
         tried = rejected(text, found) if isinstance(found, Rejection) else measured(self.world, found)
         there = self.scene.asset_of(self.scene[step.id]) if step.id in self.scene else None
         if there is None:
-            return Outcome(step.id, tried, f"{step.id}: not used: {tried.rejection.message if tried.rejection else ''}")
+            return AnswerOutcome(
+                step.id, tried, f"{step.id}: not used: {tried.rejection.message if tried.rejection else ''}"
+            )
         tried = structs.replace(tried, feedback=self._line(step.id, tried, found, there))
         committed: tuple[Placement, ...] = ()
         removed: tuple[str, ...] = ()
@@ -302,7 +304,7 @@ class AgentRoom:
                 check_seconds=round(time.perf_counter() - start, 4),
             )
         )
-        return Outcome(step.id, tried, tried.feedback, committed)
+        return AnswerOutcome(step.id, tried, tried.feedback, committed)
 
     def _line(self, id: str, tried: Try, found: Proposal | Rejection, there: Asset) -> str:
         asset = found.asset if isinstance(found, Proposal) and found.asset is not None else there

@@ -55,7 +55,7 @@ class Floor(Value, frozen=True, kw_only=True):
     openings: tuple[Opening, ...] = ()
 
 
-class StartRoom(Tool, frozen=True, kw_only=True):
+class StartRoomTool(Tool, frozen=True, kw_only=True):
     """Begin a room for a prompt: it is read, a floor and the objects are planned, and you place one after the other."""
 
     prompt: Annotated[str, Meta(min_length=1, max_length=MOST_PROMPT, description="what the room should be")]
@@ -87,7 +87,7 @@ class StartRoom(Tool, frozen=True, kw_only=True):
         return Said(("\n".join(lines),), _of(handle, room, lines))
 
 
-class OpenRoom(Tool, frozen=True, kw_only=True):
+class OpenRoomTool(Tool, frozen=True, kw_only=True):
     """Open somebody's layout, or one of our rooms or scenes, measure it, and go on with it.
 
     Layouts of Holodeck, LayoutGPT, LayoutVLM, I-Design, IL3D and SceneEval are read. MJCF and URDF models can only be
@@ -131,7 +131,7 @@ class OpenRoom(Tool, frozen=True, kw_only=True):
         return Said(("\n".join(lines),), {**_of(handle, room, lines), "ids_in_the_file": old})
 
 
-class CheckFile(Tool, frozen=True, kw_only=True):
+class CheckFileTool(Tool, frozen=True, kw_only=True):
     """Measure any scene, layout, MJCF or URDF file, or a folder with one of our rooms, without opening it."""
 
     reads: ClassVar[bool] = True
@@ -155,7 +155,7 @@ class CheckFile(Tool, frozen=True, kw_only=True):
         return _reported(verify_file(path, options, timeout=SECONDS))
 
 
-class Verify(Tool, frozen=True, kw_only=True):
+class VerifyTool(Tool, frozen=True, kw_only=True):
     """Verify the whole room: every object, everything free at once, ways and doors, and what the prompt asks for."""
 
     reads: ClassVar[bool] = True
@@ -168,7 +168,7 @@ class Verify(Tool, frozen=True, kw_only=True):
         return _reported(report, judged=room.planned)
 
 
-class Render(Tool, frozen=True, kw_only=True):
+class RenderTool(Tool, frozen=True, kw_only=True):
     """A picture of the room as it is: a three-quarter view (preview), or a plan with names (top)."""
 
     reads: ClassVar[bool] = True
@@ -186,7 +186,7 @@ class Render(Tool, frozen=True, kw_only=True):
         return Said((f"{self.room}, {self.view}:", draw(scene, size=self.size, poses=settle(scene).poses)))
 
 
-class Save(Tool, frozen=True, kw_only=True):
+class SaveTool(Tool, frozen=True, kw_only=True):
     """Save the room to a folder under the root: scene.json, exports, report, pictures, the trace of your answers."""
 
     room: Handle
@@ -213,7 +213,7 @@ class Save(Tool, frozen=True, kw_only=True):
         return Said((says,), {"says": says, "folder": desk.root.shown(out), "files": names})
 
 
-class ListRooms(Tool, frozen=True, kw_only=True):
+class ListRoomsTool(Tool, frozen=True, kw_only=True):
     """The rooms that are open, with their handles."""
 
     reads: ClassVar[bool] = True
@@ -227,7 +227,7 @@ class ListRooms(Tool, frozen=True, kw_only=True):
         )
 
 
-class ListObjects(Tool, frozen=True, kw_only=True):
+class ListObjectsTool(Tool, frozen=True, kw_only=True):
     """What stands in the room, a line of JSON each, and what is still to be placed."""
 
     reads: ClassVar[bool] = True
@@ -248,7 +248,7 @@ class ListObjects(Tool, frozen=True, kw_only=True):
         return Said(("\n".join(lines),), data)
 
 
-class ListCategories(Tool, frozen=True, kw_only=True):
+class ListCategoriesTool(Tool, frozen=True, kw_only=True):
     """What there is to furnish with; with a category, its usual, smallest and largest size, and its attributes."""
 
     reads: ClassVar[bool] = True
@@ -265,7 +265,7 @@ class ListCategories(Tool, frozen=True, kw_only=True):
         return Said((f"{', '.join(names)}\nAny other thing can be wanted too, and is a plain stand-in.",))
 
 
-class ListFiles(Tool, frozen=True, kw_only=True):
+class ListFilesTool(Tool, frozen=True, kw_only=True):
     """The files and folders in a folder under the root; links are left out."""
 
     reads: ClassVar[bool] = True
@@ -278,7 +278,7 @@ class ListFiles(Tool, frozen=True, kw_only=True):
         return Said(("\n".join(found[:MOST_LISTED]) + more or "nothing",), {"entries": found[:MOST_LISTED]})
 
 
-class CloseRoom(Tool, frozen=True, kw_only=True):
+class CloseRoomTool(Tool, frozen=True, kw_only=True):
     """Close a room; what was not saved of it is gone."""
 
     room: Handle
@@ -312,7 +312,7 @@ def _of(handle: str, room: AgentRoom, lines: list[str] | None = None) -> dict[st
     return found if lines is None else {**found, "says": "\n".join(lines)}
 
 
-def _options(tool: OpenRoom | CheckFile, desk: Desk) -> VerifyOptions:
+def _options(tool: OpenRoomTool | CheckFileTool, desk: Desk) -> VerifyOptions:
     """How a file is read, every path in it under the root."""
     for length in (tool.height, tool.short_side, *(tool.room_size or ())):
         if length is not None and not math.isfinite(length):

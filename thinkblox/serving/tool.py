@@ -35,8 +35,8 @@ class Tool(Value, frozen=True, kw_only=True):
 
     @classmethod
     def called(cls) -> str:
-        """Its name: "open_room" for OpenRoom."""
-        return _CAPITAL.sub("_", cls.__name__).lower()
+        """Its name: "open_room" for OpenRoomTool."""
+        return _CAPITAL.sub("_", cls.__name__.removesuffix("Tool")).lower()
 
     @classmethod
     def schema(cls) -> dict[str, Any]:
