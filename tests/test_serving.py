@@ -15,6 +15,7 @@ from thinkblox.serving.naming import sayable
 from thinkblox.serving.room import AgentRoom
 from thinkblox.serving.tools import TOOLS
 from thinkblox.steps import MAX_TEXT
+from thinkblox.value import to_json
 
 SMALL = "An empty room of 4 m by 4 m with a desk, a vase on the desk and a chair. Nothing else."
 
@@ -186,6 +187,20 @@ def test_a_scene_without_a_trace_begins_one_with_what_stood_there(furnished, tmp
     episode = read_episode(tmp_path / "root" / "second")
     assert [p.id for p in episode.start.placements] == [p.id for p in furnished.room().scene.placements]
     assert episode.scene == load_scene(tmp_path / "root" / "second")
+
+
+def test_a_room_changed_by_hand_keeps_its_plan_and_begins_a_new_trace(furnished, tmp_path):
+    furnished.ok("save", room="room_1", folder="room", pictures=False)
+    home = tmp_path / "root" / "room"
+    (home / "scene.json").write_bytes(to_json(furnished.room().scene.without("chair_1")))
+    opened = furnished.data("open_room", path="room")
+    assert "does not lead to this scene" in opened["says"]
+    assert opened["next"] == "chair_1"
+    furnished.furnish("room_2")
+    furnished.ok("save", room="room_2", folder="again", pictures=False)
+    episode = read_episode(tmp_path / "root" / "again")
+    assert [p.id for p in episode.stood] == ["desk_1", "vase_1"]
+    assert episode.scene == load_scene(tmp_path / "root" / "again")
 
 
 def test_a_trace_with_changes_is_not_played_back_as_if_it_had_none(furnished, tmp_path):

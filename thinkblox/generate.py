@@ -146,7 +146,7 @@ def generate_room(
             can be used.
         BrokenOffError: a room was begun, and a model or a trace could not go on; it has what was tried until then.
     """
-    check_arguments(prompt, seed, room)
+    _check_arguments(prompt, seed, room)
     if order not in ORDERS:
         raise InputError(f"order is {order!r}; it must be one of {', '.join(ORDERS)}")
     cast = players(policy, briefer=briefer, planner=planner, mode=mode, fill=fill, seed=seed, source=source)
@@ -245,8 +245,7 @@ def _made(role: str, made: object, kind: type[M]) -> M:
     return made
 
 
-def check_arguments(prompt: object, seed: object, room: object) -> None:
-    """Raise InputError unless a room can be begun with a prompt, a seed and, if not None, a room."""
+def _check_arguments(prompt: object, seed: object, room: object) -> None:
     if not isinstance(prompt, str):
         raise InputError(f"the prompt is a {type(prompt).__name__}; it must be a text")
     if prompt.encode("utf-8", "ignore").decode() != prompt:

@@ -14,8 +14,8 @@ from thinkblox.errors import InputError
 from thinkblox.exporters.formats import DEFAULT
 from thinkblox.exporters.saving import save_scene
 from thinkblox.fills import Fill
-from thinkblox.generate import check_arguments
 from thinkblox.listing import listed
+from thinkblox.plan import Plan
 from thinkblox.planning import ExpertPlanner, with_surfaces
 from thinkblox.printing import category as category_words
 from thinkblox.printing import outcome, summary
@@ -72,7 +72,6 @@ class StartRoomTool(Tool, frozen=True, kw_only=True):
             )
         shape = self.room
         given = None if shape is None else Room(floor=shape.floor, height=shape.height, openings=shape.openings)
-        check_arguments(self.prompt, self.seed, given)
         planner, brief = ExpertPlanner(), GrammarBriefer(self.fill).brief(self.prompt)
         floor = given or planner.room(brief, np.random.default_rng((self.seed, 0)))
         plan = planner.plan(brief, floor)
@@ -118,10 +117,8 @@ class OpenRoomTool(Tool, frozen=True, kw_only=True):
         report = verify_file(path, options, timeout=SECONDS)
         own = report.source == "thinkblox"
         scene, old = sayable(load_scene(path if own else home.name))
-        episode, note = _history(desk, ours, scene) if own else (None, "")
-        room = AgentRoom(
-            scene, episode.plan if episode else None, desk.source, episode=episode, layout_of=report.source
-        )
+        plan, episode, note = _history(desk, ours, scene) if own else (None, None, "")
+        room = AgentRoom(scene, plan, desk.source, episode=episode, layout_of=report.source)
         handle = desk.add(room)
         if not own:
             room.keeps = home  # its meshes are read from there again
@@ -328,18 +325,28 @@ def _options(tool: OpenRoomTool | CheckFileTool, desk: Desk) -> VerifyOptions:
     )
 
 
-def _history(desk: Desk, scene_file: str, scene: Scene) -> tuple[Episode | None, str]:
-    """How one of our rooms came about, or why that is not gone on with."""
+def _history(desk: Desk, scene_file: str, scene: Scene) -> tuple[Plan | None, Episode | None, str]:
+    """The plan of one of our rooms, how it came about if that can be gone on with, and a word on that."""
     name = scene_file.removesuffix("scene.json") + "trace.jsonl"
     if not scene_file or not os.path.lexists(desk.root.folder / name):
-        return None, "There is no trace of how it came about; a new one begins."
+        return None, None, "There is no trace of how it came about; a new one begins."
     try:
         episode = read_episode(desk.root.reading(name))
-        if episode.scene == scene:
-            return episode, "Its trace goes on."
+        reached = _reached(episode)
     except (InputError, KeyError) as error:
-        return None, f"Its trace cannot be used ({error}); a new one begins."
-    return None, "Its trace is of another room than its scene; a new one begins."
+        return None, None, f"Its trace cannot be used ({error}); a new one begins."
+    if reached == scene:
+        return episode.plan, episode, "Its trace goes on."
+    known = episode.plan if episode.prompt == scene.prompt else None
+    return known, None, "Its trace does not lead to this scene; a new one begins."
+
+
+def _reached(episode: Episode) -> Scene:
+    """The scene to which the rounds of an episode lead by themselves."""
+    scene = episode.start
+    for done in episode.rounds:
+        scene = episode.after(scene, done) if done.kept else scene
+    return scene
 
 
 def _reported(report: Report, *, judged: bool = False) -> Said:
