@@ -370,7 +370,12 @@ def test_a_layout_of_others_is_opened_changed_and_saved_as_ours(agent, tmp_path,
     assert agent.data("move", room="room_1", id=chair.id, position=[x + 0.2, y, z])["done"]
     agent.ok("want", room="room_1", category="stool")
     assert agent.data("ask_expert", room="room_1")["done"]
-    agent.ok("save", room="room_1", folder="ours", pictures=False)
+    verified = agent.data("verify", room="room_1")
+    assert verified["complete"] is None
+    assert "measured as boxes, for want of a mesh" in verified["says"]
+    assert "all as asked" not in agent.ok("save", room="room_1", folder="ours", pictures=False).text
+    agent.ok("open_room", path="ours")
+    assert "all as asked" not in agent.ok("verify", room="room_2").text
     home = tmp_path / "root" / "ours"
     assert read_episode(home).scene == load_scene(home)
     assert len(load_scene(home).placements) == 6

@@ -81,7 +81,7 @@ class AgentRoom:
         source: AssetSource,
         *,
         episode: Episode | None = None,
-        layout_of: str = "",
+        reading: Report | None = None,
     ) -> None:
         """Begin with a scene that may have things in it.
 
@@ -90,10 +90,11 @@ class AgentRoom:
             plan: what is to be placed; None for a room of which nothing is known but what stands there.
             source: where assets come from.
             episode: how the scene came about, if that is known.
-            layout_of: whose layout it is, where it is not ours.
+            reading: what was said of the file that the scene was read from, by the ids of the scene.
         """
-        self.planned = plan is not None
-        plan, self._refused = makeable_part(plan or Plan(brief=Brief(prompt=scene.prompt)), scene, source)
+        unread = Brief(prompt=scene.prompt)
+        plan, self._refused = makeable_part(plan or Plan(brief=unread), scene, source)
+        self.planned = plan.brief != unread
         self._loop = Loop(plan, kinds_of(plan, source), ExpertPolicy(), source, _SEARCH)
         self._before = episode
         self._stood = () if episode else tuple(scene.placements)
@@ -105,7 +106,7 @@ class AgentRoom:
         self.world = World(scene)
         self.left_out: dict[str, str] = {}
         self.keeps: object = None
-        self._layout_of = layout_of
+        self._reading = reading or Report(valid=True)
 
     @property
     def scene(self) -> Scene:
@@ -235,9 +236,16 @@ class AgentRoom:
         ]
         if self.planned:
             return report_on(self.scene, self.plan, absent=absent, tolerances=Tolerances())
-        report = verify(self.scene)
-        notes = (DEMANDS, *report.notes)
-        return structs.replace(report, absent=tuple(absent), notes=notes, source=self._layout_of or report.source)
+        report, read = verify(self.scene), self._reading
+        absent += read.absent
+        return structs.replace(
+            report,
+            complete=report.complete and not absent,
+            absent=tuple(absent),
+            notes=(DEMANDS, *report.notes),
+            source=read.source,
+            substituted=tuple(id for id in read.substituted if id in self.scene),
+        )
 
     def _placing(self) -> Placing:
         target = self.target

@@ -118,7 +118,9 @@ class OpenRoomTool(Tool, frozen=True, kw_only=True):
         own = report.source == "thinkblox"
         scene, old = sayable(load_scene(path if own else home.name))
         plan, episode, note = _history(desk, ours, scene) if own else (None, None, "")
-        room = AgentRoom(scene, plan, desk.source, episode=episode, layout_of=report.source)
+        new = {before: id for id, before in old.items()}
+        reading = structs.replace(report, substituted=tuple(new.get(id, id) for id in report.substituted))
+        room = AgentRoom(scene, plan, desk.source, episode=episode, reading=reading)
         handle = desk.add(room)
         if not own:
             room.keeps = home  # its meshes are read from there again
@@ -206,7 +208,7 @@ class SaveTool(Tool, frozen=True, kw_only=True):
             extra={"trace.jsonl": room.episode().to_jsonl()},
         )
         names = sorted(entry.name for entry in out.iterdir())
-        says = f"saved to {desk.root.shown(out)}: {', '.join(names)}; {outcome(report)}"
+        says = f"saved to {desk.root.shown(out)}: {', '.join(names)}; {_outcome(report, room.planned)}"
         return Said((says,), {"says": says, "folder": desk.root.shown(out), "files": names})
 
 
@@ -349,12 +351,17 @@ def _reached(episode: Episode) -> Scene:
     return scene
 
 
+def _outcome(report: Report, judged: bool) -> str:
+    """In a few words how a prompt was met, or where none was looked at, whether everything passed."""
+    if judged:
+        return outcome(report)
+    passed = report.valid and all(suite.passed for suite in report.suites)
+    return "all passed" if passed else "not all passed"
+
+
 def _reported(report: Report, *, judged: bool = False) -> Said:
     """A report in words and figures; what fails of it in full."""
-    passed = report.valid and all(suite.passed for suite in report.suites)
-    lines = [summary(report, placed=len(report.objects)), outcome(report) if judged else ""]
-    lines += [] if judged else ["all passed" if passed else "not all passed"]
-    text = "\n".join(line for line in lines if line)
+    text = f"{summary(report, placed=len(report.objects))}\n{_outcome(report, judged)}"
     data = {
         "says": text,
         "valid": report.valid,
