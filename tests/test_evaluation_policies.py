@@ -16,6 +16,7 @@ from thinkblox.errors import InputError
 from thinkblox.evaluation import policy_run
 from thinkblox.evaluation.comparison import (
     Comparison,
+    ContenderResult,
     comparison_json,
     comparison_markdown,
     comparison_text,
@@ -269,8 +270,8 @@ def test_refused_rooms_count_against_who_was_asked() -> None:
 
 
 def test_what_is_missing_is_in_every_table() -> None:
-    here = Measured(contender=Contender(name="SFT", policy="hf:a"), rooms=(room(1, GOOD),), published=21.9)
-    gone = Measured(contender=Contender(name="GRPO", policy="hf:b|c"), missing="b is not there")
+    here = ContenderResult(contender=Contender(name="SFT", policy="hf:a"), rooms=(room(1, GOOD),), published=21.9)
+    gone = ContenderResult(contender=Contender(name="GRPO", policy="hf:b|c"), missing="b is not there")
     comparison = Comparison(prompts="p.txt", count=1, runs=1, seed=0, judge="j", rows=(here, gone))
     assert "b is not there" in comparison_text(comparison)
     text = comparison_markdown(comparison)

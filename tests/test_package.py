@@ -91,7 +91,7 @@ def test_importing_the_package_loads_nothing_heavy():
     assert run(f"import sys, thinkblox; print(sorted({heavy} & set(sys.modules)))") == "[]"
 
 
-COMMANDS = ((), ("generate",), ("verify",), ("render",), ("schema",), ("assets",), ("assets", "list"))
+COMMANDS = ((), ("generate",), ("verify",), ("render",), ("mcp",), ("schema",), ("assets",), ("assets", "list"))
 
 
 @pytest.mark.parametrize("words", COMMANDS, ids=" ".join)

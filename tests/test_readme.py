@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}")
-    for name in ("README.md", "docs/guide.md", "docs/extending.md", "docs/models.md", "docs/editing.md")
+    for name in ("README.md", *(f"docs/{page}.md" for page in ("guide", "extending", "models", "editing", "mcp")))
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]
 
@@ -69,7 +69,7 @@ def test_the_commands_of_the_readme_run(tmp_path):
 
 
 def test_links_point_at_files():
-    pages = ("guide", "extending", "models", "editing", "training", "benchmarks")
+    pages = ("guide", "extending", "models", "editing", "mcp", "training", "evaluation", "benchmarks")
     for name in ("README.md", *(f"docs/{page}.md" for page in pages)):
         for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
             assert (ROOT / name).parent.joinpath(link).exists(), (name, link)

@@ -31,7 +31,7 @@ MAX_LINE = 8_000_000
 MAX_TRACE = 1_000_000_000
 """Largest trace that is read [bytes]."""
 
-RoundKind = Literal["policy", "repair", "revision", "last resort"]
+RoundKind = Literal["policy", "repair", "revision", "last resort", "edit"]
 
 
 class Round(Value, frozen=True, kw_only=True, tag_field="line", tag="round"):
@@ -41,12 +41,14 @@ class Round(Value, frozen=True, kw_only=True, tag_field="line", tag="round"):
         id: the object.
         number: rounds for this object, from 0.
         kind: "policy"; "repair" for the search around the best failed try; "revision" for moving what is in the way;
-            "last resort" for a pose that keeps everything but a walkable way or a window free.
+            "last resort" for a pose that keeps everything but a walkable way or a window free; "edit" for what a policy
+            did of its own accord with something that stood.
         asset: id of the asset that was to be placed.
         sizes: smallest and largest size that it could have [m]; None where it had only this one.
         tries: what was proposed, and what came of it.
         chosen: index of the try that was committed; None when none was.
         committed: where the object then stood, and whatever went along: settled, and measured there once more.
+        removed: ids of what was taken away before that.
         propose_seconds, check_seconds: time spent in the policy and in the physics.
         attempt: how often the room had been begun anew before.
         kept: whether it belongs to the attempt that became the room.
@@ -60,6 +62,7 @@ class Round(Value, frozen=True, kw_only=True, tag_field="line", tag="round"):
     tries: tuple[Try, ...]
     chosen: int | None = None
     committed: tuple[Placement, ...] = ()
+    removed: tuple[str, ...] = ()
     propose_seconds: float = 0.0
     check_seconds: float = 0.0
     attempt: int = 0
@@ -71,6 +74,7 @@ class Beginning(Value, frozen=True, kw_only=True, tag_field="line", tag="episode
 
     Attributes:
         prompts: version of the prompts that a model was given; observations are made again with those of today.
+        stood: what stood in the room already.
     """
 
     version: int = EPISODE_VERSION
@@ -80,6 +84,7 @@ class Beginning(Value, frozen=True, kw_only=True, tag_field="line", tag="episode
     plan: Plan
     kinds: dict[str, Kind] = {}
     prompts: str = ""
+    stood: tuple[Placement, ...] = ()
 
 
 class UsedAsset(Value, frozen=True, kw_only=True, tag_field="line", tag="asset"):
@@ -151,11 +156,13 @@ class Episode(Value, frozen=True, kw_only=True):
     rounds: tuple[Round, ...] = ()
     prompts: str = ""
     edits: tuple[Edited | Undone, ...] = ()
+    stood: tuple[Placement, ...] = ()
 
     @property
     def start(self) -> Scene:
-        """The empty room."""
-        return Scene(prompt=self.prompt, seed=self.seed, room=self.room)
+        """The room with what stood in it already, which mostly is nothing."""
+        used = {placement.asset: self.assets[placement.asset] for placement in self.stood}
+        return Scene(prompt=self.prompt, seed=self.seed, room=self.room, placements=self.stood, assets=used)
 
     @property
     def scene(self) -> Scene:
@@ -185,7 +192,9 @@ class Episode(Value, frozen=True, kw_only=True):
         return Scene(prompt=self.prompt, seed=self.seed, room=state.room, placements=state.placements, assets=assets)
 
     def after(self, scene: Scene, done: Round) -> Scene:
-        """A scene after what a round committed."""
+        """A scene after what a round took away and committed; raises KeyError for what was not there."""
+        for id in done.removed:
+            scene = scene.without(id)
         for placement in done.committed:
             scene = scene.with_placement(placement, self.assets[placement.asset])
         return scene
@@ -201,7 +210,7 @@ class Episode(Value, frozen=True, kw_only=True):
             if done.attempt != attempt if attempt is not None else not done.kept:
                 continue
             if done.kind == "policy":
-                again = before is not None and before.id == done.id
+                again = before is not None and before.id == done.id and done.number > 0
                 feedback = tuple(t.feedback for t in before.tries if t.feedback) if before and again else ()
                 yield Decision(self._observation(scene, done, feedback), done)
                 before = done
@@ -228,6 +237,7 @@ class Episode(Value, frozen=True, kw_only=True):
             plan=self.plan,
             kinds=self.kinds,
             prompts=self.prompts,
+            stood=self.stood,
         )
         yield from (UsedAsset(asset=asset) for asset in self.assets.values())
         yield from self.rounds
@@ -311,6 +321,9 @@ def _checked(where: str, beginning: Beginning, assets: dict[str, Asset], rounds:
         raise InputError(
             f"{where}: episode version {beginning.version} is not known; this release reads {EPISODE_VERSION}"
         )
+    unknown = {placement.asset for placement in beginning.stood}.difference(assets)
+    if unknown:
+        raise InputError(f"{where}: what stood there speaks of an asset that is not there: {min(unknown)!r}")
     planned = {target.id for target in beginning.plan.targets}
     for done in rounds:
         missing = {done.asset, *(p.asset for p in done.committed)}.difference(assets)
@@ -329,4 +342,5 @@ def _checked(where: str, beginning: Beginning, assets: dict[str, Asset], rounds:
         assets=assets,
         rounds=tuple(rounds),
         prompts=beginning.prompts,
+        stood=beginning.stood,
     )

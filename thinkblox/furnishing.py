@@ -119,7 +119,7 @@ def furnish(
     Raises:
         BrokenOffError: the policy cannot go on.
     """
-    makeable, refused = _makeable(plan, scene, source)
+    makeable, refused = makeable_part(plan, scene, source)
     loop = Loop(makeable, kinds_of(makeable, source), policy, source, effort, until=until)
     made: list[_Attempt] = []
     try:
@@ -261,7 +261,7 @@ class _Attempt:
         return "" if grown is not None else placing.reason or "no place was found"
 
 
-def _makeable(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
+def makeable_part(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:
     """The plan without what the source cannot make, and that with the reasons."""
     kept: list[Target] = []
     refused: list[Absence] = []

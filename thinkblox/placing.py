@@ -123,22 +123,50 @@ class Placing:
         """What stands already."""
         return self.world.scene
 
+    @property
+    def observation(self) -> Observation:
+        """What whoever proposes is shown: the scene, and what was measured of the answers before."""
+        before = next((done.tries for done in reversed(self.rounds) if done.kind == "policy"), ())
+        return observe(
+            self.scene,
+            self.loop.plan,
+            self.target,
+            self.asset,
+            kinds=self.loop.kinds,
+            sizes=self.sizes,
+            round=len(self.rounds),
+            feedback=tuple(t.feedback for t in before if t.feedback),
+        )
+
+    def answer(self, texts: Iterable[object], *, seconds: float = 0.0) -> World | None:
+        """A round: measure what was answered to the observation, and commit the best of what is valid.
+
+        Args:
+            texts: the answers; a `Try` stands for one that never came.
+            seconds: how long they took.
+
+        Returns:
+            The world with the object in it; None when none was valid.
+        """
+        read = [text if isinstance(text, Try) else self._understood(text) for text in texts]
+        return self._try("policy", read, propose_seconds=seconds, tell=self.loop.tells)
+
     def run(self) -> World | None:
         """Place the object; None when no pose was found that may stand.
 
         Raises:
             UnavailableError: the policy cannot go on, for this or any other object.
         """
-        feedback: tuple[str, ...] = ()
-        for number in range(self.loop.effort.rounds):
+        for _ in range(self.loop.effort.rounds):
             if self.loop.over:
                 break
-            grown = self._ask(number, feedback)
+            start = time.perf_counter()
+            texts = self._texts(self.observation)
+            grown = self.answer(texts, seconds=time.perf_counter() - start)
             if grown is not None:
                 return grown
             if self._fall():
                 return None
-            feedback = tuple(t.feedback for t in self.rounds[-1].tries if t.feedback)
         return self._repair() or (None if self.loop.over else self._revise()) or self._last_resort()
 
     @property
@@ -173,24 +201,6 @@ class Placing:
             fell = FALLING.intersection(alone.reasons)
             self.loop.falls[asset] = f"it cannot stand: by itself on an empty level floor it {says}" if fell else ""
         return self.loop.falls[asset]
-
-    def _ask(self, number: int, feedback: tuple[str, ...]) -> World | None:
-        loop = self.loop
-        observation = observe(
-            self.scene,
-            loop.plan,
-            self.target,
-            self.asset,
-            kinds=loop.kinds,
-            sizes=self.sizes,
-            round=number,
-            feedback=feedback,
-        )
-        start = time.perf_counter()
-        texts = self._texts(observation)
-        seconds = time.perf_counter() - start
-        read = [t if isinstance(t, Try) else self._understood(t) for t in texts]
-        return self._try("policy", read, propose_seconds=seconds, tell=self.loop.tells)
 
     def _texts(self, observation: Observation) -> list[object]:
         """What the policy answers; where it fails, what came before that, and a try that says so."""

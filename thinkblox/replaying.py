@@ -56,10 +56,13 @@ class Replay:
         """The objects in the order in which they were placed; what nobody asked for and was left out is left out.
 
         Raises:
-            UnavailableError: the room is another one, or the trace ends before all that was asked for was tried.
+            UnavailableError: the room is another one, things in it were moved, exchanged or taken away of somebody's
+                own accord, or the trace ends before all that was asked for was tried.
         """
         if _shape(room) != _shape(self.episode.room):
             raise UnavailableError(f"{self._name}: was made in another room; leave the room out, and it is the same")
+        if self.episode.stood or any(done.kept and done.kind == "edit" for done in self.episode.rounds):
+            raise UnavailableError(f"{self._name}: its room was changed after things stood in it, which no plan tells")
         there = self.episode.scene
         targets = tuple(t for t in self.episode.plan.targets if t.asked or t.id in there)
         if missing := next((t.id for t in targets if t.id not in self._texts), ""):

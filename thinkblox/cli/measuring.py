@@ -13,6 +13,7 @@ from thinkblox.orders import ORDERS
 
 if TYPE_CHECKING:
     from thinkblox.evaluation.comparing import Told
+    from thinkblox.evaluation.comparison import ContenderResult
     from thinkblox.evaluation.contenders import Contender
     from thinkblox.evaluation.policy_run import Trial
     from thinkblox.evaluation.room_tally import RoomTally
@@ -95,7 +96,9 @@ def measure_policies(arguments: argparse.Namespace) -> int:
     return shown(arguments, trial, arguments.prompts.name, judge, rows)
 
 
-def shown(arguments: argparse.Namespace, trial: "Trial", prompts: str, judge: str, rows: "Sequence[Measured]") -> int:
+def shown(
+    arguments: argparse.Namespace, trial: "Trial", prompts: str, judge: str, rows: "Sequence[ContenderResult]"
+) -> int:
     """Write and print what was measured; returns the exit status."""
     from thinkblox.evaluation.comparing import write_comparison
     from thinkblox.evaluation.comparison import Comparison, comparison_json, comparison_text
@@ -114,7 +117,7 @@ def shown(arguments: argparse.Namespace, trial: "Trial", prompts: str, judge: st
     return 0 if all(_whole(row) for row in rows) else 1
 
 
-def _whole(row: "Measured") -> bool:
+def _whole(row: "ContenderResult") -> bool:
     return not row.missing and not any(room.refused for room in row.rooms)
 
 
