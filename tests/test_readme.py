@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 BLOCKS = [
-    pytest.param(block, id=f"{name}-{number}")
+    pytest.param(block, id=f"{name}-{number}", marks=[pytest.mark.slow] if "models" in name else [])
     for name in ("README.md", *(f"docs/{page}.md" for page in ("guide", "extending", "models", "editing", "mcp")))
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]

@@ -29,6 +29,7 @@ def test_it_has_under_a_million_parameters(tiny_folder):
     assert not read.model.training
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_bytes_in_another_process(tiny_folder, tmp_path):
     code = f"from thinkblox.policies.tiny import build_tiny; build_tiny({str(tmp_path / 'again')!r})"
     environment = {**os.environ, "PYTHONHASHSEED": "7", "OMP_NUM_THREADS": "1"}
@@ -112,6 +113,7 @@ def test_training_reads_a_chat_as_it_is_read_at_run_time(tiny_folder):
     assert trained["pixel_values"].equal(shown["pixel_values"])
 
 
+@pytest.mark.slow
 def test_other_tools_in_the_process_read_it_without_torchvision(tiny_folder):
     code = (
         "from thinkblox.policies.processors import use_without_torchvision\n"
