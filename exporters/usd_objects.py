@@ -18,8 +18,8 @@ def add_object(parent: Prim, item: InventoryObject, looks: Looks) -> None:
     first, *joined = item.bodies
     rigid = item.free and not joined
     apis = [LABELS, *(_BODY if rigid else ()), *(["PhysicsArticulationRootAPI"] if joined else [])]
-    prim = parent.child(item.id, "Xform", apis=apis, kind="component").place(*first.settled)
-    prim.spec.customData = {"asset": item.asset, "licence": item.licence, "author": item.author}
+    prim = parent.child(item.name, "Xform", apis=apis, kind="component").place(*first.settled)
+    prim.spec.customData = {"id": item.id, "asset": item.asset, "licence": item.licence, "author": item.author}
     add_label(prim, item.category)
     if joined:
         _add_links(prim, item, looks)
@@ -45,13 +45,14 @@ def _add_links(prim: Prim, item: InventoryObject, looks: Looks) -> None:
         fix_to_room(joints, base.path, *first.settled)
     for body in joined:
         if body.joint is not None and body.parent is not None:
-            add_joint(joints, body.link, body.joint, links[body.parent].path, links[body.name].path)
+            add_joint(joints, body.name, body.joint, links[body.parent].path, links[body.name].path)
 
 
 def _add_link(parent: Prim, body: InventoryBody, looks: Looks) -> Prim:
     apis = [LABELS, *_BODY, *(["PhysicsFilteredPairsAPI"] if body.joint is not None else [])]
-    prim = parent.child(body.link, "Xform", apis=apis).place(*body.in_object)
-    add_label(prim, body.link)
+    prim = parent.child(body.name, "Xform", apis=apis).place(*body.in_object)
+    prim.spec.customData = {"link": body.link}
+    add_label(prim, body.label)
     _fill(prim, body, looks, weighs=True)
     return prim
 

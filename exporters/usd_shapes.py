@@ -82,14 +82,14 @@ def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> N
         add_mesh(scope, look, parts, looks, look)
     for geom in geoms:
         if geom.look is not None and geom.mesh is not None:
-            _add_textured(scope, mesh_of(geom.mesh), looks, geom.look)
+            _add_textured(scope, mesh_of(geom.mesh), looks, geom.look).place(geom.offset)
 
 
-def _add_textured(parent: Prim, mesh: TexturedMesh, looks: Looks, look: str) -> None:
+def _add_textured(parent: Prim, mesh: TexturedMesh, looks: Looks, look: str) -> Prim:
     parts = [Polygons(mesh.vertices, mesh.normals, [3] * len(mesh.faces), mesh.faces.ravel().tolist())]
     prim = add_mesh(parent, look, parts, looks, look)
     places = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(mesh.uv, np.float32))
-    prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
+    return prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
 
 
 def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:

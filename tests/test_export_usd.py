@@ -45,15 +45,30 @@ def prims(stage: Any, api: Any) -> Iterator[Any]:
 def path_of(body: str) -> str:
     id, _, link = body.partition("/")
     if link:
-        return f"/World/Objects/{id}/{link}"
+        return f"/World/Objects/{id}/{id}_{link}"
     jointed = {"wardrobe_1", "cupboard_1"}
-    return f"/World/Objects/{id}/body" if id in jointed else f"/World/Objects/{id}"
+    return f"/World/Objects/{id}/{id}" if id in jointed else f"/World/Objects/{id}"
+
+
+def frame_of(name: str, data: mujoco.MjData) -> np.ndarray:
+    """Where the frame of a body begins: on its joint's axis, if it has one."""
+    model, body = data.model, data.body(name)
+    joint = int(model.body_jntadr[body.id])
+    if joint < 0 or model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE:
+        return np.array(body.xpos)
+    return np.array(body.xpos + body.xmat.reshape(3, 3) @ model.jnt_pos[joint])
 
 
 def world_pose(prim: Any) -> tuple[np.ndarray, np.ndarray]:
     matrix = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
     quat = matrix.ExtractRotationQuat()
     return np.array(matrix.ExtractTranslation()), np.array([quat.real, *quat.imaginary])
+
+
+def _turn(prim: Any) -> np.ndarray:
+    turn = np.zeros(9)
+    mujoco.mju_quat2Mat(turn, world_pose(prim)[1])
+    return turn.reshape(3, 3)
 
 
 def test_stage_metadata(stage: Any) -> None:
@@ -82,18 +97,20 @@ def test_poses_are_those_of_the_settled_model(stage: Any, physics: tuple[mujoco.
     for number in range(1, model.nbody):
         name = model.body(number).name
         position, quat = world_pose(stage.GetPrimAtPath(path_of(name)))
-        np.testing.assert_allclose(position, data.xpos[number], atol=1e-6, err_msg=name)
+        np.testing.assert_allclose(position, frame_of(name, data), atol=1e-6, err_msg=name)
         assert abs(quat @ data.xquat[number]) == pytest.approx(1.0, abs=1e-9)
 
 
 def test_masses_are_those_of_the_model(stage: Any, physics: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
-    model, _ = physics
+    model, data = physics
+    mujoco.mj_comPos(model, data)
     bodies = list(prims(stage, UsdPhysics.RigidBodyAPI))
+    by_path = {path_of(model.body(number).name): number for number in range(1, model.nbody)}
     for prim in bodies:
-        name = prim.GetPath().pathString.removeprefix("/World/Objects/").removesuffix("/body")
-        body, mass = model.body(name).id, UsdPhysics.MassAPI(prim)
+        body, mass = by_path[prim.GetPath().pathString], UsdPhysics.MassAPI(prim)
         assert mass.GetMassAttr().Get() == pytest.approx(model.body_mass[body])
-        np.testing.assert_allclose(mass.GetCenterOfMassAttr().Get(), model.body_ipos[body], atol=1e-6)
+        centre = world_pose(prim)[0] + _turn(prim) @ np.array(mass.GetCenterOfMassAttr().Get())
+        np.testing.assert_allclose(centre, data.xipos[body], atol=2e-6)
         np.testing.assert_allclose(mass.GetDiagonalInertiaAttr().Get(), model.body_inertia[body], rtol=1e-5)
         axes = mass.GetPrincipalAxesAttr().Get()
         np.testing.assert_allclose([axes.real, *axes.imaginary], model.body_iquat[body], atol=1e-6)
@@ -125,10 +142,10 @@ def test_joint_frames_agree_and_limits_are_in_order(stage: Any) -> None:
 @pytest.mark.parametrize(
     ("path", "kind", "axis", "lower", "upper"),
     [
-        ("wardrobe_1/Joints/door_left", UsdPhysics.RevoluteJoint, (0.0, 0.0, 1.0), 0.0, 110.0),
-        ("wardrobe_1/Joints/door_right", UsdPhysics.RevoluteJoint, (0.0, 0.0, -1.0), 0.0, 110.0),
-        ("cupboard_1/Joints/drawer", UsdPhysics.PrismaticJoint, (1.0, 0.0, 0.0), 0.0, 0.25),
-        ("cupboard_1/Joints/flap", UsdPhysics.RevoluteJoint, (0.0, -0.8, 0.6), 0.0, 60.0),
+        ("wardrobe_1/Joints/wardrobe_1_door_left", UsdPhysics.RevoluteJoint, (0.0, 0.0, 1.0), 0.0, 110.0),
+        ("wardrobe_1/Joints/wardrobe_1_door_right", UsdPhysics.RevoluteJoint, (0.0, 0.0, -1.0), 0.0, 110.0),
+        ("cupboard_1/Joints/cupboard_1_drawer", UsdPhysics.PrismaticJoint, (1.0, 0.0, 0.0), 0.0, 0.25),
+        ("cupboard_1/Joints/cupboard_1_flap", UsdPhysics.RevoluteJoint, (0.0, -0.8, 0.6), 0.0, 60.0),
     ],
 )
 def test_joints(stage: Any, path: str, kind: Any, axis: tuple[float, float, float], lower: float, upper: float) -> None:
@@ -145,7 +162,7 @@ def test_opened_joints_bring_their_links_where_the_model_does(stage: Any) -> Non
     for name, body in (("wardrobe_1/door_right", "wardrobe_1"), ("cupboard_1/drawer", "cupboard_1"),
                        ("cupboard_1/flap", "cupboard_1")):  # fmt: skip
         id, link = name.split("/")
-        joint = UsdPhysics.Joint(stage.GetPrimAtPath(f"/World/Objects/{id}/Joints/{link}"))
+        joint = UsdPhysics.Joint(stage.GetPrimAtPath(f"/World/Objects/{id}/Joints/{id}_{link}"))
         opened = 0.5 * joint.GetPrim().GetAttribute("physics:upperLimit").Get()
         unit = Gf.Vec3d(*(float(joint.GetPrim().GetAttribute("physics:axis").Get() == axis) for axis in "XYZ"))
         hinge = joint.GetPrim().IsA(UsdPhysics.RevoluteJoint)
@@ -162,10 +179,30 @@ def test_opened_joints_bring_their_links_where_the_model_does(stage: Any) -> Non
         data.qpos[model.joint(name).qposadr[0]] = np.radians(opened) if hinge else opened
         mujoco.mj_kinematics(model, data)
         turn = data.body(body).xmat.reshape(3, 3)
-        expected = turn.T @ (data.body(name).xpos - data.body(body).xpos)
+        expected = turn.T @ (frame_of(name, data) - data.body(body).xpos)
         np.testing.assert_allclose(relative.ExtractTranslation(), expected, atol=1e-6)
         expected_turn = turn.T @ data.body(name).xmat.reshape(3, 3)
         np.testing.assert_allclose(np.array(relative.ExtractRotationMatrix()).T, expected_turn, atol=1e-6)
+
+
+def test_joints_rub_and_are_damped_as_in_the_model(stage: Any, physics: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
+    """PhysX and Newton take efforts in N m or N, and damping of angles by the degree."""
+    model, _ = physics
+    for source in ("wardrobe_1/door_left", "wardrobe_1/door_right", "cupboard_1/drawer", "cupboard_1/flap"):
+        dof, id = int(model.joint(source).dofadr[0]), source.partition("/")[0]
+        prim = stage.GetPrimAtPath(f"/World/Objects/{id}/Joints/{source.replace('/', '_')}")
+        side = "angular" if prim.IsA(UsdPhysics.RevoluteJoint) else "linear"
+        assert {f"PhysxJointAxisAPI:{side}", "NewtonJointAPI"} <= set(prim.GetPrimTypeInfo().GetAppliedAPISchemas())
+        damping = model.dof_damping[dof] * (np.pi / 180 if side == "angular" else 1.0)
+        expected = {
+            f"physxJointAxis:{side}:staticFrictionEffort": model.dof_frictionloss[dof],
+            f"physxJointAxis:{side}:dynamicFrictionEffort": model.dof_frictionloss[dof],
+            f"physxJointAxis:{side}:viscousFrictionCoefficient": damping,
+            "newton:friction": model.dof_frictionloss[dof],
+            "newton:damping": damping,
+        }
+        for name, value in expected.items():
+            assert prim.GetAttribute(name).Get() == pytest.approx(value, rel=1e-6), name
 
 
 def test_the_catalogue_can_be_exported() -> None:
@@ -201,8 +238,8 @@ def test_articulations_are_roots_with_links_side_by_side(stage: Any) -> None:
             above = above.GetParent()
     mount = UsdPhysics.FixedJoint(stage.GetPrimAtPath("/World/Objects/cupboard_1/Joints/mount"))
     assert not mount.GetBody0Rel().GetTargets()
-    right = UsdPhysics.FilteredPairsAPI(stage.GetPrimAtPath("/World/Objects/wardrobe_1/door_right"))
-    assert right.GetFilteredPairsRel().GetTargets() == ["/World/Objects/wardrobe_1/door_left"]
+    right = UsdPhysics.FilteredPairsAPI(stage.GetPrimAtPath("/World/Objects/wardrobe_1/wardrobe_1_door_right"))
+    assert right.GetFilteredPairsRel().GetTargets() == ["/World/Objects/wardrobe_1/wardrobe_1_door_left"]
 
 
 def test_every_body_is_solid_and_unscaled(stage: Any) -> None:
