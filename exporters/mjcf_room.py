@@ -21,9 +21,11 @@ _BRIGHT = 0.35
 def dress_room(spec: mujoco.MjSpec, inventory: Inventory, parts: RoomParts, stock: Stock) -> None:
     """Name the geoms of floor and walls, and add what is seen of the room, lights and cameras."""
     names = Names(wall.name for wall in inventory.walls)
+    friction = {wall.name: wall.geoms[0].friction for wall in inventory.walls if wall.geoms}
     for geom in spec.worldbody.geoms:
         wall, _, number = geom.name.partition("/")
         geom.name = names.give(f"{wall}_part_{number}") if number else wall
+        geom.friction = friction[wall]
     for part in parts.parts:
         seen = spec.worldbody.add_geom(spec.find_default(VISUAL), type=mujoco.mjtGeom.mjGEOM_MESH)
         seen.name = names.give(f"{part.name}_visual")

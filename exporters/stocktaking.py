@@ -53,6 +53,10 @@ class _Stocktaking:
         self._model = compiled(build_spec(scene, physics=physics))
         self._start, self._rest = (_state(self._model, qpos) for qpos in (self._model.qpos0, settled.qpos))
         self._looks: dict[str, InventoryLook] = {}
+        # Of two frictions the engine takes the larger, others the mean or the product: so floor and walls have the
+        # least of any object's, which is never more than the engine took.
+        kinds = [scene.asset_of(placement) for placement in scene.placements]
+        self._least = min((kind.friction for kind in kinds if kind.collides), default=0.0)
         room = scene.room
         self._names = Names(("world", GROUND, "ceiling", *(w.name for w in room.walls), *(o.id for o in room.openings)))
         self._objects = self._names.give_all(placement.id for placement in scene.placements)
@@ -82,7 +86,8 @@ class _Stocktaking:
             position=_vec3(model.geom_pos[number]),
             quat_wxyz=_quat(model.geom_quat[number]),
         )
-        return InventoryGeom(shape=box, collides=True, friction=_vec3(model.geom_friction[number]))
+        sliding, torsion, rolling = _vec3(model.geom_friction[number])
+        return InventoryGeom(shape=box, collides=True, friction=(max(sliding, self._least), torsion, rolling))
 
     def _object(self, placement: Placement) -> InventoryObject:
         asset, id, name = self._scene.asset_of(placement), placement.id, self._objects[placement.id]

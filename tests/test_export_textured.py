@@ -116,7 +116,8 @@ def test_credits_are_in_the_model_and_on_the_stage(model: mujoco.MjModel, folder
 def test_usd_binds_the_texture(folder: Path) -> None:
     stage = Usd.Stage.Open(str(folder / "scene.usda"))
     visual = stage.GetPrimAtPath("/World/Objects/crate_1/crate_1/Visual")
-    (prim,) = visual.GetChildren()
+    under = visual.GetFilteredChildren(Usd.TraverseInstanceProxies())
+    (prim,) = [child for child in under if child.IsA(UsdGeom.Mesh)]
     mesh, expected = UsdGeom.Mesh(prim), mesh_of(crate().links[0].visuals[0].mesh)
     st = UsdGeom.PrimvarsAPI(prim).GetPrimvar("st")
     assert st.GetInterpolation() == "vertex"
