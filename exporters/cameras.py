@@ -27,7 +27,7 @@ _LIGHT_AREA, _MOST_LIGHTS = 9.0, 4
 
 
 @dataclass(frozen=True)
-class Camera:
+class RoomCamera:
     """A camera that looks along its -z, with y up, in the room.
 
     Attributes:
@@ -46,7 +46,7 @@ def middle_of(room: Room) -> Vec3:
     return (width / 2, depth / 2, room.height / 3)
 
 
-def cameras_of(scene: Scene) -> tuple[Camera, ...]:
+def cameras_of(scene: Scene) -> tuple[RoomCamera, ...]:
     """Cameras from outside ("overview"), from straight above ("top"), and within ("corner_1", "corner_2", ...)."""
     return (_overview(scene.room), _top(scene.room), *_corners(scene))
 
@@ -65,23 +65,23 @@ def lights_of(room: Room) -> tuple[Vec3, ...]:
     return tuple((float(px), float(py), height) for px, py in within or [(x, y)])
 
 
-def _overview(room: Room) -> Camera:
+def _overview(room: Room) -> RoomCamera:
     extent = math.hypot(*room.extent, room.height)
     turn, tilt = math.radians(AZIMUTH), math.radians(ELEVATION)
     ahead = np.array([math.cos(tilt) * math.cos(turn), math.cos(tilt) * math.sin(turn), math.sin(tilt)])
     place = np.array(middle_of(room)) - 1.5 * extent * ahead
-    return Camera("overview", _vec3(place), _looking(ahead), _FOVY)
+    return RoomCamera("overview", _vec3(place), _looking(ahead), _FOVY)
 
 
-def _top(room: Room) -> Camera:
+def _top(room: Room) -> RoomCamera:
     width, depth = room.extent
     away = 1.1 * max(width, depth) / 2 / math.tan(math.radians(_FOVY / 2))
-    return Camera("top", (width / 2, depth / 2, room.height + away), (1.0, 0.0, 0.0, 0.0), _FOVY)
+    return RoomCamera("top", (width / 2, depth / 2, room.height + away), (1.0, 0.0, 0.0, 0.0), _FOVY)
 
 
-def _corners(scene: Scene) -> list[Camera]:
+def _corners(scene: Scene) -> list[RoomCamera]:
     """One in each corner that points out of the room, further in where something stands there."""
-    room, found = scene.room, list[Camera]()
+    room, found = scene.room, list[RoomCamera]()
     target = room.polygon.centroid
     target = target if room.polygon.contains(target) else room.polygon.representative_point()
     for before, wall in zip((room.walls[-1], *room.walls), room.walls, strict=False):
@@ -92,7 +92,7 @@ def _corners(scene: Scene) -> list[Camera]:
         place = _free_place(scene, np.array(wall.start), inward / np.linalg.norm(inward), target)
         ahead = np.array([target.x, target.y, min(_LOOKED_AT, place[2])]) - place
         if np.linalg.norm(ahead) > 1e-3:
-            camera = Camera(f"corner_{len(found) + 1}", place, _looking(ahead / np.linalg.norm(ahead)), _INSIDE)
+            camera = RoomCamera(f"corner_{len(found) + 1}", place, _looking(ahead / np.linalg.norm(ahead)), _INSIDE)
             found.append(camera)
     return found
 
