@@ -31,10 +31,10 @@ class HullMesh:
 def hull_mesh(points: tuple[Vec3, ...], *, smooth: bool) -> HullMesh:
     """The convex hull of points, without those that are no corners; `smooth` is how it is shaded."""
     given, drawn = np.asarray(points, np.float64), hull(points, smooth=smooth)
-    corners = drawn.vertices.astype(np.float64)
+    corners, same = np.unique(drawn.vertices.astype(np.float64), axis=0, return_inverse=True)
     # What made the triangles may have rounded their corners: they are the points next to these.
     nearest = np.argmin(((corners[:, None] - given[None]) ** 2).sum(axis=2), axis=1)
-    used, index = np.unique(nearest, return_inverse=True)
+    used, index = np.unique(nearest[same.reshape(-1)], return_inverse=True)
     faces = index.reshape(-1)[drawn.faces]
     kept = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
     return HullMesh(given[used], faces[kept], drawn.normals[drawn.faces][kept].astype(np.float64))
