@@ -247,7 +247,18 @@ def _triangles(room: Room) -> Iterator[NDArray[np.float64]]:
         yield shapely.get_coordinates(shapely.orient_polygons(triangle))[:3]
 
 
+def _halved(mesh: Mesh) -> Mesh:
+    """One triangle as two: engines take no mesh of three corners."""
+    a, b, c = mesh.faces[0].tolist()
+    middle = [(values[a] + values[b]) / 2 for values in (mesh.vertices, mesh.normals)]
+    uv = None if mesh.uv is None else np.vstack([mesh.uv, (mesh.uv[a] + mesh.uv[b]) / 2])
+    faces = np.array([(a, 3, c), (3, b, c)], np.int32)
+    return Mesh(np.vstack([mesh.vertices, middle[0]]), np.vstack([mesh.normals, middle[1]]), faces, uv)
+
+
 def _joined(meshes: list[Mesh]) -> TexturedMesh:
+    if sum(len(mesh.vertices) for mesh in meshes) == 3:
+        meshes = [_halved(meshes[0])]
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
     return TexturedMesh.of(
         vertices=np.concatenate([mesh.vertices for mesh in meshes]),

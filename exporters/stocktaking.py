@@ -22,6 +22,7 @@ from thinkblox.exporters.looks import covering_look, finish_look, look_of
 from thinkblox.exporters.naming import Names
 from thinkblox.scene.asset import Link, Shape
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import MAX_EXTENT
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import GROUND, build_spec, compiled
 from thinkblox.sim.geometry.solid import solid_of, weighing
@@ -82,7 +83,8 @@ class _Stocktaking:
         model = self._model
         box = Shape(
             kind="box",
-            size=_vec3(2.0 * model.geom_size[number]),
+            # Under the walls of the largest room the floor ends with the room: no shape is larger.
+            size=_vec3(np.minimum(2.0 * model.geom_size[number], MAX_EXTENT)),
             position=_vec3(model.geom_pos[number]),
             quat_wxyz=_quat(model.geom_quat[number]),
         )

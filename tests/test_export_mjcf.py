@@ -10,14 +10,16 @@ import mujoco
 import numpy as np
 import pytest
 from msgspec import structs
+from pxr import Usd
 from shapely import Point
 
 from tests.export_rooms import L_ROOM, drawer_box, sample_scene
 from tests.sim_rooms import put, scene, table
 from thinkblox.exporters.mjcf import mjcf_text, write_mjcf
 from thinkblox.exporters.stocktaking import inventory_of
+from thinkblox.exporters.usd import write_usd
 from thinkblox.scene.asset import Surface
-from thinkblox.scene.room import rectangle
+from thinkblox.scene.room import Room, rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.sim.build import build_spec
@@ -279,3 +281,28 @@ def test_floors_have_the_pattern_of_the_pictures(tmp_path: Path) -> None:
     row = dark[height // 2 + int(0.1 * height / 2)]
     assert np.count_nonzero(row[1:] != row[:-1]) in (7, 8)
     assert model.mat_rgba[int(wall.matid[0])] == pytest.approx((0.4, 0.6, 0.8, 1.0), abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "room",
+    [
+        Room(floor=((0.0, 0.0), (4.0, 0.0), (0.0, 3.0))),
+        Room(floor=((0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 0.5)), height=1.5),
+        Room(floor=((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)), height=50.0),
+        Room(floor=((0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (4.0, 4.0), (4.0, 1.5), (2.0, 1.5), (2.0, 4.0), (0.0, 4.0))),
+    ],
+    ids=["triangle", "tiny", "huge", "U"],
+)
+def test_odd_rooms_are_closed_too(room: Room, tmp_path: Path) -> None:
+    inventory = inventory_of(Scene(room=room))
+    write_mjcf(inventory, tmp_path / "scene.xml")
+    write_usd(inventory, tmp_path / "scene.usda")
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "scene.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    middle = room.polygon.representative_point()
+    seen = np.array([0, 1, 1, 0, 0, 0], np.uint8)
+    for ray in np.random.default_rng(0).normal(size=(100, 3)):
+        start = np.array([middle.x, middle.y, 0.4 * room.height])
+        assert mujoco.mj_ray(model, data, start, ray, seen, 1, -1, np.zeros(1, np.int32)) > 0.0
+    assert Usd.Stage.Open(str(tmp_path / "scene.usda")).GetPrimAtPath("/World/Room/ceiling")
