@@ -7,10 +7,11 @@ from thinkblox.exporters.inventory import Inventory
 from thinkblox.scene.blobs import BLOBS, blob_name
 
 
-def texture_files(inventory: Inventory) -> dict[str, bytes]:
-    """The textures of all looks, by their paths relative to what names them."""
+def texture_files(inventory: Inventory, pictures: Mapping[str, bytes]) -> dict[str, bytes]:
+    """The textures of all looks and other `pictures` by hash, by their paths relative to what names them."""
     textures = {look.texture for look in inventory.looks.values() if look.texture is not None}
-    return {blob_name(texture, "png"): BLOBS.get(texture) for texture in sorted(textures)}
+    found = {texture: BLOBS.get(texture) for texture in textures} | dict(pictures)
+    return {blob_name(texture, "png"): found[texture] for texture in sorted(found)}
 
 
 def write_beside(path: Path, files: Mapping[str, bytes]) -> None:

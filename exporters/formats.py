@@ -63,6 +63,12 @@ def _write_mjcf(inventory: "Inventory", path: Path) -> None:
     write_mjcf(inventory, path)
 
 
+def _write_single_mjcf(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.mjcf import write_single_mjcf
+
+    write_single_mjcf(inventory, path)
+
+
 def _write_usd(inventory: "Inventory", path: Path) -> None:
     from thinkblox.exporters.usd import write_usd
 
@@ -70,7 +76,12 @@ def _write_usd(inventory: "Inventory", path: Path) -> None:
 
 
 _FORMATS = {
-    "mjcf": ExportFormat("mjcf", ".xml", _write_mjcf, "MuJoCo's model of the room, with the keyframe 'settled'"),
+    "mjcf": ExportFormat(
+        "mjcf", ".xml", _write_mjcf, "MuJoCo's model of the room, with the keyframes 'settled' and 'home'"
+    ),
+    "mjcf-single": ExportFormat(
+        "mjcf-single", ".single.xml", _write_single_mjcf, "the same in one file: hulls as points, textures as colours"
+    ),
     "usd": ExportFormat("usd", ".usda", _write_usd, "the same bodies, masses, colliders and joints as UsdPhysics"),
 }
 

@@ -46,6 +46,7 @@ class InventoryGeom:
         collides: whether it can be touched; a mesh cannot.
         mass: its share of the body's [kg].
         friction: sliding coefficient, torsional and rolling friction [m]; zeros where it does not collide.
+        offset: where the mesh's origin is in the body's frame [m].
     """
 
     shape: Shape | None = None
@@ -54,15 +55,16 @@ class InventoryGeom:
     collides: bool = False
     mass: float = 0.0
     friction: Vec3 = (0.0, 0.0, 0.0)
+    offset: Vec3 = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
 class InventoryJoint:
-    """How a body moves against its parent; their frames coincide where the joint is at 0.
+    """How a body moves against its parent: on an axis through its origin; where it is at 0 their frames are parallel.
 
     Attributes:
         axis: unit vector in the body's frame.
-        anchor: a point on the axis in the body's frame [m].
+        anchor: the body's origin in the parent's frame [m].
         lower, upper: range [degrees, or m for a slide].
         friction: what it takes to move it [N m, or N].
         damping: [N m s/rad, or N s/m].
@@ -79,11 +81,13 @@ class InventoryJoint:
 
 @dataclass(frozen=True)
 class InventoryBody:
-    """A rigid part of an object.
+    """A rigid part of an object; the frame of what is joined to another has its origin on the joint's axis.
 
     Attributes:
-        name: unique in the scene: the object's id, or "<id>/<link>".
+        name: unique in the scene, and the same in every format: the object's, or "<object>_<link>".
+        source: its name in the model that was measured: the object's id, or "<id>/<link>".
         link: its name within the asset.
+        label: what it is, for segmentation: the object's category, or "door", "drawer".
         parent: name of the body that its joint joins it to; None for the object's first.
         joint: None for the object's first body.
         proposed: where the placement puts it, in the room.
@@ -97,7 +101,9 @@ class InventoryBody:
     """
 
     name: str
+    source: str
     link: str
+    label: str
     parent: str | None
     joint: InventoryJoint | None
     proposed: Pose
@@ -115,12 +121,15 @@ class InventoryObject:
     """One placement.
 
     Attributes:
+        id: of the placement.
+        name: its safe form, unique in the scene and the same in every format.
         asset: id of its asset, whose `licence` and `author` come with it.
         free: whether it can move; it is fixed to the room otherwise, but for its joints.
         bodies: its first body, then those that are joined to it; no two of them collide with each other.
     """
 
     id: str
+    name: str
     category: str
     asset: str
     licence: str
@@ -134,7 +143,7 @@ class InventoryWall:
     """The floor or a wall, in the room's frame.
 
     Attributes:
-        name: "floor", or the wall's.
+        name: "floor", or the wall's; the names of no two objects, bodies or walls differ in case alone.
         label: "floor" or "wall".
         look: name of its look.
         geoms: boxes that collide: one, or those round its openings.

@@ -1,9 +1,9 @@
-"""A Scene as one MJCF file: the very model that was measured, with its looks and the keyframe "settled"."""
+"""A Scene as MJCF: the very model that was measured, dressed to be looked at, under names that every reader takes."""
 
 import json
-import math
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import msgspec
@@ -13,76 +13,112 @@ import numpy as np
 from thinkblox.exporters.beside import write_beside
 from thinkblox.exporters.credits import credits_of
 from thinkblox.exporters.inventory import Inventory
-from thinkblox.scene.room import Room
+from thinkblox.exporters.mjcf_bodies import dress_objects
+from thinkblox.exporters.mjcf_meshes import Stock
+from thinkblox.exporters.mjcf_room import dress_room
+from thinkblox.exporters.room_parts import room_parts
 from thinkblox.sim.build import build_spec, compiled
 from thinkblox.sim.verdict.settle import add_keyframe
 
-AZIMUTH, ELEVATION = 125.0, -40.0
-"""Where the viewer looks to at first [degrees]."""
-_DISTANCE = 0.75
-"""Distance of the named camera from the room's middle, in extents."""
+_EXACT = {
+    "body": ("pos", "quat"),
+    "geom": ("pos", "quat", "size", "mass"),
+    "joint": ("pos", "axis", "range", "frictionloss", "damping"),
+    "site": ("pos", "quat", "size"),
+    "camera": ("pos", "quat"),
+}
+"""What is written with every digit; the engine writes six."""
 
 
 def write_mjcf(inventory: Inventory, path: Path) -> None:
-    """Write a scene as one MJCF file, with the meshes and textures that it names beside it, if there are any.
+    """Write a scene as MJCF, with the meshes and textures that it names in `assets` beside it.
 
     Its reference pose is the placements' own; the keyframe "settled" holds every object where it came to rest. The
     same scene gives the same bytes.
     """
     spec = _spec(inventory)
-    path.write_text(_with_exact_poses(spec, inventory), encoding="utf-8")
+    path.write_text(_text(spec, inventory), encoding="utf-8")
     write_beside(path, spec.assets)
 
 
+def write_single_mjcf(inventory: Inventory, path: Path) -> None:
+    """Write a scene as one MJCF file that names no other: hulls are their points, textures are plain colours."""
+    path.write_text(mjcf_text(inventory), encoding="utf-8")
+
+
 def mjcf_text(inventory: Inventory) -> str:
-    """The text of `write_mjcf`."""
-    return _with_exact_poses(_spec(inventory), inventory)
+    """The text of `write_single_mjcf`."""
+    return _text(_spec(inventory, alone=True), inventory)
 
 
-def _spec(inventory: Inventory) -> mujoco.MjSpec:
-    """The very model that was measured, with looks, keyframe, view and credits."""
-    spec = build_spec(inventory.scene, visuals=True, physics=inventory.physics)
+def _spec(inventory: Inventory, *, alone: bool = False) -> mujoco.MjSpec:
+    """The very model that was measured, under safe names, with looks, keyframes, views and credits."""
+    spec = build_spec(inventory.scene, physics=inventory.physics)
+    spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
+    parts = room_parts(inventory.scene)
+    stock = Stock(spec, {**inventory.looks, **parts.looks}, parts.pictures, alone=alone)
+    dress_room(spec, inventory, parts, stock)
+    dress_objects(spec, inventory, stock)
     add_keyframe(spec, inventory.state)
+    spec.add_key(name="home", qpos=_home(inventory))
     if inventory.objects:
         spec.add_text(name="credits", data=json.dumps(msgspec.to_builtins(credits_of(inventory.scene))))
-    _set_view(spec, inventory.scene.room)
+        spec.add_text(name="objects", data=json.dumps(_said(inventory)))
     compiled(spec)
     return spec
 
 
-def _with_exact_poses(spec: mujoco.MjSpec, inventory: Inventory) -> str:
-    """The model's XML with every digit of its poses, of which the engine writes six."""
-    poses = {item.id: item.bodies[0].proposed for item in inventory.objects}
+def _home(inventory: Inventory) -> list[float]:
+    """The placements' own poses, with every door and drawer shut."""
+    qpos: list[float] = []
+    for item in inventory.objects:
+        if item.free:
+            position, quat_wxyz = item.bodies[0].proposed
+            qpos += [*position, *quat_wxyz]
+        qpos += [0.0 for body in item.bodies if body.joint is not None]
+    return qpos
+
+
+def _said(inventory: Inventory) -> dict[str, dict[str, Any]]:
+    """What the model cannot say otherwise: the scene's own ids, categories and assets, and the links' own names."""
+    return {
+        item.name: {
+            "id": item.id,
+            "category": item.category,
+            "asset": item.asset,
+            "links": {body.name: body.link for body in item.bodies[1:]},
+        }
+        for item in inventory.objects
+    }
+
+
+def _text(spec: mujoco.MjSpec, inventory: Inventory) -> str:
+    """The model's XML with every digit of what was measured."""
     tree = ElementTree.fromstring(spec.to_xml())
-    for element in tree.iterfind("worldbody/body"):
-        position, quat_wxyz = poses[element.attrib["name"]]
-        element.set("pos", _numbers(position))
-        element.set("quat", _numbers(quat_wxyz))
+    for element in tree.find("worldbody").iter():  # type: ignore[union-attr]
+        if element.tag in _EXACT and "name" in element.attrib:
+            _make_exact(element, getattr(spec, element.tag)(element.attrib["name"]))
+    for geom in tree.iterfind("default//geom[@solref]"):
+        # Newton takes one value for none.
+        geom.set("solref", _numbers(inventory.physics.solref))
     for element in tree.iterfind("custom/text"):
         # The engine writes text with quotes as CDATA, which this tree does not keep, and reads no other content.
         element.set("data", element.get("data", element.text or ""))
         element.text = None
     for key in tree.iterfind("keyframe/key"):
-        key.set("qpos", _numbers(inventory.state.qpos))
+        key.set("qpos", _numbers(spec.key(key.attrib["name"]).qpos))
     ElementTree.indent(tree, "  ")
     return ElementTree.tostring(tree, encoding="unicode") + "\n"
 
 
+def _make_exact(element: ElementTree.Element, made: Any) -> None:
+    for attribute in _EXACT[element.tag]:
+        if attribute in element.attrib:
+            values = np.atleast_1d(getattr(made, attribute))[: len(element.attrib[attribute].split())]
+            # The spec has degrees, the engine writes radians.
+            turns = attribute == "range" and made.type == mujoco.mjtJoint.mjJNT_HINGE
+            element.set(attribute, _numbers(np.radians(values) if turns else values))
+
+
 def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{float(value):.12g}" for value in values)
-
-
-def _set_view(spec: mujoco.MjSpec, room: Room) -> None:
-    """The whole room in the viewer's window, from above one corner, and the same as a camera "overview"."""
-    width, depth = room.extent
-    extent = math.hypot(width, depth, room.height)
-    centre = (width / 2, depth / 2, room.height / 3)
-    spec.stat.center, spec.stat.extent = centre, extent
-    view = spec.visual.global_
-    view.azimuth, view.elevation = AZIMUTH, ELEVATION
-    turn, tilt = math.radians(AZIMUTH), math.radians(ELEVATION)
-    ahead = np.array([math.cos(tilt) * math.cos(turn), math.cos(tilt) * math.sin(turn), math.sin(tilt)])
-    right = np.array([math.sin(turn), -math.cos(turn), 0.0])
-    camera = spec.worldbody.add_camera(name="overview", fovy=view.fovy)
-    camera.pos = np.array(centre) - 2 * _DISTANCE * extent * ahead
-    mujoco.mju_mat2Quat(camera.quat, np.column_stack([right, np.cross(right, ahead), -ahead]).ravel())

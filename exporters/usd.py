@@ -5,19 +5,25 @@ from pathlib import Path
 from typing import Any
 
 import mujoco
-import numpy as np
-import shapely
 from pxr import Gf, Kind, Sdf
 
 from thinkblox.exporters.beside import texture_files, write_beside
-from thinkblox.exporters.inventory import Inventory, InventoryWall
+from thinkblox.exporters.cameras import cameras_of, lights_of
+from thinkblox.exporters.inventory import Inventory
+from thinkblox.exporters.room_parts import room_parts
+from thinkblox.exporters.usd_assets import Shelf
 from thinkblox.exporters.usd_looks import Looks
-from thinkblox.exporters.usd_objects import LABELS, add_label, add_object
+from thinkblox.exporters.usd_objects import add_object
 from thinkblox.exporters.usd_prims import Prim, T, vector
-from thinkblox.exporters.usd_shapes import Polygons, add_colliders, add_mesh, placed
+from thinkblox.exporters.usd_room import add_room
 from thinkblox.scene.room import Room
-from thinkblox.sim.build import GROUND, package_version
+from thinkblox.sim.build import package_version
 from thinkblox.sim.settings import Physics
+
+_LAMP, _SHINE, _WARM = 0.1, 30000.0, (1.0, 0.98, 0.95)
+"""Of the lights under the ceiling: radius [m], intensity and colour."""
+_WIDE = 20.955
+"""Width of the cameras' film [tenths of a unit, as USD has it]."""
 
 
 def write_usd(inventory: Inventory, path: Path) -> None:
@@ -27,21 +33,23 @@ def write_usd(inventory: Inventory, path: Path) -> None:
     their masses and inertias are those of the compiled model. Fixed objects are colliders without a body.
     """
     path.write_text(usd_text(inventory), encoding="utf-8")
-    write_beside(path, texture_files(inventory))
+    write_beside(path, texture_files(inventory, room_parts(inventory.scene).pictures))
 
 
 def usd_text(inventory: Inventory) -> str:
     """The text of `write_usd`."""
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
-        world = _stage(layer, inventory)
-        looks = Looks(world.child("Looks", "Scope"), inventory.looks)
+        world, parts = _stage(layer, inventory), room_parts(inventory.scene)
+        looks = Looks(world.child("Looks", "Scope"), {**inventory.looks, **parts.looks})
         _add_physics(world, inventory.physics)
-        _add_light(world)
-        _add_room(world, inventory, looks)
+        _add_lights(world, inventory.scene.room)
+        _add_cameras(world, inventory)
+        add_room(world, inventory, parts, looks)
         objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
+        shelf = Shelf(layer, inventory.looks, looks)
         for item in inventory.objects:
-            add_object(objects, item, looks)
+            add_object(objects, item, shelf)
     return str(layer.ExportToString())
 
 
@@ -69,32 +77,22 @@ def _add_physics(world: Prim, physics: Physics) -> None:
     prim.put("physics:gravityMagnitude", T.Float, magnitude)
 
 
-def _add_light(world: Prim) -> None:
-    prim = world.child("Light", "DomeLight").put("inputs:intensity", T.Float, 500.0)
-    prim.put("inputs:color", T.Color3f, Gf.Vec3f(1.0, 0.98, 0.95))
+def _add_lights(world: Prim, room: Room) -> None:
+    """Balls of light under the ceiling, and a faint sky for who hides it."""
+    scope = world.child("Lights", "Scope")
+    for number, place in enumerate(lights_of(room), 1):
+        prim = scope.child(f"ceiling_light_{number}", "SphereLight").put("inputs:radius", T.Float, _LAMP)
+        prim.put("inputs:intensity", T.Float, _SHINE).put("inputs:color", T.Color3f, Gf.Vec3f(*_WARM))
+        prim.extent((-_LAMP,) * 3, (_LAMP,) * 3).place(place)
+    prim = scope.child("sky", "DomeLight").put("inputs:intensity", T.Float, 500.0)
+    prim.put("inputs:color", T.Color3f, Gf.Vec3f(*_WARM))
 
 
-def _add_room(world: Prim, inventory: Inventory, looks: Looks) -> None:
-    prim = world.child("Room", "Xform", kind=Kind.Tokens.component, apis=[LABELS])
-    add_label(prim, "room")
-    for wall in inventory.walls:
-        _add_wall(prim, wall, inventory.scene.room, looks)
-
-
-def _add_wall(parent: Prim, wall: InventoryWall, room: Room, looks: Looks) -> None:
-    prim = parent.child(wall.name, "Xform", apis=[LABELS])
-    add_label(prim, wall.label)
-    boxes = [geom.shape for geom in wall.geoms if geom.shape is not None]
-    # The floor's box reaches under the walls; what is seen of it is the room's own outline.
-    parts = [_floor_polygons(room)] if wall.name == GROUND else [placed(box) for box in boxes]
-    if parts:
-        add_mesh(prim.child("Visual", "Scope"), wall.label, parts, looks, wall.look)
-        add_colliders(prim, wall.geoms, looks)
-
-
-def _floor_polygons(room: Room) -> Polygons:
-    triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(room.polygon))
-    rings = [shapely.get_coordinates(shapely.orient_polygons(triangle))[:3] for triangle in triangles]
-    points = np.pad(np.vstack(rings), ((0, 0), (0, 1)))
-    normals = np.tile((0.0, 0.0, 1.0), (len(points), 1))
-    return Polygons(points, normals, [3] * len(triangles), list(range(len(points))))
+def _add_cameras(world: Prim, inventory: Inventory) -> None:
+    scope = world.child("Cameras", "Scope")
+    for camera in cameras_of(inventory.scene):
+        prim = scope.child(camera.name, "Camera").place(camera.position, camera.quat_wxyz)
+        high = _WIDE * 3 / 4
+        prim.put("horizontalAperture", T.Float, _WIDE).put("verticalAperture", T.Float, high)
+        prim.put("focalLength", T.Float, high / 2 / math.tan(math.radians(camera.fovy) / 2))
+        prim.put("clippingRange", T.Float2, Gf.Vec2f(0.02, 1000.0))

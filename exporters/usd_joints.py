@@ -13,17 +13,28 @@ _AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 
 
 def add_joint(parent: Prim, name: str, joint: InventoryJoint, body: Any, link: Any) -> None:
-    """Join the links at paths `body` and `link`, whose frames coincide when the joint is at 0."""
+    """Join the links at paths `body` and `link`, whose frames are parallel when the joint is at 0.
+
+    UsdPhysics knows neither friction nor damping of joints: PhysX and Newton have attributes of their own for them.
+    """
     hinge = joint.kind == "hinge"
     axis, turn = axis_frame(joint)
-    prim = parent.child(name, "PhysicsRevoluteJoint" if hinge else "PhysicsPrismaticJoint")
+    side = "angular" if hinge else "linear"
+    apis = [f"PhysxJointAxisAPI:{side}", "NewtonJointAPI"]
+    prim = parent.child(name, "PhysicsRevoluteJoint" if hinge else "PhysicsPrismaticJoint", apis=apis)
     prim.link("physics:body0", [body]).link("physics:body1", [link])
     prim.put("physics:axis", T.Token, axis, uniform=True)
-    for side in ("0", "1"):
-        prim.put(f"physics:localPos{side}", T.Point3f, vector(joint.anchor))
-        prim.put(f"physics:localRot{side}", T.Quatf, quaternion(turn))
+    for end, anchor in (("0", joint.anchor), ("1", (0.0, 0.0, 0.0))):
+        prim.put(f"physics:localPos{end}", T.Point3f, vector(anchor))
+        prim.put(f"physics:localRot{end}", T.Quatf, quaternion(turn))
     prim.put("physics:lowerLimit", T.Float, float(joint.lower)).put("physics:upperLimit", T.Float, float(joint.upper))
     prim.put("physics:collisionEnabled", T.Bool, False)
+    # What is damped is a speed in degrees; what rubs is an effort.
+    damping = math.radians(joint.damping) if hinge else joint.damping
+    for effort in ("staticFrictionEffort", "dynamicFrictionEffort"):
+        prim.put(f"physxJointAxis:{side}:{effort}", T.Float, joint.friction)
+    prim.put(f"physxJointAxis:{side}:viscousFrictionCoefficient", T.Float, damping)
+    prim.put("newton:friction", T.Float, joint.friction).put("newton:damping", T.Float, damping)
 
 
 def fix_to_room(parent: Prim, body: Any, position: Any, quat_wxyz: Any) -> None:

@@ -11,6 +11,7 @@ from thinkblox.scene.blobs import blob_name
 from thinkblox.sim.render.materials import linear
 
 BINDING = "MaterialBindingAPI"
+_LABELS = "SemanticsLabelsAPI:material"
 UV = "st"
 """The primvar that says where in the texture a vertex is."""
 
@@ -38,7 +39,8 @@ class Looks:
 
 def _surface(scope: Prim, look: InventoryLook) -> Any:
     base = [round(channel, 5) for channel in linear(look.colour)]
-    prim = scope.child(look.name, "Material")
+    prim = scope.child(look.name, "Material", apis=[_LABELS])
+    prim.put("semantics:labels:material", T.TokenArray, [look.name.partition("_")[0]])
     shader = prim.child("Surface", "Shader")
     shader.put("info:id", T.Token, "UsdPreviewSurface", uniform=True)
     if look.texture is None:
@@ -74,6 +76,7 @@ def _physics(scope: Prim, name: str, friction: float) -> Any:
     prim = scope.child(name, "Material", apis=["PhysicsMaterialAPI", "PhysxMaterialAPI"])
     prim.put("physics:staticFriction", T.Float, friction).put("physics:dynamicFriction", T.Float, friction)
     prim.put("physics:restitution", T.Float, 0.0)
-    # MuJoCo takes the larger friction of a pair, PhysX the mean unless told otherwise.
+    # MuJoCo takes the larger friction of a pair, PhysX the mean unless told otherwise; where nothing can be told, the
+    # inventory has made the two alike.
     prim.put("physxMaterial:frictionCombineMode", T.Token, "max", uniform=True)
     return prim.path

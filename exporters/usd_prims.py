@@ -55,6 +55,13 @@ class Prim:
         relationship.targetPathList.explicitItems = list(targets)
         return self
 
+    def refer(self, path: Any, *, instance: bool = False) -> "Prim":
+        """Take on all of another prim of the layer; an `instance` cannot be changed below."""
+        self.spec.referenceList.prependedItems = [Sdf.Reference("", path)]
+        if instance:
+            self.spec.instanceable = True
+        return self
+
     def declare(self, name: str, type: Any) -> "Prim":
         """Author an attribute without a value: an output."""
         Sdf.AttributeSpec(self.spec, name, type)

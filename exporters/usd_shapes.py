@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Vt
 
+from thinkblox.exporters.hulls import hull_mesh
 from thinkblox.exporters.inventory import InventoryGeom
 from thinkblox.exporters.usd_looks import BINDING, UV, Looks
 from thinkblox.exporters.usd_prims import Prim, T, vectors
@@ -34,14 +35,11 @@ class Polygons:
     indices: list[int]
 
 
-def add_colliders(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> None:
-    """Add a scope "Collision" (purpose guide) with one convex collider for each shape that can be touched."""
-    solid = [(geom.shape, geom.friction[0]) for geom in geoms if geom.collides and geom.shape is not None]
-    if solid:
-        scope = parent.child("Collision", "Scope", apis=[BINDING]).put("purpose", T.Token, "guide", uniform=True)
-        looks.bind_friction(scope, solid[0][1])
-        for shape, _ in solid:
-            _add_collider(scope, shape)
+def add_colliders(scope: Prim, geoms: Sequence[InventoryGeom]) -> None:
+    """Add one convex collider for each shape that can be touched."""
+    for geom in geoms:
+        if geom.collides and geom.shape is not None:
+            _add_collider(scope, geom.shape)
 
 
 def _add_collider(scope: Prim, shape: Shape) -> None:
@@ -61,35 +59,39 @@ def _add_collider(scope: Prim, shape: Shape) -> None:
 
 
 def _add_hull(scope: Prim, shape: Shape) -> None:
-    mesh = _rounded(shape)
-    points, index = np.unique(np.round(mesh.vertices, 6), axis=0, return_inverse=True)
-    faces = index.reshape(-1)[mesh.faces]
-    faces = faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])]
+    points, smooth = shape.points, shape.smooth
+    if shape.kind != "hull":
+        rounded = np.unique(np.round(_rounded(shape).vertices.astype(np.float64), 6), axis=0)
+        points, smooth = tuple((x, y, z) for x, y, z in rounded.tolist()), True
+    mesh = hull_mesh(points, smooth=smooth)
     prim = scope.child(shape.kind, "Mesh", apis=[_COLLIDER, "PhysicsMeshCollisionAPI"])
     prim.put("physics:approximation", T.Token, "convexHull", uniform=True)
-    _put_mesh(prim, points, [3] * len(faces), faces.ravel().tolist())
+    _put_mesh(prim, mesh.points, [3] * len(mesh.faces), mesh.faces.ravel().tolist())
+    prim.put("normals", T.Normal3fArray, vectors(mesh.normals.reshape(-1, 3), 4), interpolation="faceVarying")
     prim.place(shape.position, shape.quat_wxyz)
 
 
 def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> None:
-    """Add a scope "Visual" with one mesh for each look that the shapes have, and the meshes as they are."""
-    scope = parent.child("Visual", "Scope")
+    """Add one mesh for each look that the shapes have, and the meshes as they are."""
     groups: dict[str, list[Polygons]] = {}
     for geom in geoms:
         if geom.look is not None and geom.shape is not None:
             groups.setdefault(geom.look, []).append(placed(geom.shape))
     for look, parts in groups.items():
-        add_mesh(scope, look, parts, looks, look)
+        add_mesh(parent, look, parts, looks, look)
     for geom in geoms:
         if geom.look is not None and geom.mesh is not None:
-            _add_textured(scope, mesh_of(geom.mesh), looks, geom.look)
+            add_textured(parent, geom.look, mesh_of(geom.mesh), looks, geom.look).place(geom.offset)
 
 
-def _add_textured(parent: Prim, mesh: TexturedMesh, looks: Looks, look: str) -> None:
+def add_textured(parent: Prim, name: str, mesh: TexturedMesh, looks: Looks, look: str) -> Prim:
+    """Add one visible mesh, with the places of its vertices in a texture where they have any."""
     parts = [Polygons(mesh.vertices, mesh.normals, [3] * len(mesh.faces), mesh.faces.ravel().tolist())]
-    prim = add_mesh(parent, look, parts, looks, look)
+    prim = add_mesh(parent, name, parts, looks, look)
+    if not mesh.uv.any():
+        return prim
     places = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(mesh.uv, np.float32))
-    prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
+    return prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
 
 
 def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:

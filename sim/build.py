@@ -1,4 +1,4 @@
-"""A Scene as one MjSpec: what the verdicts compile without looks is what the exporters write with them."""
+"""A Scene as one MjSpec: what the verdicts compile is what the exporters dress and write."""
 
 import hashlib
 import math
@@ -13,18 +13,14 @@ from thinkblox.scene.asset import Asset, Joint, Link, Shape
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
-from thinkblox.scene.surfaces import Surfaces
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
-from thinkblox.sim.mesh_visuals import add_mesh_visual
 from thinkblox.sim.settings import Physics
 from thinkblox.version import package_version as package_version
 
 GROUND = "floor"
 """Name of the floor's geom; the walls' geoms are named after the walls."""
 FREE_SUFFIX = "_free"
-WALL_OPACITY = 0.25
-"""Walls are seen through in MJCF, so that viewers look into the room from every side."""
 GEOM_TYPES = {
     "box": mujoco.mjtGeom.mjGEOM_BOX,
     "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
@@ -33,8 +29,10 @@ GEOM_TYPES = {
     "ellipsoid": mujoco.mjtGeom.mjGEOM_ELLIPSOID,
     "hull": mujoco.mjtGeom.mjGEOM_MESH,
 }
-UNSEEN = 3
-"""The group of geoms that a viewer shows only when asked to."""
+COLLISION, VISUAL = "collision", "visual"
+"""The default classes of geoms: what is touched, and what weighs or is looked at only."""
+COLLISION_GROUP, VISUAL_GROUP = 3, 2
+"""Their groups; a viewer shows the first only when asked to."""
 ROLLING = ("sphere", "ellipsoid", "capsule")
 TORSION, ROLL = 0.005, 0.001
 """Torsional and rolling friction [m]; only what can roll feels the second."""
@@ -47,7 +45,6 @@ DRAWER_FRICTION, DRAWER_DAMPING = 2.0, 5.0
 def build_spec(
     scene: Scene,
     *,
-    visuals: bool = False,
     physics: Physics | None = None,
     sleeping: bool = False,
     only: Container[str] | None = None,
@@ -60,16 +57,15 @@ def build_spec(
     Args:
         scene: the room and what stands in it.
         physics: the engine's options.
-        visuals: with colours, sites on support surfaces, a light, and the shapes and meshes that are only looked at.
         sleeping: every body starts asleep and sleep is enabled: for checks of one object against a still room.
         only: ids of the objects that are built; the others are left out.
     """
     physics = physics or Physics()
-    spec = new_spec(physics, visuals=visuals)
-    add_room(spec, scene.room, physics, surfaces=scene.surfaces if visuals else None)
+    spec = new_spec(physics)
+    add_room(spec, scene.room, physics)
     for placement in scene.placements:
         if only is None or placement.id in only:
-            add_placement(spec, placement, scene.asset_of(placement), visuals=visuals, asleep=sleeping)
+            add_placement(spec, placement, scene.asset_of(placement), asleep=sleeping)
     if sleeping:
         spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     return spec
@@ -87,7 +83,7 @@ def compiled(spec: mujoco.MjSpec) -> mujoco.MjModel:
         raise InputError(f"MuJoCo cannot build the scene: {' '.join(str(error).split())}") from error
 
 
-def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
+def new_spec(physics: Physics) -> mujoco.MjSpec:
     """An empty model with this package's options, default classes and version."""
     spec = mujoco.MjSpec()
     spec.modelname = "thinkblox"
@@ -97,48 +93,29 @@ def new_spec(physics: Physics, *, visuals: bool = False) -> mujoco.MjSpec:
     option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.compiler.usethread = False
     spec.default.geom.solref[:] = physics.solref
-    visual = spec.add_default("visual", spec.default)
-    visual.geom.contype, visual.geom.conaffinity, visual.geom.group = 0, 0, 2
-    spec.add_default("collision", spec.default).geom.group = UNSEEN
-    spec.add_default("solid", spec.default).geom.group = 2
+    visual = spec.add_default(VISUAL, spec.default).geom
+    visual.contype, visual.conaffinity, visual.group, visual.mass = 0, 0, VISUAL_GROUP, 0.0
+    spec.add_default(COLLISION, spec.default).geom.group = COLLISION_GROUP
     spec.add_text(name="thinkblox", data=f"thinkblox {package_version()}, mujoco {mujoco.__version__}")
-    if visuals:
-        _add_looks(spec)
     return spec
 
 
-def _add_looks(spec: mujoco.MjSpec) -> None:
-    spec.visual.headlight.ambient, spec.visual.headlight.diffuse = (0.4, 0.4, 0.4), (0.5, 0.5, 0.5)
-    spec.visual.global_.offwidth, spec.visual.global_.offheight = 1920, 1080
-    spec.add_texture(
-        name="sky", type=mujoco.mjtTexture.mjTEXTURE_SKYBOX, builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
-        rgb1=(0.95, 0.97, 1.0), rgb2=(0.75, 0.82, 0.9), width=64, height=384,
-    )  # fmt: skip
-
-
-def add_room(spec: mujoco.MjSpec, room: Room, physics: Physics, *, surfaces: Surfaces | None = None) -> None:
-    """Add the floor and the walls to the world body, all boxes; lit, and in the colours of `surfaces`, if given.
+def add_room(spec: mujoco.MjSpec, room: Room, physics: Physics) -> None:
+    """Add the floor and the walls to the world body, all boxes.
 
     The floor is no plane: MuJoCo 3.17 throws cylinders up that stand on one upright to within 1e-14 rad, since its
     plane-cylinder collider normalises a difference that is all rounding error.
     """
     world, (x0, y0, x1, y1) = spec.worldbody, room.polygon.bounds
     friction = (physics.ground_friction, TORSION, ROLL)
-    solid = spec.find_default("solid")
+    solid = spec.find_default(COLLISION)
     floor = world.add_geom(solid, name=GROUND, type=mujoco.mjtGeom.mjGEOM_BOX, friction=friction)
     half, rim = physics.floor_thickness / 2, physics.wall_thickness
     floor.pos = ((x0 + x1) / 2, (y0 + y1) / 2, -half)
     floor.size = ((x1 - x0) / 2 + rim, (y1 - y0) / 2 + rim, half)
-    numbers = {wall.name: index for index, wall in enumerate(room.walls)}
-    if surfaces is not None:
-        floor.rgba = (*surfaces.floor.colour, 1.0)
-        world.add_light(pos=((x0 + x1) / 2, (y0 + y1) / 2, room.height - 0.1), dir=(0.0, 0.0, -1.0), castshadow=True)
     for slab in wall_slabs(room, physics.wall_thickness):
         geom = world.add_geom(solid, name=slab.name, type=mujoco.mjtGeom.mjGEOM_BOX, friction=friction)
         geom.pos, geom.size, geom.quat = slab.position, np.asarray(slab.size) / 2, yaw_quat(slab.yaw)
-        if surfaces is not None:
-            covering = surfaces.of_wall(numbers[slab.name.partition("/")[0]])
-            geom.rgba = (*covering.colour, WALL_OPACITY)
 
 
 def yaw_quat(yaw: float) -> tuple[float, float, float, float]:
@@ -152,7 +129,6 @@ def add_placement(
     placement: Placement,
     asset: Asset,
     *,
-    visuals: bool = False,
     free: bool | None = None,
     asleep: bool = False,
     name: str | None = None,
@@ -173,10 +149,8 @@ def add_placement(
             body = root.add_body(name=f"{id}/{link.name}")
             _add_joint(body, link.joint, opening_moment(link, link_masses))
             bodies[link.name] = body
-        _add_shapes(spec, body, link, link_masses, asset, visuals)
+        _add_shapes(spec, body, link, link_masses, asset)
     _exclude_each_other(spec, [body.name for body in bodies.values()])
-    if visuals:
-        _add_sites(root, id, asset)
 
 
 def _exclude_each_other(spec: mujoco.MjSpec, names: list[str]) -> None:
@@ -211,45 +185,36 @@ def opening_moment(link: Link, masses: tuple[float, ...]) -> float:
     return float(sum(mass * axis @ np.cross(arm, weight) for mass, arm in zip(masses, arms, strict=True)))
 
 
-def _add_shapes(
-    spec: mujoco.MjSpec, body: mujoco.MjsBody, link: Link, masses: tuple[float, ...], asset: Asset, visuals: bool
-) -> None:
+def _add_shapes(spec: mujoco.MjSpec, body: mujoco.MjsBody, link: Link, masses: tuple[float, ...], asset: Asset) -> None:
     mass_of = dict(zip(map(id, weighing(link)), masses, strict=True))
-    seen = visuals and not link.visuals
     for shape in link.shapes:
         mass = mass_of.get(id(shape), 0.0)
-        if seen or shape.collide or mass:
-            geom = add_geom(spec, body, shape, inline=visuals)
+        if shape.collide or mass:
+            geom = add_geom(spec, body, shape)
             geom.mass = mass
             if shape.collide:
                 geom.friction = (asset.friction, TORSION, ROLL)
-            if seen:
-                geom.rgba = (*shape.colour, 1.0)
-            elif visuals:
-                geom.group = UNSEEN
-    for visual in link.visuals if visuals else ():
-        add_mesh_visual(spec, body, visual)
 
 
-def add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape, *, inline: bool = False) -> mujoco.MjsGeom:
+def add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> mujoco.MjsGeom:
     """Add one shape to a body, in the body's frame.
 
-    The points of a hull are part of the spec if `inline`, as a spec that is written to a file needs it. Else they are a
-    file of it, in memory: what the engine works out of a file is kept, so that a known hull compiles in a third of the
-    time, to the same bytes.
+    The points of a hull are a file of the spec, in memory: what the engine works out of a file is kept, so that a known
+    hull compiles in a third of the time.
     """
-    kind = "solid" if shape.collide else "visual"
+    kind = COLLISION if shape.collide else VISUAL
     geom = body.add_geom(spec.find_default(kind), type=GEOM_TYPES[shape.kind], pos=shape.position, quat=shape.quat_wxyz)
     if shape.collide:
         geom.condim = 6 if shape.kind in ROLLING else 3
     if shape.kind == "hull":
-        geom.meshname = _mesh(spec, shape, inline=inline)
+        geom.meshname = _mesh(spec, shape)
     else:
-        geom.size = _half_size(shape)
+        geom.size = half_size(shape)
     return geom
 
 
-def _half_size(shape: Shape) -> tuple[float, float, float]:
+def half_size(shape: Shape) -> tuple[float, float, float]:
+    """The size of a shape that is no hull, as the engine has it [m]."""
     x, y, z = (extent / 2 for extent in shape.size)
     if shape.kind == "cylinder":
         return (x, z, 0.0)
@@ -258,30 +223,23 @@ def _half_size(shape: Shape) -> tuple[float, float, float]:
     return (x, 0.0, 0.0) if shape.kind == "sphere" else (x, y, z)
 
 
-def _mesh(spec: mujoco.MjSpec, shape: Shape, *, inline: bool) -> str:
+def hull_name(shape: Shape) -> str:
+    """The name of a hull's mesh, by all that it depends on."""
     points = np.asarray(shape.points, dtype=np.float64)
-    content = hashlib.sha256(points.tobytes() + bytes([shape.smooth])).hexdigest()
-    name = f"hull-{content[:16]}"
+    return f"hull_{hashlib.sha256(points.tobytes() + bytes([shape.smooth])).hexdigest()}"
+
+
+def _mesh(spec: mujoco.MjSpec, shape: Shape) -> str:
+    name = hull_name(shape)
     if spec.mesh(name) is None:
         mesh = spec.add_mesh(name=name)
         mesh.inertia, mesh.smoothnormal = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX, shape.smooth
-        if inline:
-            mesh.uservert = points.ravel()
-        else:
-            # The engine keeps meshes by the names of their files, so the name must hold all that the mesh depends on.
-            mesh.file = f"hull-{content}.msh"
-            spec.assets[mesh.file] = _msh(points)
+        # The engine keeps meshes by the names of their files, so the name must hold all that the mesh depends on.
+        mesh.file = f"{name}.msh"
+        spec.assets[mesh.file] = _msh(np.asarray(shape.points, dtype=np.float64))
     return name
 
 
 def _msh(points: NDArray[np.float64]) -> bytes:
     """Points (n, 3) in MuJoCo's binary format of meshes: four counts, and positions as 32-bit floats [m]."""
     return np.array([len(points), 0, 0, 0], dtype="<i4").tobytes() + points.astype("<f4").tobytes()
-
-
-def _add_sites(body: mujoco.MjsBody, id: str, asset: Asset) -> None:
-    for surface in asset.surfaces:
-        half_x, half_y = surface.size[0] / 2, surface.size[1] / 2
-        kind = mujoco.mjtGeom.mjGEOM_ELLIPSOID if surface.round else mujoco.mjtGeom.mjGEOM_BOX
-        site = body.add_site(name=f"{id}/{surface.name}", type=kind, group=4)
-        site.pos, site.size = surface.position, (half_x, half_y, 0.0005)

@@ -23,7 +23,7 @@ def test_a_room_is_written_and_the_status_says_all_as_asked(tmp_path):
     assert "all as asked" in done.stdout
     assert "1/1 chair_1 placed" in done.stderr
     names = sorted(path.name for path in (tmp_path / "room").iterdir())
-    assert names == ["manifest.json", "report.json", "scene.json", "scene.usda", "scene.xml", "trace.jsonl"]
+    assert names == ["assets", "manifest.json", "report.json", "scene.json", "scene.usda", "scene.xml", "trace.jsonl"]
 
 
 def test_json_is_the_report_and_nothing_else(tmp_path):

@@ -56,7 +56,7 @@ def bodies(stage: Any) -> dict[str, Any]:
     for prim in stage.Traverse():
         if prim.HasAPI(UsdPhysics.RigidBodyAPI) and prim.GetName() not in ("",):
             path = str(prim.GetPath()).removeprefix("/World/Objects/").split("/")
-            if len(path) == 1 or path[1] == "body":
+            if len(path) == 1 or path[1] == path[0]:
                 found[path[0]] = prim
     return found
 
@@ -65,7 +65,7 @@ def test_every_file_is_there(written: Written) -> None:
     names = {path.name for path in written.folder.iterdir()}
     assert names == {
         "scene.json", "scene.xml", "scene.usda", "report.json", "trace.jsonl", "preview.png", "top.png",
-        "manifest.json",
+        "manifest.json", "assets",
     }  # fmt: skip
 
 
@@ -93,6 +93,7 @@ def test_plain_mujoco_finds_no_deep_contact_and_nothing_moves(written: Written) 
     assert min([0.0, *data.contact.dist]) > -0.001
     free = [int(model.jnt_bodyid[j]) for j in range(model.njnt) if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_FREE]
     start, turn = data.xpos[free].copy(), data.xquat[free].copy()
+    model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     moving = mujoco.MjData(model)
     mujoco.mj_resetDataKeyframe(model, moving, model.key("settled").id)
     for _ in range(round(5.0 / model.opt.timestep)):

@@ -1,6 +1,7 @@
 """The output folder: whole or not at all, and never over anything that is not ours."""
 
 import os
+import shutil
 import signal
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -27,7 +28,7 @@ from thinkblox.scene.scene import load_scene
 from thinkblox.value import read_json
 from thinkblox.workplace import _claimed
 
-WITHOUT_PICTURES = ["manifest.json", "report.json", "scene.json", "scene.usda", "scene.xml", "trace.jsonl"]
+WITHOUT_PICTURES = ["assets", "manifest.json", "report.json", "scene.json", "scene.usda", "scene.xml", "trace.jsonl"]
 
 
 def names(folder: Path) -> list[str]:
@@ -36,6 +37,10 @@ def names(folder: Path) -> list[str]:
 
 def save(made: Result, out: Path, **options: Any) -> Path:
     return save_room(made, out, pictures=False, **options)  # type: ignore[arg-type]
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def left_behind(out: Path) -> Path:
@@ -56,7 +61,9 @@ def test_everything_is_written_and_nothing_else(tmp_path: Path) -> None:
 
 def test_the_same_room_twice_gives_the_same_bytes(tmp_path: Path) -> None:
     first, second = (save(result(), tmp_path / name) for name in ("a", "b"))
-    for name in WITHOUT_PICTURES:
+    files = sorted(path.relative_to(first) for path in first.rglob("*") if path.is_file())
+    assert files == sorted(path.relative_to(second) for path in second.rglob("*") if path.is_file())
+    for name in files:
         assert (first / name).read_bytes() == (second / name).read_bytes(), name
 
 
@@ -153,10 +160,10 @@ def test_a_failure_leaves_nothing_behind(tmp_path: Path, interrupted: Stop, erro
 
 def test_a_failure_leaves_the_old_room_as_it_was(tmp_path: Path, interrupted: Stop) -> None:
     out = save(result(), tmp_path / "room")
-    before = {name: (out / name).read_bytes() for name in names(out)}
+    before = contents(out)
     with pytest.raises(KeyboardInterrupt):
         save(result(), out, overwrite=True, formats=(interrupted(KeyboardInterrupt()),))
-    assert {name: (out / name).read_bytes() for name in names(out)} == before
+    assert contents(out) == before
     assert names(tmp_path) == ["room"]
 
 
@@ -166,7 +173,11 @@ def test_the_manifest_lists_every_file(tmp_path: Path) -> None:
     found = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
     assert {file.name for file in manifest.files} == found - {MANIFEST}
     kinds = {Path(file.name).suffix: (file.kind, file.format) for file in manifest.files}
-    assert kinds[".bin"] == kinds[".png"] == ("asset", None)
+    assert kinds[".bin"] == ("asset", None)
+    # The scene has its own textures, the format those of floor and walls too.
+    assert {(file.kind, file.format) for file in manifest.files if file.name.endswith(".png")} == {
+        ("asset", None), ("format", "mjcf"),
+    }  # fmt: skip
     assert kinds[".obj"] == kinds[".xml"] == ("format", "mjcf")
     assert kinds[".usda"] == ("format", "usd")
     assert manifest.formats == ("mjcf", "usd")
@@ -210,11 +221,13 @@ def test_pictures_drawn_later_belong_to_the_room(tmp_path: Path) -> None:
 def test_a_folder_of_the_older_release_can_be_replaced(tmp_path: Path) -> None:
     out = save(result(), tmp_path / "room")
     (out / MANIFEST).unlink()
+    shutil.rmtree(out / "assets")
     with pytest.raises(InputError, match="already holds a room"):
         check_folder(out)
     save(result(), out, overwrite=True)
     assert MANIFEST in names(out)
     (out / MANIFEST).unlink()
+    shutil.rmtree(out / "assets")
     (out / "scene.sdf").write_text("of no older release")
     with pytest.raises(InputError, match=r"scene\.sdf"):
         check_folder(out, overwrite=True)

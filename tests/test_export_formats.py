@@ -51,7 +51,9 @@ def save(out: Path, *names: str, **options: object) -> Path:
 
 
 def test_ours_are_there() -> None:
-    assert [(known.name, known.file) for known in formats()] == [("mjcf", "scene.xml"), ("usd", "scene.usda")]
+    assert [(known.name, known.file) for known in formats()] == [
+        ("mjcf", "scene.xml"), ("mjcf-single", "scene.single.xml"), ("usd", "scene.usda"),
+    ]  # fmt: skip
     assert all(known.says for known in formats())
 
 
@@ -70,7 +72,7 @@ def test_a_user_registers_a_format(tmp_path: Path) -> None:
 
 
 def test_unknown_names_list_what_there_is(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"no format 'step'; there are mjcf, usd$"):
+    with pytest.raises(InputError, match=r"no format 'step'; there are mjcf, mjcf-single, usd$"):
         save(tmp_path / "room", "mjcf", "step")
     assert list(tmp_path.iterdir()) == []
 
@@ -80,7 +82,7 @@ def test_names_are_taken_once() -> None:
     with pytest.raises(InputError, match="already"):
         register(LIST)
     register(LIST, replace=True)
-    assert [known.name for known in formats()] == ["mjcf", "usd", "list"]
+    assert [known.name for known in formats()] == ["mjcf", "mjcf-single", "usd", "list"]
 
 
 @pytest.mark.parametrize("name", ["", "My Format", "../x", "x" * 50, "1st"])

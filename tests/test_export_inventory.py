@@ -28,10 +28,16 @@ def bodies(inventory: Inventory) -> list[InventoryBody]:
     return [body for item in inventory.objects for body in item.bodies]
 
 
+def origin(body: InventoryBody) -> np.ndarray:
+    """Where the frame of a body begins in the frame that was measured."""
+    return np.zeros(3) if body.joint is None else np.array(body.joint.anchor)
+
+
 def test_objects_and_bodies_are_those_of_the_model(inventory: Inventory, model: mujoco.MjModel) -> None:
     assert [item.id for item in inventory.objects] == [p.id for p in sample_scene().placements]
     names = [model.body(i).name for i in range(1, model.nbody)]
-    assert [body.name for body in bodies(inventory)] == names
+    assert [body.source for body in bodies(inventory)] == names
+    assert [body.name for body in bodies(inventory)] == [name.replace("/", "_") for name in names]
     assert [item.free for item in inventory.objects] == [True, True, True, True, False, False, False]
     for item in inventory.objects:
         assert [body.parent for body in item.bodies] == [None] + [item.id] * (len(item.bodies) - 1)
@@ -40,9 +46,9 @@ def test_objects_and_bodies_are_those_of_the_model(inventory: Inventory, model: 
 
 def test_masses_and_inertias_are_those_of_the_model(inventory: Inventory, model: mujoco.MjModel) -> None:
     for body in bodies(inventory):
-        number = model.body(body.name).id
+        number = model.body(body.source).id
         assert body.mass == model.body_mass[number]
-        np.testing.assert_array_equal(body.centre, model.body_ipos[number])
+        np.testing.assert_allclose(np.add(body.centre, origin(body)), model.body_ipos[number], atol=1e-12)
         np.testing.assert_array_equal(body.inertia, model.body_inertia[number])
         np.testing.assert_array_equal(body.axes, model.body_iquat[number])
         assert sum(geom.mass for geom in body.geoms) == pytest.approx(body.mass)
@@ -50,7 +56,7 @@ def test_masses_and_inertias_are_those_of_the_model(inventory: Inventory, model:
 
 def test_geoms_are_those_of_the_model(inventory: Inventory, model: mujoco.MjModel) -> None:
     for body in bodies(inventory):
-        numbers = np.flatnonzero(model.geom_bodyid == model.body(body.name).id)
+        numbers = np.flatnonzero(model.geom_bodyid == model.body(body.source).id)
         there = [geom for geom in body.geoms if geom.collides or geom.mass]
         assert len(there) == len(numbers)
         for geom, number in zip(there, numbers, strict=True):
@@ -60,7 +66,9 @@ def test_geoms_are_those_of_the_model(inventory: Inventory, model: mujoco.MjMode
                 np.testing.assert_array_equal(geom.friction, model.geom_friction[number])
                 assert model.geom_contype[number] == 1
             if geom.shape.kind != "hull":
-                np.testing.assert_allclose(geom.shape.position, model.geom_pos[number], atol=1e-12)
+                np.testing.assert_allclose(
+                    np.add(geom.shape.position, origin(body)), model.geom_pos[number], atol=1e-12
+                )
 
 
 def test_poses_are_the_proposed_and_the_settled_ones(inventory: Inventory, model: mujoco.MjModel) -> None:
@@ -74,13 +82,14 @@ def test_poses_are_the_proposed_and_the_settled_ones(inventory: Inventory, model
         assert quat_wxyz[0] == pytest.approx(1.0)
     for body in bodies(inventory):
         position, quat_wxyz = body.settled
-        np.testing.assert_allclose(position, data.body(body.name).xpos, atol=1e-12)
-        np.testing.assert_allclose(quat_wxyz, data.body(body.name).xquat, atol=1e-12)
+        found = data.body(body.source)
+        np.testing.assert_allclose(position, found.xpos + found.xmat.reshape(3, 3) @ origin(body), atol=1e-12)
+        np.testing.assert_allclose(quat_wxyz, found.xquat, atol=1e-12)
     assert inventory.state.qpos == tuple(data.qpos)
 
 
 def test_joints_have_the_limits_and_the_friction_of_the_model(inventory: Inventory, model: mujoco.MjModel) -> None:
-    joints = [(body.name, body.joint) for body in bodies(inventory) if body.joint is not None]
+    joints = [(body.source, body.joint) for body in bodies(inventory) if body.joint is not None]
     assert len(joints) == 4
     for name, joint in joints:
         found = model.joint(name)
@@ -108,6 +117,13 @@ def test_every_look_is_listed(inventory: Inventory) -> None:
     glass = next(look for name, look in inventory.looks.items() if name.startswith("glass"))
     assert glass.opacity < 1.0
     assert all(0.0 <= look.roughness <= 1.0 and name.isidentifier() for name, look in inventory.looks.items())
+
+
+def test_what_a_part_is_called_has_no_number(inventory: Inventory) -> None:
+    labels = {body.source: body.label for body in bodies(inventory)}
+    assert labels["wardrobe_1"] == "wardrobe"
+    assert labels["cupboard_1/flap"] == "flap"
+    assert labels["wardrobe_1/door_left"] == "door left"
 
 
 def test_meshes_are_seen_and_shapes_under_them_are_not() -> None:

@@ -37,7 +37,7 @@ def test_make_demo_writes_a_room_and_prints_the_report():
     names = {path.name for path in (ROOT / "out" / "demo").iterdir()}
     assert names == {
         "scene.json", "scene.xml", "scene.usda", "report.json", "trace.jsonl", "preview.png", "top.png",
-        "manifest.json",
+        "manifest.json", "assets",
     }  # fmt: skip
 
 

@@ -1,11 +1,10 @@
 import mujoco
 import numpy as np
 import pytest
-from msgspec import structs
 from shapely import Point
 
 from tests.sim_rooms import asset, put, scene, table, wardrobe
-from thinkblox.scene.asset import Shape, Surface
+from thinkblox.scene.asset import Shape
 from thinkblox.scene.room import Opening, Room, rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
@@ -29,15 +28,6 @@ def every_kind() -> Scene:
     return scene(None, (put(totem, 1.234567, 2.0, yaw=33.0), totem))
 
 
-def test_visuals_change_nothing_that_is_measured() -> None:
-    room = every_kind().with_placement(put(wardrobe(), 0.301, 4.0), wardrobe())
-    plain, seen = (build_spec(room, visuals=visuals).compile() for visuals in (False, True))
-    assert plain.nq == seen.nq
-    for name in ("body_mass", "body_inertia", "body_ipos", "body_pos", "body_quat", "jnt_range", "qpos0"):
-        np.testing.assert_array_equal(getattr(plain, name), getattr(seen, name), err_msg=name)
-    assert seen.ngeom == plain.ngeom + 1
-
-
 def test_mass_is_the_assets_and_spread_by_volume() -> None:
     model = build_spec(every_kind()).compile()
     assert model.body("totem_1").subtreemass[0] == pytest.approx(7.0)
@@ -56,14 +46,6 @@ def test_mass_is_the_assets_and_spread_by_volume() -> None:
 
 def test_equal_hulls_share_one_mesh() -> None:
     assert build_spec(every_kind()).compile().nmesh == 1
-
-
-def test_poses_survive_the_xml() -> None:
-    model = mujoco.MjModel.from_xml_string(build_spec(every_kind(), visuals=True).to_xml())
-    np.testing.assert_allclose(model.body("totem_1").pos, (1.234567, 2.0, 0.0), atol=1e-5)
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    assert np.degrees(np.arctan2(*data.body("totem_1").xmat.reshape(3, 3)[[1, 0], 0])) == pytest.approx(33.0, abs=1e-3)
 
 
 def test_names_of_bodies_and_joints() -> None:
@@ -95,13 +77,6 @@ def test_fixed_things_have_no_joint_and_rugs_no_mass_to_fall() -> None:
     picture = asset("picture", (0.03, 0.6, 0.4), mount="wall", mass=2.0)
     model = build_spec(scene(None, (put(picture, 2.0, 4.985, 1.4, on="north_wall"), picture))).compile()
     assert model.njnt == 0
-
-
-def test_surfaces_become_sites() -> None:
-    kind = table()
-    kind = structs.replace(kind, surfaces=(Surface(name="top", position=(0.0, 0.0, 0.75), size=(1.2, 0.8)),))
-    model = build_spec(scene(None, (put(kind, 2.0, 2.0), kind)), visuals=True).compile()
-    np.testing.assert_allclose(model.site("table_1/top").pos, (0.0, 0.0, 0.75))
 
 
 def test_walls_leave_openings_open() -> None:

@@ -11,7 +11,7 @@ from thinkblox.scene.room import Opening, rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec
 from thinkblox.sim.settings import Physics
-from thinkblox.sim.verdict.settle import add_keyframe, settle
+from thinkblox.sim.verdict.settle import settle
 from thinkblox.sim.verdict.verify import verify
 from thinkblox.sim.verdict.world import World
 from thinkblox.value import to_json
@@ -72,22 +72,6 @@ def test_two_fixed_things_in_one_place_are_found() -> None:
         put(PICTURE, 2.1, 4.985, 1.5, yaw=270.0, on="north_wall", id="picture_2"), PICTURE
     )
     assert [v.reasons for v in verify(twice).objects][-1] == ("collision",)
-
-
-def test_the_settled_keyframe_stands_still_in_plain_mujoco() -> None:
-    room = furnished()
-    spec = build_spec(room, visuals=True)
-    spec.compile()
-    add_keyframe(spec, settle(room))
-    model = mujoco.MjModel.from_xml_string(spec.to_xml())
-    data = mujoco.MjData(model)
-    mujoco.mj_resetDataKeyframe(model, data, model.key("settled").id)
-    mujoco.mj_forward(model, data)
-    assert -data.contact.dist.min() < 0.001
-    assert not data.qvel.any()
-    start = data.xpos.copy()
-    mujoco.mj_step(model, data, nstep=1250)
-    assert np.abs(data.xpos - start).max() < 0.001
 
 
 def test_the_doors_of_a_wardrobe_stay_shut() -> None:

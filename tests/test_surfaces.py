@@ -129,8 +129,8 @@ def test_exports_have_the_colours_of_floor_and_walls() -> None:
     assert looks["floor"].colour == pytest.approx(room.surfaces.floor.colour)
     assert looks["north_wall"].colour == pytest.approx(room.surfaces.walls.colour)
     model = mujoco.MjModel.from_xml_string(mjcf_text(inventory))
-    assert model.geom("floor").rgba[:3] == pytest.approx(room.surfaces.floor.colour, abs=1e-4)
-    assert model.geom("north_wall").rgba[:3] == pytest.approx(room.surfaces.walls.colour, abs=1e-4)
+    seen = model.geom("north_wall_visual")
+    assert model.mat_rgba[int(seen.matid[0])] == pytest.approx((*room.surfaces.walls.colour, 1.0), abs=1e-4)
 
 
 @pytest.mark.parametrize("laying", sorted(MAKES))

@@ -84,6 +84,7 @@ def hold(path: Path, *, seconds: float = 5.0) -> tuple[float, float, float]:
     import numpy as np
 
     model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     data = mujoco.MjData(model)
     mujoco.mj_resetDataKeyframe(model, data, model.key("settled").id)
     mujoco.mj_forward(model, data)

@@ -1,0 +1,53 @@
+"""Convex hulls as triangles over their own corners, for files that every engine reads."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from hashlib import sha256
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thinkblox.scene.blobs import FOLDER
+from thinkblox.sim.render.tessellate import hull
+from thinkblox.value import Vec3
+
+
+@dataclass(frozen=True)
+class HullMesh:
+    """A convex hull.
+
+    Attributes:
+        points: (n, 3), its corners [m], in the order in which they were given.
+        faces: (m, 3), counter-clockwise seen from outside.
+        normals: (m, 3, 3), of each corner of each face.
+    """
+
+    points: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    normals: NDArray[np.float64]
+
+
+@lru_cache(maxsize=1024)
+def hull_mesh(points: tuple[Vec3, ...], *, smooth: bool) -> HullMesh:
+    """The convex hull of points, without those that are no corners; `smooth` is how it is shaded."""
+    given, drawn = np.asarray(points, np.float64), hull(points, smooth=smooth)
+    corners, same = np.unique(drawn.vertices.astype(np.float64), axis=0, return_inverse=True)
+    # What made the triangles may have rounded their corners: they are the points next to these.
+    nearest = np.argmin(((corners[:, None] - given[None]) ** 2).sum(axis=2), axis=1)
+    used, index = np.unique(nearest[same.reshape(-1)], return_inverse=True)
+    faces = index.reshape(-1)[drawn.faces]
+    kept = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    return HullMesh(given[used], faces[kept], drawn.normals[drawn.faces][kept].astype(np.float64))
+
+
+@lru_cache(maxsize=1024)
+def hull_obj(points: tuple[Vec3, ...], *, smooth: bool) -> tuple[str, bytes]:
+    """The path, relative to the model that names it, and the bytes of the OBJ file of a hull."""
+    mesh = hull_mesh(points, smooth=smooth)
+    normals, index = np.unique(np.round(mesh.normals.reshape(-1, 3), 4) + 0.0, axis=0, return_inverse=True)
+    rows = ["v " + " ".join(f"{value:.9g}" for value in point) for point in mesh.points.tolist()]
+    rows += ["vn " + " ".join(f"{value:.9g}" for value in normal) for normal in normals.tolist()]
+    for face, bent in zip((mesh.faces + 1).tolist(), (index.reshape(-1, 3) + 1).tolist(), strict=True):
+        rows.append("f " + " ".join(f"{corner}//{normal}" for corner, normal in zip(face, bent, strict=True)))
+    data = ("\n".join(rows) + "\n").encode()
+    return f"{FOLDER}/{sha256(data).hexdigest()}.obj", data
