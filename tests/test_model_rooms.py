@@ -80,7 +80,7 @@ def test_the_trace_and_the_output_hold_no_key(tmp_path, capsys, monkeypatch, cap
     assert any(KEY in headers["authorization"] for headers in server.headers)
     told = capsys.readouterr()
     assert KEY not in caplog.text + told.out + told.err
-    assert not any(KEY.encode() in file.read_bytes() for file in (tmp_path / "room").iterdir())
+    assert not any(KEY.encode() in file.read_bytes() for file in (tmp_path / "room").rglob("*") if file.is_file())
 
 
 def test_a_server_that_goes_away_ends_the_room_and_the_trace_is_kept(tmp_path, capsys):
