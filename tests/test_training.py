@@ -63,7 +63,7 @@ def test_the_paper_s_numbers() -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("sft: {data: d, out: o, steps: 1, speed: 3}", "unknown field `speed`"),
+        ("sft: {data: d, out: o, steps: 1, speed: 3}", "unknown field `speed`.*there are `data`, `out`, `model`"),
         ("sft: {data: d, out: o, steps: 0}", r"`int` >= 1"),
         ("sft: {out: o, steps: 1}", "missing required field `data`"),
         ("gdpo: {data: d, out: o, steps: 1, soft: [align, beauty]}", "names the reward 'beauty'; there are format"),

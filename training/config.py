@@ -7,6 +7,7 @@ import msgspec
 from msgspec import Meta
 
 from thinkblox.errors import InputError
+from thinkblox.json_faults import json_fault
 from thinkblox.policies.tiny import TinySize
 from thinkblox.regular_file import read_regular
 from thinkblox.training.recipe import Recipe
@@ -153,8 +154,11 @@ def read_experiment(path: str | Path) -> Experiment:
     text = read_regular(Path(path))
     try:
         return msgspec.yaml.decode(text, type=Experiment)
+    except msgspec.ValidationError as error:
+        raise InputError(f"{path}: {json_fault(error, text, Experiment)}") from error
     except (msgspec.MsgspecError, InputError, ValueError) as error:
-        raise InputError(f"{path}: {error}") from error
+        why = " ".join(str(error).replace('in "<byte string>", ', "").split())
+        raise InputError(f"{path}: is not YAML that can be used: {why}") from error
     except ImportError as error:
         raise InputError(f"training needs more than is installed ({error}): pip install 'thinkblox[train]'") from error
 
