@@ -54,6 +54,15 @@ def test_a_model_behind_a_server_reads_plans_and_places(tmp_path, capsys):
     assert any(part["type"] == "image_url" for said in contents if isinstance(said, list) for part in said)
 
 
+def test_a_model_that_cannot_see_is_shown_no_pictures(tmp_path, capsys):
+    with stub(played) as server:
+        assert generate(tmp_path / "room", "--policy", server.spec, "--without", "pictures") == 0
+        assert generate(tmp_path / "other", "--without", "pictures") == 2
+    assert "--without is for models" in capsys.readouterr().err
+    contents = [message["content"] for body in server.seen for message in body["messages"]]
+    assert not any(part["type"] == "image_url" for said in contents if isinstance(said, list) for part in said)
+
+
 def test_a_reader_alone_leaves_the_rest_to_the_expert(tmp_path, capsys):
     with stub(played) as server:
         assert generate(tmp_path / "room", "--reader", server.spec) == 0, capsys.readouterr().err

@@ -13,6 +13,7 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.furnishing import BrokenOffError, Furnished, Generation, Judged, Progress, furnish
 from thinkblox.modes import Mode
+from thinkblox.observe import Sight
 from thinkblox.orders import ORDERS, Order
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
@@ -48,6 +49,7 @@ def generate_room(
     requirements: Sequence[Requirement] = (),
     fill: Fill = "essentials",
     order: Order = "plan",
+    sight: Sight | None = None,
     on_plan: Callable[[Plan], None] | None = None,
     on_object: Callable[[Progress], None] | None = None,
 ) -> Generation:
@@ -71,6 +73,7 @@ def generate_room(
             ("lived-in"). What is read by a `briefer` of yours is for it to fill; "lived-in" dresses its rooms too.
         order: in which order objects are placed: as planned, large ones first ("size"), or by chance ("random"); none
             comes before what it depends on.
+        sight: what a model that places objects is shown; what it was trained on, or all, when not given.
         on_plan: called with what is to be placed, before anything is.
         on_object: called after each object.
 
@@ -82,7 +85,9 @@ def generate_room(
     _check_arguments(prompt, seed, room)
     if order not in ORDERS:
         raise InputError(f"order is {order!r}; it must be one of {', '.join(ORDERS)}")
-    cast = players(policy, briefer=briefer, planner=planner, mode=mode, fill=fill, seed=seed, source=source)
+    cast = players(
+        policy, briefer=briefer, planner=planner, mode=mode, fill=fill, seed=seed, source=source, sight=sight
+    )
     _check_roles(policy=cast.policy, briefer=cast.briefer, planner=cast.planner, source=source)
     _check_play(cast, prompt, seed, mode, fill)
     planner = cast.planner

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from thinkblox.cli.options import natural, seconds, whole
+from thinkblox.cli.options import MARKS, natural, seconds, whole
 from thinkblox.cli.progress import ObjectBar
 from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
@@ -16,6 +16,7 @@ from thinkblox.orders import ORDERS
 if TYPE_CHECKING:
     from thinkblox.cli.options import Commands
     from thinkblox.furnishing import BrokenOffError
+    from thinkblox.observe import Sight
 
 STATUS = (
     "exit status: 0 all as asked; 1 written, but something asked for was not placed, does not stand as asked or did not"
@@ -64,6 +65,8 @@ def add_roles(parser: argparse.ArgumentParser) -> None:
     roles.add_argument("--planner", metavar="WHO", help="who decides what is placed when (as --policy)")
     asks = "ask a model for one object after the other (progressive), or once for the whole room"
     roles.add_argument("--mode", choices=MODES, default="progressive", help=asks)
+    less = "do not show a model this (pictures, for one that cannot see); may be repeated"
+    roles.add_argument("--without", choices=MARKS, action="append", default=[], help=less)
 
 
 def _candidates(text: str) -> int:
@@ -95,6 +98,7 @@ def _generate(arguments: argparse.Namespace) -> int:
                 effort=Effort(candidates=arguments.candidates, seconds=arguments.budget),
                 fill=arguments.fill,
                 order=arguments.order,
+                sight=_sight(arguments),
                 on_plan=progress.begin,
                 on_object=progress.tell,
             )
@@ -110,6 +114,24 @@ def _generate(arguments: argparse.Namespace) -> int:
         say(printing.outcome(result.report))
         say(f"written to {arguments.out}")
     return 0 if result.report.complete else 1
+
+
+def _sight(arguments: argparse.Namespace) -> "Sight | None":
+    """What a model is shown, where something is left out."""
+    if not arguments.without:
+        return None
+    from thinkblox.evaluation.contenders import Contender
+
+    if arguments.policy.partition(":")[0] not in ("hf", "openai"):
+        raise InputError("--without is for models; give one as the policy")
+    shown = Contender(
+        name="--without",
+        policy=arguments.policy,
+        mode=arguments.mode,
+        without=tuple(dict.fromkeys(arguments.without)),
+    )
+    shown.check()
+    return shown.sight()
 
 
 def _kept(error: "BrokenOffError", out: Path) -> InputError:

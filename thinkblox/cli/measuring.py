@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from thinkblox.cli.options import whole
+from thinkblox.cli.options import MARKS, whole
 from thinkblox.cli.stopping import heed_stops
 from thinkblox.cli.terminal import say, write_json
 from thinkblox.errors import InputError
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from thinkblox.evaluation.policy_run import Trial
     from thinkblox.evaluation.room_tally import RoomTally
 
-MARKS = ("grid", "ids", "fronts", "target", "pictures")
 _OF_POLICIES = ("policy", "runs", "judge", "mode", "order", "without")
 _OF_ANNOTATIONS = ("reading", "rooms", "only", "pictures")
 

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     Commands = argparse._SubParsersAction[argparse.ArgumentParser]
 
+MARKS = ("grid", "ids", "fronts", "target", "pictures")
+"""What a model may be left without, as `Sight` calls it."""
+
 
 def whole(text: str, least: int, most: int) -> int:
     """A whole number from `least` to `most`; raises ArgumentTypeError."""
