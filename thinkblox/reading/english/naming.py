@@ -220,6 +220,7 @@ class Naming(Several):
                 if said is not None:
                     told = said if said.kind == "thing" else None
                     del self.chunks[index : self.chunks.index(said, index) + 1]
+                    told = None if self._is_number_told(index) else told
                 break
         if told is not None and (other is None or other.count is None):
             self._lose(noun.start, told.end)
@@ -228,6 +229,11 @@ class Naming(Several):
             if other is None:
                 self._lose(noun.start, noun.end)
         return max(1, int(self.referents.total(other) * noun.share)) if other is not None else None
+
+    def _is_number_told(self, index: int) -> bool:
+        """Whether the number itself comes: "as many mats as there are machines, five"."""
+        mark, number = self.chunks[index : index + 2] if index + 1 < len(self.chunks) else (None, None)
+        return self._is_link(mark, "mark") and isinstance(number, Noun) and number.kind == "number"
 
     def another(self, thing: Mention) -> Mention:
         """One more of a kind."""

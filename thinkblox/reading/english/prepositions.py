@@ -57,6 +57,8 @@ class Prepositions(Negation):
         self.excluding = False
         owning = self._is_link(self.peek(), "verbs", "have", "hold", "carry", "share")
         if not owning and self.referents.named(several) is not None:
+            if self._is_link(self.peek(), "verbs"):
+                self._begin()
             return several
         self._spend(noun)
         self._lose_rest(noun.start, noun.end)
