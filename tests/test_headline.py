@@ -1,7 +1,7 @@
 from msgspec import structs
 
-from thinkblox.headline import headline
-from thinkblox.verdict import Report, Verdict
+from thinkblox.headline import headline, relation_words
+from thinkblox.verdict import RelationResult, Report, Verdict
 
 FAILED = Verdict(id="bed_1", valid=False, reasons=("collision",), depth=0.067)
 OUT = Verdict(id="lamp_1", valid=False, reasons=("outside",), boundary=0.0305)
@@ -31,3 +31,9 @@ def test_a_model_is_measured_from_its_start() -> None:
 
 def test_of_an_empty_room_there_is_nothing_to_say() -> None:
     assert headline(Report(valid=True)) == ()
+
+
+def test_a_place_is_said_once_in_the_words_of_a_relation() -> None:
+    told = RelationResult(subject="crib", kind="against_wall", anchors=("wall",), holds=False, measured="1 m")
+    assert relation_words(told) == "against wall"
+    assert relation_words(structs.replace(told, anchors=("far_wall",))) == "against far_wall"

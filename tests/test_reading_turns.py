@@ -110,6 +110,15 @@ def test_who_stands_where_is_read(prompt: str, relations: str) -> None:
         ("Two desks in the back row have no chairs.", "in the back row"),
         ("A dining table, a rug under everything.", "under everything"),
         ("A jam jar whose lid is off.", "whose lid is off"),
+        ("A sofa and four speakers around the room.", "around the room"),
+        ("Candles scattered around the room.", "scattered"),
+        ("Plants throughout the room.", "throughout the room"),
+        ("A fireplace and a sofa slightly angled towards the fireplace.", "slightly angled"),
+        ("A bed and three pillows stacked on the bed.", "stacked"),
+        ("A clock leaning against the wall.", "leaning"),
+        ("A shop with shelves and half as many stools as shelves.", "half as many stools as shelves"),
+        ("Two sofas parallel to each other.", "parallel to each other"),
+        ("Two benches. The benches are parallel.", "parallel"),
     ],
 )
 def test_what_is_not_followed_is_said(prompt: str, said: str) -> None:
@@ -163,3 +172,36 @@ def test_the_larger_is_the_one_that_was_called_large() -> None:
 )
 def test_plain_words_are_no_turns(prompt: str) -> None:
     assert read_brief(prompt).unknown == ()
+
+
+@pytest.mark.parametrize(
+    "how", ["parallel to", "perpendicular to", "diagonal to", "at right angles to", "aligned with", "in line with"]
+)
+def test_how_things_are_turned_to_others_is_said_and_they_stay_themselves(how: str) -> None:
+    brief = read_brief(f"A pantry with a barrel {how} the shelf and a bench {how} the shelf.", fill="named")
+    assert counted(brief) == {"barrel": 1, "bench": 1, "shelving_unit": 1}
+    assert brief.unknown == (f"{how} the shelf",) * 2 or brief.unknown == (f"{how} the shelf",)
+    assert related(brief) == set()
+
+
+def test_what_hangs_along_the_wall_is_on_it() -> None:
+    brief = read_brief("A workshop with two pictures hung along the wall.", fill="named")
+    assert related(brief) == {"2 picture on wall"}
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    "denial", ["where no desk faces a window", "and no desk facing the window", "and no desk stands next to a window"]
+)
+def test_what_is_denied_of_things_excludes_none_of_them(denial: str) -> None:
+    brief = read_brief(f"An office with two desks and a printer, {denial}.", fill="named")
+    assert counted(brief) == {"desk": 2, "printer": 1}
+    assert brief.excluded == ()
+    assert [(r.subject, r.anchors) for r in brief.relations if r.negated] == [("desk", ("window",))]
+
+
+def test_what_is_denied_of_things_that_nobody_named_is_said() -> None:
+    brief = read_brief("An office where no desk faces a window.")
+    assert brief.unknown == ("no desk faces a window",)
+    assert brief.excluded == ()
+    assert not any(r.asked for r in brief.relations)

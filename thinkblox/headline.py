@@ -59,9 +59,13 @@ def shortfall(demand: Demand) -> str:
 
 
 def relation_words(relation: RelationResult) -> str:
-    """A relation as words: "not next to door"."""
+    """A relation as words: "not next to door", "against wall"; a place that ends the kind is said once."""
     denied = "not " if relation.negated else ""
-    return denied + " ".join([relation.kind.replace("_", " "), ", ".join(relation.anchors)]).strip()
+    kind = relation.kind.replace("_", " ")
+    said = kind.rpartition(" ")[2]
+    if relation.anchors and all(anchor.endswith(said) for anchor in relation.anchors):
+        kind = kind.removesuffix(said).strip()
+    return f"{denied}{kind} {', '.join(relation.anchors)}".strip()
 
 
 def _placed(report: Report) -> str:

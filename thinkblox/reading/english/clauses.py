@@ -52,6 +52,8 @@ class Clauses(Audit):
                 self.draft.unknown[-1] = self.account.text(stray.start, following.end)
 
     def _link(self, link: Connector) -> None:
+        if link.sort in ("verbs", "participles", "prepositions"):
+            self._say_manner(link)
         match link.sort:
             case "mark":
                 self._mark(link)
@@ -72,6 +74,23 @@ class Clauses(Audit):
                 self._negation(link)
             case _:
                 self._say_of_all(link)
+
+    def _say_manner(self, link: Connector) -> None:
+        """Note how things are said to be where they are: "slightly angled towards the fire", "stacked on the bed"."""
+        words = [word.lower() for word in link.text.split()]
+        said = next((at for at, word in enumerate(words) if word in grammar().lists["manners"]), None)
+        named = self.frontier or self.subject is not None or self.clause.members
+        if said is None or not named:
+            return
+        before, start = self._before(), link.start
+        if (
+            said == 0
+            and isinstance(before, Connector)
+            and before.sort == "fillers"
+            and before.text.lower()[-2:] == "ly"
+        ):
+            start = before.start
+        self._lose(start, link.start + (len(words) if link.sort != "prepositions" else said + 1))
 
     def _say_of_all(self, link: Connector) -> None:
         """Read a correction, or how several stand to each other."""
@@ -111,8 +130,10 @@ class Clauses(Audit):
 
     def _thing(self, noun: Noun) -> None:
         if noun.det == "no" or (self.excluding and not self.excepting):
-            self._exclude(noun)
-            return
+            denied = self._bar(noun)
+            if denied is None:
+                return
+            noun = denied
         if self._names_nothing(noun):
             self._spend(noun)
             return

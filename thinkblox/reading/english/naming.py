@@ -210,17 +210,30 @@ class Naming(Several):
         return thing
 
     def _share_of(self, noun: Noun) -> int | None:
-        """Read "half as many dryers", "as many glasses as there are stools"."""
+        """Read "half as many dryers", "as many glasses as there are stools"; as many as nobody counted is said."""
         other: Mention | None = None
+        told: Noun | None = None
         for index in range(self.at, min(self.at + 8, len(self.chunks))):
             if self._is_link(self.chunks[index], "prepositions", "as"):
                 said = next((c for c in self.chunks[index + 1 : index + 4] if isinstance(c, Noun)), None)
                 other = self.referents.named(said) if said is not None and said.kind == "thing" else None
                 if said is not None:
+                    told = said if said.kind == "thing" else None
                     del self.chunks[index : self.chunks.index(said, index) + 1]
+                    told = None if self._is_number_told(index) else told
                 break
-        other = other or next((t for t in self.referents.plural() if t.count), None)
+        if told is not None and (other is None or other.count is None):
+            self._lose(noun.start, told.end)
+        elif other is None:
+            other = next((t for t in self.referents.plural() if t.count), None)
+            if other is None:
+                self._lose(noun.start, noun.end)
         return max(1, int(self.referents.total(other) * noun.share)) if other is not None else None
+
+    def _is_number_told(self, index: int) -> bool:
+        """Whether the number itself comes: "as many mats as there are machines, five"."""
+        mark, number = self.chunks[index : index + 2] if index + 1 < len(self.chunks) else (None, None)
+        return self._is_link(mark, "mark") and isinstance(number, Noun) and number.kind == "number"
 
     def another(self, thing: Mention) -> Mention:
         """One more of a kind."""

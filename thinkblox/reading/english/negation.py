@@ -7,6 +7,11 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Meaning, Where
 from thinkblox.reading.english.positions import Positions
 
+_TELLING = ("face", "stand", "hang", "surround", "flank", "line", "hold", "carry", "have", "share")
+"""Verbs that tell something of what is there."""
+_NOT_PLACED = ("with", "without", "of", "for", "as", "except", "instead", "from", "to", "in")
+"""Prepositions after which it is not said where things are."""
+
 
 class Negation(Positions):
     """Reads negations."""
@@ -96,6 +101,19 @@ class Negation(Positions):
 
     def _exclude_next(self) -> None:
         self.excluding = True
+
+    def _denies(self, noun: Noun) -> bool:
+        """Whether something is denied of things that are there: "no desk faces a window"."""
+        after, next_after = self.peek(), self.peek(1)
+        if self._is_link(after, "verbs", *_TELLING):
+            return True
+        if self._is_link(after, "verbs", "be"):
+            return self._is_link(next_after, "prepositions") or self._is_link(next_after, "participles")
+        if self._is_link(after, "prepositions", "facing", "turned"):
+            return True
+        there = self.referents.named(replace(noun, det="none", plural=True)) is not None
+        placed = self._is_link(after, "prepositions") and not self._is_link(after, "prepositions", *_NOT_PLACED)
+        return there and (placed or self._is_link(after, "participles", "stand", "hang"))
 
     def _exclude(self, noun: Noun) -> None:
         after = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "except") else None

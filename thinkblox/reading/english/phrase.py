@@ -235,7 +235,8 @@ class PhraseReader(Heads):
             return self._degree(noun, at, units)
         if units.nouns and self._ends_before(at, units):
             return 0
-        if not units.nouns and token.text.endswith(_ENDINGS) and self._starts_noun(at + 1) and self._has_noun(at + 1):
+        adjective = token.text.endswith(_ENDINGS) or token.text in grammar().lists["turned"]
+        if not units.nouns and adjective and self._starts_noun(at + 1) and self._has_noun(at + 1):
             noun.unshown.append(token.shown.lower())
             units.adjectives += 1
             return 1

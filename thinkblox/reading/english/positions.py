@@ -11,6 +11,10 @@ from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.english.subjects import Subjects
 
+_WITHIN = ("in", "at", "on", "to", "from", "of", "for", "as", "with", "inside")
+"""Prepositions that say no more before a room than that things are there."""
+_ON_WALL = ("along", "against", "around", "at", "by", "next_to")
+"""Prepositions that say where on a wall things hang."""
 _FRONTS = 20
 """Most relations that wait for their subject."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
@@ -78,11 +82,18 @@ class Positions(Subjects):
         self._where(self._read_where(Connector("prepositions", word, self.at, self.at)))
 
     def _hang_from(self) -> None:
-        """Read "hanging from the beam": where it hangs from a thing, it is next to it."""
+        """Read "hanging from the beam", which is next to it, and "hung along the wall", which is on it."""
         noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "from") else None
         if noun is not None and noun.kind == "thing":
             self.at += 1
             self._stand("next_to")
+            return
+        link, wall = self.peek(), self._next_noun(1)
+        along = isinstance(link, Connector) and self._is_link(link, "prepositions", *_ON_WALL)
+        if along and isinstance(link, Connector) and wall is not None and wall.kind == "place" and "wall" in wall.value:
+            self.at += 1
+            self._began = self.at - 1
+            self._where(self._read_where(replace(link, value="on")))
 
     def _which(self, where: Where) -> Where:
         """Read "A counter, on which a monitor stands": a clause of its own about what was just named."""
@@ -116,6 +127,9 @@ class Positions(Subjects):
         self.negating = False
         if where.noun is None and where.text.lower() in ("in", "into"):
             return
+        if where.word == "turned":
+            self._turned_to(where)
+            return
         if self._stands_on_part(where):
             return
         if self._is_side_of_owner(where):
@@ -137,6 +151,17 @@ class Positions(Subjects):
             self._place_node(node, where)
         elif fronted or where.noun is not None:
             self._set_front(where)
+
+    def _turned_to(self, where: Where) -> None:
+        """Say that nobody sees to "parallel to the shelf"; the shelf is asked for all the same."""
+        noun = where.noun
+        if noun is None or noun.kind not in ("thing", "number", "place", "part", "pronoun", "room"):
+            self._lose(where.start, where.start + len(where.text.split()))
+            return
+        self._lose(where.start, (where.whole or noun).end)
+        anchors = self.anchors(noun, [])[0] if noun.kind == "thing" else ()
+        if anchors:
+            self.frontier.append(Node(list(anchors), None, known=noun.definite))
 
     def _stands_on_part(self, where: Where) -> bool:
         """Note what a thing stands on that is a part of it: "a toolbox on wheels", "a stool on three legs"."""
@@ -169,7 +194,7 @@ class Positions(Subjects):
                 self._lose_where(where)
             return True
         if noun.kind == "room":
-            if noun.count or noun.each:
+            if noun.count or noun.each or where.word not in _WITHIN:
                 self._lose(where.start, noun.end)
             elif where.word == "in" and not self.draft.room:
                 self._room(noun)

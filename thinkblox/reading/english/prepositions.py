@@ -29,7 +29,7 @@ class Prepositions(Negation):
             case "as":
                 self._as()
             case "among":
-                self._among()
+                self._among(link)
             case _:
                 self._began = self.at - 1
                 self._where(self._read_where(link))
@@ -45,6 +45,25 @@ class Prepositions(Negation):
         elif not self._all_but():
             self.excepting, self.negating, self.excluding = True, False, False
 
+    def _bar(self, noun: Noun) -> Noun | None:
+        """Exclude a thing; or the phrase as one for things that are there, of which something is denied.
+
+        What is denied of things that nobody named, or of what they have, is not understood.
+        """
+        if not self._denies(noun):
+            self._exclude(noun)
+            return None
+        several = replace(noun, det="none", plural=True)
+        self.excluding = False
+        owning = self._is_link(self.peek(), "verbs", "have", "hold", "carry", "share")
+        if not owning and self.referents.named(several) is not None:
+            if self._is_link(self.peek(), "verbs"):
+                self._begin()
+            return several
+        self._spend(noun)
+        self._lose_rest(noun.start, noun.end)
+        return None
+
     def _lose_rest(self, start: int, end: int) -> None:
         """Go past "except the one nearest the door", which is not understood."""
         while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
@@ -52,10 +71,12 @@ class Prepositions(Negation):
             end = chunk.end
         self._lose(start, end)
 
-    def _among(self) -> None:
-        """Go past "throughout the room"."""
+    def _among(self, link: Connector) -> None:
+        """Go past "throughout the room", which nobody sees to."""
         if (noun := self._next_noun()) is not None and noun.kind in ("room", "abstract", "place"):
             self._go_past(noun)
+            if self.frontier and noun.kind != "abstract":
+                self._lose(link.start, noun.end)
 
     def _is_on_walls(self) -> bool:
         """Whether "all over the walls" says where things hang."""

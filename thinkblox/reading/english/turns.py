@@ -34,11 +34,14 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
     if found is not None:
         after = grammar().at(tokens, at + found.length, "determiners", "count")
         if found.value == "phrase":
-            return found.length
+            link = grammar().at(tokens, at, "prepositions")
+            return found.length if link is None or link.length <= found.length else 0
         if found.value == "clause":
             return _until(tokens, at, sentence=False)
         if begins and (found.value != "remake" or after is not None):
             return _until(tokens, at, sentence=_is_new_sentence(tokens, at))
+    if tokens[at].text in grammar().lists["turned"] and (at + 1 == len(tokens) or tokens[at + 1].kind == "mark"):
+        return 1
     if tokens[at].text == "where":
         end = _until(tokens, at, sentence=False)
         said = next((i for i in range(at, at + end) if tokens[i].text in grammar().lists["supposing"]), None)
