@@ -456,3 +456,24 @@ def test_who_places_can_be_said_in_a_word() -> None:
     assert said.scene == usual.scene
     with pytest.raises(InputError, match="'somebody' names nobody"):
         edit_room(made, "Add a bookcase.", policy="somebody")
+
+
+@pytest.mark.parametrize("instruction", ["Remove the rug, the rug and the rug", "Remove the vase and the coffee table"])
+def test_what_is_named_twice_or_with_its_carrier_is_done_once(instruction: str) -> None:
+    result = done(living(), instruction)
+    assert len(result.done) == len({change.id for change in result.changes})
+
+
+def test_a_thing_named_twice_is_turned_once() -> None:
+    after = done(living(), "Rotate the coffee table and the coffee table by 90 degrees clockwise").scene
+    assert (living()["coffee_table_1"].yaw - after["coffee_table_1"].yaw) % 360 == pytest.approx(90)
+
+
+def test_an_id_of_the_same_kind_is_that_very_thing() -> None:
+    before = dining(4)
+    result = edit_room(before, "Turn chair_1 so that it faces chair_3.")
+    assert "chair_3" in " ".join((*result.done, *result.failed))
+    moved = done(before, "Move chair_1 closer to chair_3.").done[0]
+    assert "from chair_3" in moved
+    with pytest.raises(InputError, match="chair_9"):
+        edit_room(before, "Put chair_1 on chair_9.")

@@ -161,9 +161,11 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     if not order.instead:
         raise InputError(f"'{order.text}' does not say what comes instead; say 'with a ...'")
     new = order.instead[0].noun
+    seen: set[str] = set()
     for phrase in order.things:
         ids = named(finder, phrase, phrase.places)
-        for id in ids:
+        for id in (i for i in ids if i not in seen):
+            seen.add(id)
             _replace_one(work, id, _successor(work, id, new))
         finder.recent = list(ids)
 
@@ -253,23 +255,29 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
     """Take things away; what rested on them is placed anew."""
     if not order.things:
         raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
+    ids: dict[str, None] = {}
     for phrase in order.things:
         if phrase.noun.kind in ("place", "part"):
             raise InputError(f"'{phrase.noun.text}' is no thing that can be taken away; there {finder.listed()}")
-        ids = named(finder, phrase, phrase.places)
-        before = work.scene
-        taken = take(work, ids)
-        work.done += [f"{id} taken away" for id in ids]
-        off = [p for p in taken if p.id not in ids]
-        for rider in off:
-            if rider.support in {p.id for p in off}:
-                continue
-            if place_anew(work, rider):
-                put_back(work, rider, [p for p in off if p.id != rider.id], before)
-                work.done.append(
-                    f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
-                )
-            else:
-                gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
-                work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")
-        finder.recent = []
+        ids |= dict.fromkeys(named(finder, phrase, phrase.places))
+    take_away(work, tuple(ids))
+    finder.recent = []
+
+
+def take_away(work: Work, ids: Sequence[str]) -> None:
+    """Take objects out of the room and give what rested on them, and is not one of them, another place."""
+    before = work.scene
+    taken = take(work, ids)
+    work.done += [f"{id} taken away" for id in ids]
+    off = [p for p in taken if p.id not in ids]
+    for rider in off:
+        if rider.support in {p.id for p in off}:
+            continue
+        if place_anew(work, rider):
+            put_back(work, rider, [p for p in off if p.id != rider.id], before)
+            work.done.append(
+                f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
+            )
+        else:
+            gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
+            work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")

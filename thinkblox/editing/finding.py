@@ -42,8 +42,8 @@ class Finder:
             InputError: nothing fits, which lists what there is, or several do, which names them.
         """
         noun = phrase.noun
-        if phrase.id:
-            return (phrase.id,)
+        if phrase.id or noun.id:
+            return (phrase.id or noun.id,)
         if noun.kind == "pronoun":
             return self._spoken_of(noun)
         found = self.matching(noun) if among is None else list(among)
@@ -55,6 +55,8 @@ class Finder:
 
     def matching(self, noun: Noun) -> list[Placement]:
         """Every object that a noun fits, those that are just that before those that are like it."""
+        if noun.id:
+            return [p for p in self.scene.placements if p.id == noun.id]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
         alike = same or [p for p in self.scene.placements if are_alike(p.category, noun.value)]
         wanted = [word.lower() for word in (*noun.attributes, *(noun.unshown if not noun.named else ()))]

@@ -60,9 +60,14 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if order.together:
         _together(work, finder, order)
         return
+    seen: set[tuple[str, str]] = set()
     for ids, places in _moved(finder, order):
         _check_says_where(order, places)
         for index, id in enumerate(ids):
+            said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
+            if said in seen:
+                continue
+            seen.add(said)
             goals = _goals(work, finder, order, id, places, index, len(ids))
             _move_one(work, order, id, goals)
         finder.recent = list(ids)
@@ -323,7 +328,7 @@ def _scaled(way: Vec3, length: float) -> Vec3:
 
 
 def _together(work: Work, finder: Finder, order: Order) -> None:
-    ids = [id for ids, _ in _moved(finder, order) for id in ids]
+    ids = list(dict.fromkeys(id for ids, _ in _moved(finder, order) for id in ids))
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to")
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
@@ -337,8 +342,10 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
 
 def turn(work: Work, finder: Finder, order: Order) -> None:
     """Turn things by an angle, or until they face something."""
+    seen: set[str] = set()
     for ids, places in _turned(finder, order):
-        for id in ids:
+        for id in (i for i in ids if i not in seen):
+            seen.add(id)
             placement = work.scene[id]
             looks = [looking(finder, noun) for noun in order.facing]
             looks += [related(bound(w, placement.category, finder), placement.category) for w in places]

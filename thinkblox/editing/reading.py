@@ -91,7 +91,11 @@ def _short(text: str) -> str:
 
 
 def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
-    """The text with ids of objects as words, and which begins at which character of it."""
+    """The text with ids of objects as words, and which begins at which character of it.
+
+    Raises:
+        InputError: it names an id that is not there, of a kind that is.
+    """
     plain, named, end = "", {}, 0
     for match in _ID.finditer(text):
         if match[0] in ids:
@@ -99,6 +103,10 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
             named[len(plain)] = match[0]
             plain += re.sub(r"[^A-Za-z]+", " ", match[0].rpartition("_")[0])
             end = match.end()
+            continue
+        kind = match[0].rpartition("_")[0]
+        if alike := [id for id in ids if id.rpartition("_")[0] == kind]:
+            raise InputError(f"the room has no {match[0]}; there is {', '.join(alike)}")
     return plain + text[end:], named
 
 
@@ -170,7 +178,6 @@ class _OrderReader:
         self.orders = [order]
         self.unknown: list[str] = []
         self._lexicon, self._named = lexicon, named
-        self._ids: dict[int, str] = {}
         self._ranks: dict[int, int] = {}
         self._rank: dict[int, int] = {}
         self._items = list(self._cut(tokens))
@@ -242,7 +249,7 @@ class _OrderReader:
             if isinstance(chunk, Noun):
                 ids = [self._named[t.start] for t in run[chunk.start : chunk.end] if t.start in self._named]
                 if ids:
-                    self._ids[id(chunk)] = ids[0]
+                    chunk.id = ids[0]
                 ranks = [self._ranks[t.start] for t in run[chunk.start : chunk.end] if t.start in self._ranks]
                 self._rank[id(chunk)] = ranks[0] if ranks else 0
             yield chunk
@@ -315,7 +322,7 @@ class _OrderReader:
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
-        phrase = NounPhrase(noun, id=self._ids.get(id(noun), ""), rank=self._rank.get(id(noun), 0))
+        phrase = NounPhrase(noun, id=noun.id, rank=self._rank.get(id(noun), 0))
         if self._pending is not None:
             order.closer.append((self._pending, phrase))
             self._pending = None
