@@ -15,6 +15,7 @@ from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
     Along,
+    Apart,
     At,
     Elsewhere,
     Goal,
@@ -151,6 +152,7 @@ def _goals(
     for nearer, phrase in order.closer:
         anchors = mark_names(finder, phrase)
         goals.append(Nearing(anchors, nearer, order.lengths[0][0] if order.lengths else None))
+    goals += [Apart(mark_names(finder, phrase), away) for away, phrase in order.apart]
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
@@ -199,7 +201,7 @@ def _move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = _reach(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        direct = chain(_in_line(work.scene, before, goals), _spots(work, id, goals))
+        direct = chain(_in_line(work.scene, before, goals), _so_far(work.scene, before, goals), _spots(work, id, goals))
         done = _reach(work, id, goals, direct=direct, ask=True)
     _say(work, id, before, done, goals)
 
@@ -259,6 +261,19 @@ def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator
         isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
     ):
         yield from _turns(scene, before, goals)
+
+
+def _so_far(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Before, behind and beside a thing, at the distance that is wanted and turned to it."""
+    for goal in (g for g in goals if isinstance(g, Apart)):
+        for anchor in (scene[name] for name in goal.anchors if name in scene):
+            for turn in (0.0, 180.0, 90.0, 270.0):
+                way = math.radians(anchor.yaw + turn)
+                deep = anchor.size[0] if turn in (0.0, 180.0) else anchor.size[1]
+                reach = (deep + before.size[0]) / 2 + goal.away
+                x, y = anchor.position[0] + reach * math.cos(way), anchor.position[1] + reach * math.sin(way)
+                yaw = (anchor.yaw + turn + 180.0) % 360.0
+                yield (round(x, 4), round(y, 4), before.position[2]), yaw
 
 
 # --- nearer and further, by so much
