@@ -536,3 +536,24 @@ def test_what_was_missing_stays_missing_after_an_edit_and_an_undo() -> None:
     assert {a.id for a in back.report.absent} >= {a.id for a in made.report.absent}
     assert (back.report.demands, back.report.relations) == (made.report.demands, made.report.relations)
     assert not back.report.complete
+
+
+def test_the_left_one_is_said_to_be_seen_from_the_door() -> None:
+    before = built(room(), ("crib_1", 1.5, 4.0, 270.0, "floor"), ("crib_2", 4.5, 4.0, 270.0, "floor"))
+    result = done(before, "Remove the left crib")
+    assert "crib_1" not in result.scene
+    assert "the left crib is crib_1, seen from the door" in result.done
+
+
+def test_what_is_not_on_a_thing_is_said_in_plain_words() -> None:
+    failed = edit_room(living(), "Put the armchair on the sideboard").failed[0]
+    assert "armchair_1 not over sideboard_1, 0." in failed
+    assert " mm" not in failed
+
+
+def test_what_nobody_knows_cannot_come_instead() -> None:
+    with pytest.raises(InputError, match="'a quintessence' is nothing that is known"):
+        edit_room(living(), "Replace the sofa with a quintessence")
+    with pytest.raises(InputError, match="find another place for") as raised:
+        edit_room(living(), "frobnicate")
+    assert "re place" not in str(raised.value)

@@ -26,6 +26,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.scene import Scene
 
+_BY = ("with", "by", "for")
 MOST = 20
 """Most things that one order adds."""
 NEW_PLACE = 0.75
@@ -163,6 +164,9 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     """Let another thing stand where one stands."""
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is replaced; there {finder.listed()}")
+    named_with = [w.noun for p in order.things for w in p.places if w.noun is not None and w.text.lower() in _BY]
+    if not order.instead and named_with:
+        raise InputError(f"'{named_with[0].text}' is nothing that is known to come in place of another thing")
     if not order.instead:
         raise InputError(f"'{order.text}' does not say what comes instead; say 'with a ...'")
     new = order.instead[0].noun

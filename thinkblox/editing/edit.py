@@ -290,6 +290,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
     for order in _joined(read.orders):
         finder.scene = work.before = work.scene
         _DOERS[order.doing](work, finder, order)
+    work.done += finder.seen
 
 
 def _joined(orders: Sequence[Order]) -> list[Order]:

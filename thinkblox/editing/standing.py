@@ -22,11 +22,13 @@ def carried_over(report: Report, scene: Scene, before: Scene, known: Report | No
     if known is None or plan is None:
         return report
     wanted = _filled(plan, scene, before)
-    old, held = {_key(r) for r in known.relations}, {_key(r) for r in (*known.relations, *known.demands) if r.holds}
+    told: list[RelationResult | Demand] = [*known.relations, *known.demands]
+    old, held = {_key(r) for r in known.relations}, {_key(r) for r in told if r.holds}
     there = [r for r in relations_of(scene, plan) if _key(r) in old]
     said = {_key(d) for d in known.demands}
     asked = [d for d in demands_of(scene, wanted) if _key(d) in said]
-    given_up = [r for r in (*there, *asked) if not r.holds and _key(r) in held]
+    now: list[RelationResult | Demand] = [*there, *asked]
+    given_up = [r for r in now if not r.holds and _key(r) in held]
     notes = [f"No longer so since an edit: {_words(r)}." for r in given_up]
     return _with(
         report,
