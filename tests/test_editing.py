@@ -499,6 +499,7 @@ def test_clear_says_what_cannot_go_and_what_is_clear_already() -> None:
     assert {p.id for p in result.scene.placements} == {"coffee_table_1", "vase_1", "picture_1"}
     assert "vase_1, which is to stay, rests on it" in result.failed[0]
     assert "so already" in done(living(), "Clear the desk").done[0]
+    assert done(living(), "Clear the coffee table and the coffee table").done == ("vase_1 taken away",)
 
 
 def test_it_is_what_the_same_clause_named() -> None:
@@ -518,6 +519,7 @@ def test_all_but_some_are_removed(excepted: str) -> None:
 
 def test_an_address_loses_nothing() -> None:
     assert "rug_1" not in done(living(), "Remove the rug please, my dear").scene
+    assert len(done(dining(3), "Remove all chairs except one").scene.placements) == 2
     result = edit_room(living(), "Remove the rug, my frobnix")
     assert (result.unknown, "rug_1" in result.scene) == (("my frobnix",), False)
 

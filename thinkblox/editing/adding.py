@@ -312,16 +312,15 @@ def clear(work: Work, finder: Finder, order: Order) -> None:
         return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is to be cleared; say a thing, or a part of the room")
-    for phrase in order.things:
-        for id in named(finder, phrase, phrase.places):
-            riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
-            take_away(work, riders)
-            if riders:
-                continue
-            if work.asset_of(id).surfaces:
-                work.done.append(f"nothing rests on {id} that could be taken away: it is so already")
-            else:
-                take_away(work, (id,))
+    for id in dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)):
+        riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
+        take_away(work, riders)
+        if riders:
+            continue
+        if work.asset_of(id).surfaces:
+            work.done.append(f"nothing rests on {id} that could be taken away: it is so already")
+        else:
+            take_away(work, (id,))
     finder.recent = []
 
 

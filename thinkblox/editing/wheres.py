@@ -228,8 +228,9 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
 def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase]) -> tuple[str, ...]:
     """Objects without those that are excepted: "except two" is the first two of them."""
     for phrase in spared:
-        if phrase.noun.kind == "number" and not phrase.places:
-            ids = ids[phrase.noun.count or 0 :]
+        one = phrase.noun.kind == "pronoun" and phrase.noun.value == "one"
+        if (one or phrase.noun.kind == "number") and not phrase.places:
+            ids = ids[1 if one else phrase.noun.count or 0 :]
         else:
             out = _named(finder, phrase, phrase.places, ())
             ids = [id for id in ids if id not in out]
