@@ -456,3 +456,106 @@ def test_who_places_can_be_said_in_a_word() -> None:
     assert said.scene == usual.scene
     with pytest.raises(InputError, match="'somebody' names nobody"):
         edit_room(made, "Add a bookcase.", policy="somebody")
+
+
+@pytest.mark.parametrize("instruction", ["Remove the rug, the rug and the rug", "Remove the vase and the coffee table"])
+def test_what_is_named_twice_or_with_its_carrier_is_done_once(instruction: str) -> None:
+    result = done(living(), instruction)
+    assert len(result.done) == len({change.id for change in result.changes})
+
+
+def test_a_thing_named_twice_is_turned_once() -> None:
+    after = done(living(), "Rotate the coffee table and the coffee table by 90 degrees clockwise").scene
+    assert (living()["coffee_table_1"].yaw - after["coffee_table_1"].yaw) % 360 == pytest.approx(90)
+
+
+def test_an_id_of_the_same_kind_is_that_very_thing() -> None:
+    before = dining(4)
+    result = edit_room(before, "Turn chair_1 so that it faces chair_3.")
+    assert "chair_3" in " ".join((*result.done, *result.failed))
+    moved = done(before, "Move chair_1 closer to chair_3.").done[0]
+    assert "from chair_3" in moved
+    with pytest.raises(InputError, match="chair_9"):
+        edit_room(before, "Put chair_1 on chair_9.")
+
+
+@pytest.mark.parametrize(
+    ("instruction", "left"),
+    [
+        ("Clear the room", set()),
+        ("Clear the coffee table", {"rug", "sofa", "coffee_table", "sideboard", "desk", "armchair", "picture"}),
+        ("Remove everything except the sofa and keep the rug", {"sofa", "rug"}),
+        ("Keep the sofa and remove everything else", {"sofa"}),
+        ("Clear the room of furniture", {"picture"}),
+    ],
+)
+def test_clear_takes_away_what_is_there(instruction: str, left: set[str]) -> None:
+    after = done(living(), instruction).scene
+    assert {p.category for p in after.placements} == left
+
+
+def test_clear_says_what_cannot_go_and_what_is_clear_already() -> None:
+    result = edit_room(living(), "Clear the room of furniture but keep the vase")
+    assert {p.id for p in result.scene.placements} == {"coffee_table_1", "vase_1", "picture_1"}
+    assert "vase_1, which is to stay, rests on it" in result.failed[0]
+    assert "so already" in done(living(), "Clear the desk").done[0]
+    assert done(living(), "Clear the coffee table and the coffee table").done == ("vase_1 taken away",)
+
+
+def test_it_is_what_the_same_clause_named() -> None:
+    after = done(living(), "Move the armchair opposite the sofa and 2 m away from it").scene
+    assert gap(after, "armchair_1", "sofa_1") == pytest.approx(2.0, abs=0.03)
+    after = done(living(), "Remove the coffee table and what is on it").scene
+    assert "vase_1" not in after
+    after = done(living(), "Add a bookcase and a plant next to it").scene
+    assert measure(after, "next_to", "plant_1", ("bookcase_1",)).holds
+
+
+@pytest.mark.parametrize("excepted", ["two", "chair_1 and chair_2"])
+def test_all_but_some_are_removed(excepted: str) -> None:
+    after = done(dining(4), f"Remove all chairs except {excepted}").scene
+    assert {p.id for p in after.placements} == {"dining_table_1", "chair_1", "chair_2"}
+
+
+def test_an_address_loses_nothing() -> None:
+    assert "rug_1" not in done(living(), "Remove the rug please, my dear").scene
+    assert len(done(dining(3), "Remove all chairs except one").scene.placements) == 2
+    result = edit_room(living(), "Remove the rug, my frobnix")
+    assert (result.unknown, "rug_1" in result.scene) == (("my frobnix",), False)
+
+
+def test_what_was_missing_stays_missing_after_an_edit_and_an_undo() -> None:
+    prompt = "A tiny room of 2 m by 2 m with a king size bed, a wardrobe, a grand piano and a stool next to the door"
+    made = generate_room(prompt)
+    assert made.report.absent
+    assert not made.report.complete
+    gone = next(p.id for p in made.scene.placements)
+    edited = edit_room(made, f"Remove {gone}")
+    assert {a.id for a in edited.report.absent} == {a.id for a in made.report.absent}
+    assert edited.report.demands
+    assert not edited.report.complete
+    back = undo_edit(edited)
+    assert {a.id for a in back.report.absent} >= {a.id for a in made.report.absent}
+    assert (back.report.demands, back.report.relations) == (made.report.demands, made.report.relations)
+    assert not back.report.complete
+
+
+def test_the_left_one_is_said_to_be_seen_from_the_door() -> None:
+    before = built(room(), ("crib_1", 1.5, 4.0, 270.0, "floor"), ("crib_2", 4.5, 4.0, 270.0, "floor"))
+    result = done(before, "Remove the left crib")
+    assert "crib_1" not in result.scene
+    assert "the left crib is crib_1, seen from the door" in result.done
+
+
+def test_what_is_not_on_a_thing_is_said_in_plain_words() -> None:
+    failed = edit_room(living(), "Put the armchair on the sideboard").failed[0]
+    assert "armchair_1 not over sideboard_1, 0." in failed
+    assert " mm" not in failed
+
+
+def test_what_nobody_knows_cannot_come_instead() -> None:
+    with pytest.raises(InputError, match="'a quintessence' is nothing that is known"):
+        edit_room(living(), "Replace the sofa with a quintessence")
+    with pytest.raises(InputError, match="find another place for") as raised:
+        edit_room(living(), "frobnicate")
+    assert "re place" not in str(raised.value)

@@ -79,6 +79,8 @@ def _tell(result: "Edit") -> None:
     say(
         "done as asked"
         if result.report.complete
+        else "done as asked; some of what the room was made for is not so, as before"
+        if result.report.valid and not result.failed and not result.unknown
         else "not all done as asked"
         if result.report.valid
         else "not all passed"

@@ -1,5 +1,6 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
+import dataclasses
 from collections.abc import Iterator, Sequence
 
 from thinkblox.assets import GENERAL_WORDS
@@ -11,7 +12,7 @@ from thinkblox.editing.moving import looking, related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, spots
-from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.wheres import Bound, bound, named, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for, style_seed
@@ -25,6 +26,7 @@ from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.scene import Scene
 
+_BY = ("with", "by", "for")
 MOST = 20
 """Most things that one order adds."""
 NEW_PLACE = 0.75
@@ -36,9 +38,13 @@ def add(work: Work, finder: Finder, order: Order) -> None:
     if not order.things:
         raise InputError(f"'{order.text}' does not say what to add")
     recent: list[str] = []
+    before = bool(finder.recent)
     for number, phrase in enumerate(order.things):
         later = next((p.places for p in order.things[number:] if p.places), order.places)
+        if not before:
+            later = [w for w in later if w.noun is None or w.noun.kind != "pronoun"]
         recent += _add(work, finder, order, phrase, phrase.places or later)
+        finder.scene, finder.recent = work.scene, recent or finder.recent
     finder.recent = recent
 
 
@@ -158,12 +164,17 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     """Let another thing stand where one stands."""
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is replaced; there {finder.listed()}")
+    named_with = [w.noun for p in order.things for w in p.places if w.noun is not None and w.text.lower() in _BY]
+    if not order.instead and named_with:
+        raise InputError(f"'{named_with[0].text}' is nothing that is known to come in place of another thing")
     if not order.instead:
         raise InputError(f"'{order.text}' does not say what comes instead; say 'with a ...'")
     new = order.instead[0].noun
+    seen: set[str] = set()
     for phrase in order.things:
         ids = named(finder, phrase, phrase.places)
-        for id in ids:
+        for id in (i for i in ids if i not in seen):
+            seen.add(id)
             _replace_one(work, id, _successor(work, id, new))
         finder.recent = list(ids)
 
@@ -251,25 +262,82 @@ def _article(text: str) -> str:
 
 def remove(work: Work, finder: Finder, order: Order) -> None:
     """Take things away; what rested on them is placed anew."""
+    if order.rest and not order.things:
+        take_away(work, left_over(work, finder, order))
+        return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
+    ids: dict[str, None] = {}
     for phrase in order.things:
         if phrase.noun.kind in ("place", "part"):
             raise InputError(f"'{phrase.noun.text}' is no thing that can be taken away; there {finder.listed()}")
-        ids = named(finder, phrase, phrase.places)
-        before = work.scene
-        taken = take(work, ids)
-        work.done += [f"{id} taken away" for id in ids]
-        off = [p for p in taken if p.id not in ids]
-        for rider in off:
-            if rider.support in {p.id for p in off}:
-                continue
-            if place_anew(work, rider):
-                put_back(work, rider, [p for p in off if p.id != rider.id], before)
-                work.done.append(
-                    f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
-                )
-            else:
-                gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
-                work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")
-        finder.recent = []
+        meant = named(finder, phrase, phrase.places)
+        ids |= dict.fromkeys(meant)
+        if phrase.laden:
+            ids |= dict.fromkeys(rider.id for id in meant for rider in work.scene.riders(id))
+    take_away(work, tuple(ids))
+    finder.recent = []
+
+
+def left_over(work: Work, finder: Finder, order: Order) -> tuple[str, ...]:
+    """Everything that an order speaks of by "everything" or "the room", without what it excepts and what is kept.
+
+    What carries a thing that stays cannot go either; that is noted.
+    """
+    ids = [p.id for p in work.scene.placements]
+    for where in (w for w in order.places if w.noun is not None and w.noun.kind in ("thing", "pronoun")):
+        carriers = finder.ids(NounPhrase(where.noun)) if where.noun is not None else ()
+        ids = [id for id in ids if set(work.scene.carriers(id)) & set(carriers)]
+    if any(w.noun is not None and w.noun.word == "furniture" for w in order.places):
+        floor = [id for id in ids if work.scene[id].support == "floor"]
+        ids = list(dict.fromkeys(i for id in floor for i in (id, *(rider.id for rider in work.scene.riders(id)))))
+    going = [id for id in spare(finder, ids, order.spared) if id not in work.kept]
+    bearing = {c: id for id in ids if id not in going for c in work.scene.carriers(id) if c in going}
+    work.failed += [f"{c} was not taken away: {id}, which is to stay, rests on it" for c, id in bearing.items()]
+    return tuple(id for id in going if id not in bearing)
+
+
+def clear(work: Work, finder: Finder, order: Order) -> None:
+    """Take away what is in the room, or what rests on a thing; a thing that carries nothing ever goes itself."""
+    if order.room or order.rest or any(w.word == "from" for p in order.things for w in p.places):
+        if order.things and not order.room:
+            for phrase in order.things:
+                phrase.places = [dataclasses.replace(w, word="on") if w.word == "from" else w for w in phrase.places]
+            remove(work, finder, order)
+            return
+        ids = left_over(work, finder, order)
+        take_away(work, ids)
+        if not ids and not work.failed:
+            work.done.append("nothing is there to be taken away: it is so already")
+        return
+    if not order.things:
+        raise InputError(f"'{order.text}' does not say what is to be cleared; say a thing, or a part of the room")
+    for id in dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)):
+        riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
+        take_away(work, riders)
+        if riders:
+            continue
+        if work.asset_of(id).surfaces:
+            work.done.append(f"nothing rests on {id} that could be taken away: it is so already")
+        else:
+            take_away(work, (id,))
+    finder.recent = []
+
+
+def take_away(work: Work, ids: Sequence[str]) -> None:
+    """Take objects out of the room and give what rested on them, and is not one of them, another place."""
+    before = work.scene
+    taken = take(work, ids)
+    work.done += [f"{id} taken away" for id in ids]
+    off = [p for p in taken if p.id not in ids]
+    for rider in off:
+        if rider.support in {p.id for p in off}:
+            continue
+        if place_anew(work, rider):
+            put_back(work, rider, [p for p in off if p.id != rider.id], before)
+            work.done.append(
+                f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
+            )
+        else:
+            gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
+            work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")

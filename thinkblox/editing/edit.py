@@ -10,13 +10,14 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
-from thinkblox.editing.adding import add, remove, replace
+from thinkblox.editing.adding import add, clear, remove, replace
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.moving import move, resite, swap, turn
 from thinkblox.editing.orders import Instruction, Order
 from thinkblox.editing.reading import read_instruction
 from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.resizing import resize
+from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
@@ -193,7 +194,11 @@ def undo_edit(room: Made | str | Path) -> Edit:
     if RoomState.of(made.scene) != last.after:
         raise InputError(f"the room has been changed since edit {last.number}; it cannot be undone")
     scene = episode.restored(last.before)
-    report = reverify(scene, made.scene, made.report)
+    report = structs.replace(reverify(scene, made.scene, made.report), stand_ins=plain_things(scene))
+    if len(standing) == 1:
+        report = as_made(report, scene, made.report, episode.plan)
+    else:
+        report = carried_over(report, scene, made.scene, made.report, episode.plan)
     episode = structs.replace(episode, edits=(*episode.edits, Undone(number=last.number)))
     says = (f"edit {last.number} undone: {last.instruction}",)
     return Edit(scene, report, episode, f"undo edit {last.number}", _changes(made.scene, scene), says)
@@ -271,6 +276,7 @@ _DOERS: dict[str, Doer] = {
     "resite": resite,
     "make": resize,
     "free": free,
+    "clear": clear,
     "keep": _keep,
 }
 
@@ -284,6 +290,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
     for order in _joined(read.orders):
         finder.scene = work.before = work.scene
         _DOERS[order.doing](work, finder, order)
+    work.done += finder.seen
 
 
 def _joined(orders: Sequence[Order]) -> list[Order]:
@@ -321,6 +328,8 @@ def _finished(work: Work, made: _Source, read: Instruction, tolerances: Toleranc
         stand_ins=plain_things(scene),
         notes=(*done, *(f"Not done: {text}" for text in work.failed), *work.notes, *report.notes),
     )
+    plan = made.episode.plan if made.episode is not None else None
+    report = carried_over(report, scene, made.scene, made.report, plan)
     episode = made.episode or _begun(made.scene)
     number = 1 + sum(isinstance(line, Edited) for line in episode.edits)
     line = Edited(

@@ -23,10 +23,15 @@ Picks = Callable[[Sequence[Placement]], Sequence[Placement]]
 
 @dataclass
 class Finder:
-    """Finds what phrases mean in a scene; remembers what was spoken of last, for "it" and "them"."""
+    """Finds what phrases mean in a scene; remembers what was spoken of last, for "it" and "them".
+
+    Attributes:
+        seen: from where "the left one" of several was decided, in sentences.
+    """
 
     scene: Scene
     recent: list[str] = field(default_factory=list)
+    seen: list[str] = field(default_factory=list)
 
     def ids(
         self, phrase: NounPhrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
@@ -42,8 +47,8 @@ class Finder:
             InputError: nothing fits, which lists what there is, or several do, which names them.
         """
         noun = phrase.noun
-        if phrase.id:
-            return (phrase.id,)
+        if phrase.id or noun.id:
+            return (phrase.id or noun.id,)
         if noun.kind == "pronoun":
             return self._spoken_of(noun)
         found = self.matching(noun) if among is None else list(among)
@@ -55,6 +60,8 @@ class Finder:
 
     def matching(self, noun: Noun) -> list[Placement]:
         """Every object that a noun fits, those that are just that before those that are like it."""
+        if noun.id:
+            return [p for p in self.scene.placements if p.id == noun.id]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
         alike = same or [p for p in self.scene.placements if are_alike(p.category, noun.value)]
         wanted = [word.lower() for word in (*noun.attributes, *(noun.unshown if not noun.named else ()))]
@@ -116,7 +123,7 @@ class Finder:
                 raise InputError(f"there are only {len(found)} {_bare(noun.text)}: {_ids(found)}")
             return [found[number]]
         if noun.side:
-            found = _by_side(self.scene, found, noun.side) if len(found) > 1 else found
+            found = self._by_side(found, noun) if len(found) > 1 else found
         if len(found) < count:
             raise InputError(f"{noun.text!r}: the room has only {_ids(found)}; there {self.listed()}")
         if len(found) > count:
@@ -131,6 +138,20 @@ class Finder:
                 f"{noun.text!r} could be {says}; say which, by its place ('the one by the window') or by its id"
             )
         return found[-count:] if indefinite else found
+
+    def _by_side(self, found: list[Placement], noun: Noun) -> list[Placement]:
+        """The leftmost, rightmost or middle one: by the front of what they stand beside, or else seen from the door."""
+        company = _company(self.scene, found)
+        along = company.left if company is not None else _left_of_room(self.scene)
+        ordered = sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1]))
+        which = {"left": 0, "right": len(ordered) - 1, "middle": len(ordered) // 2}.get(noun.side)
+        if which is None:
+            return found
+        doors = any(o.kind == "door" for o in self.scene.room.openings)
+        of_room = "seen from the door" if doors else "seen by who looks north"
+        says = f"{noun.text} is {ordered[which].id}, {f'by the front of {company.id}' if company else of_room}"
+        self.seen += [says] if says not in self.seen else []
+        return [ordered[which]]
 
     @staticmethod
     def _picked(found: list[Placement], picks: Sequence[Picks], *, least: int) -> list[Placement]:
@@ -167,21 +188,13 @@ def nearest_to(scene: Scene, name: str, count: int) -> Picks:
     return pick
 
 
-def _by_side(scene: Scene, found: list[Placement], side: str) -> list[Placement]:
-    """The leftmost, rightmost or middle one: by the front of what they stand beside, or else seen from the door."""
-    along = _left_of_company(scene, found) or _left_of_room(scene)
-    ordered = sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1]))
-    which = {"left": 0, "right": len(ordered) - 1, "middle": len(ordered) // 2}.get(side)
-    return found if which is None else [ordered[which]]
-
-
-def _left_of_company(scene: Scene, found: list[Placement]) -> tuple[float, float] | None:
-    """The left of the one larger thing that all of them are next to."""
+def _company(scene: Scene, found: list[Placement]) -> Placement | None:
+    """The one larger thing that all of them are next to."""
     large = [p for p in scene.placements if p.id not in {f.id for f in found} and scene.asset_of(p).front == "one"]
     for other in sorted(large, key=lambda p: -p.size[0] * p.size[1]):
         mark = things(scene, other.id)[0]
         if all(ground_gap(things(scene, p.id)[0], mark) < 0.6 for p in found):
-            return other.left
+            return other
     return None
 
 

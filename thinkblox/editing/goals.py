@@ -104,6 +104,19 @@ class Nearing(Untied):
 
 
 @dataclass(frozen=True)
+class Apart(Untied):
+    """It stands so far from something [m]."""
+
+    anchors: tuple[str, ...]
+    away: float
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance between the outlines, within EXACT."""
+        now = Nearing(self.anchors, nearer=False).of(after, id)
+        return abs(now - self.away) <= EXACT, f"{id} {now:.2f} m from {', '.join(self.anchors)}"
+
+
+@dataclass(frozen=True)
 class Turned(Untied):
     """It is turned to one of these yaws [degrees]."""
 

@@ -46,6 +46,11 @@ def means(section: str, word: str) -> str:
     return sections()[section].get((word,), "")
 
 
+def is_filler(text: str) -> bool:
+    """Whether a phrase asks for nothing."""
+    return tuple(token.text for token in tokenise(text)) in sections()["fillers"]
+
+
 def verbs() -> tuple[str, ...]:
     """The verbs that an instruction can begin with, one for each thing that can be done."""
     first: dict[str, str] = {}

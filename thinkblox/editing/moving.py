@@ -15,6 +15,7 @@ from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
     Along,
+    Apart,
     At,
     Elsewhere,
     Goal,
@@ -60,9 +61,14 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if order.together:
         _together(work, finder, order)
         return
+    seen: set[tuple[str, str]] = set()
     for ids, places in _moved(finder, order):
         _check_says_where(order, places)
         for index, id in enumerate(ids):
+            said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
+            if said in seen:
+                continue
+            seen.add(said)
             goals = _goals(work, finder, order, id, places, index, len(ids))
             _move_one(work, order, id, goals)
         finder.recent = list(ids)
@@ -146,6 +152,7 @@ def _goals(
     for nearer, phrase in order.closer:
         anchors = mark_names(finder, phrase)
         goals.append(Nearing(anchors, nearer, order.lengths[0][0] if order.lengths else None))
+    goals += [Apart(mark_names(finder, phrase), away) for away, phrase in order.apart]
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
@@ -194,7 +201,7 @@ def _move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = _reach(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        direct = chain(_in_line(work.scene, before, goals), _spots(work, id, goals))
+        direct = chain(_in_line(work.scene, before, goals), _so_far(work.scene, before, goals), _spots(work, id, goals))
         done = _reach(work, id, goals, direct=direct, ask=True)
     _say(work, id, before, done, goals)
 
@@ -254,6 +261,19 @@ def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator
         isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
     ):
         yield from _turns(scene, before, goals)
+
+
+def _so_far(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Before, behind and beside a thing, at the distance that is wanted and turned to it."""
+    for goal in (g for g in goals if isinstance(g, Apart)):
+        for anchor in (scene[name] for name in goal.anchors if name in scene):
+            for turn in (0.0, 180.0, 90.0, 270.0):
+                way = math.radians(anchor.yaw + turn)
+                deep = anchor.size[0] if turn in (0.0, 180.0) else anchor.size[1]
+                reach = (deep + before.size[0]) / 2 + goal.away
+                x, y = anchor.position[0] + reach * math.cos(way), anchor.position[1] + reach * math.sin(way)
+                yaw = (anchor.yaw + turn + 180.0) % 360.0
+                yield (round(x, 4), round(y, 4), before.position[2]), yaw
 
 
 # --- nearer and further, by so much
@@ -323,7 +343,7 @@ def _scaled(way: Vec3, length: float) -> Vec3:
 
 
 def _together(work: Work, finder: Finder, order: Order) -> None:
-    ids = [id for ids, _ in _moved(finder, order) for id in ids]
+    ids = list(dict.fromkeys(id for ids, _ in _moved(finder, order) for id in ids))
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to")
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
@@ -337,8 +357,10 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
 
 def turn(work: Work, finder: Finder, order: Order) -> None:
     """Turn things by an angle, or until they face something."""
+    seen: set[str] = set()
     for ids, places in _turned(finder, order):
-        for id in ids:
+        for id in (i for i in ids if i not in seen):
+            seen.add(id)
             placement = work.scene[id]
             looks = [looking(finder, noun) for noun in order.facing]
             looks += [related(bound(w, placement.category, finder), placement.category) for w in places]

@@ -7,7 +7,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 
 Doing = Literal[
-    "add", "put", "move", "turn", "replace", "remove", "swap", "rearrange", "resite", "make", "free", "keep"
+    "add", "put", "move", "turn", "replace", "remove", "swap", "rearrange", "resite", "make", "free", "clear", "keep"
 ]  # fmt: skip
 
 
@@ -18,12 +18,16 @@ class NounPhrase:
     Attributes:
         id: of an object that is named by it.
         rank: 1 for "the larger one" of several, -1 for "the smaller one"; 0 where nothing is said.
+        spared: which of them are excepted.
+        laden: what rests on it is meant too.
     """
 
     noun: Noun
     places: list[Where] = field(default_factory=list)
     id: str = ""
     rank: int = 0
+    spared: list["NounPhrase"] = field(default_factory=list)
+    laden: bool = False
 
     @property
     def text(self) -> str:
@@ -41,6 +45,8 @@ class Order:
         instead: what comes in place of a thing.
         places: where, when no thing was named before.
         closer: to which others the things go nearer (True), or from which they go away (False).
+        apart: how far from what they are to be [m].
+        spared: what "everything" does not hold.
         together: nearer to each other.
         facing: what they are to face.
         turn, sense: by how many degrees, and which way: 1 counter-clockwise, -1 clockwise, 0 where either will do.
@@ -61,6 +67,8 @@ class Order:
     instead: list[NounPhrase] = field(default_factory=list)
     places: list[Where] = field(default_factory=list)
     closer: list[tuple[bool, NounPhrase]] = field(default_factory=list)
+    apart: list[tuple[float, NounPhrase]] = field(default_factory=list)
+    spared: list[NounPhrase] = field(default_factory=list)
     together: bool = False
     facing: list[Noun] = field(default_factory=list)
     turn: float | None = None

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import cast
 
-from thinkblox.editing.grammar import longest, means, verbs
+from thinkblox.editing.grammar import is_filler, longest, means, verbs
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -30,6 +30,8 @@ _DEGREES = ("degrees", "degree", "deg", "°")
 _ANYWHERE = ("nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places")
 _AT_END = ("round", "away", "places_of_both")
 _OF_ROOM = ("make", "rearrange", "free", "keep")
+_ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite")
+"""Orders whose things are in the room already."""
 _FREE = ("free", "empty", "clear", "open", "uncluttered", "unobstructed")
 
 
@@ -91,7 +93,11 @@ def _short(text: str) -> str:
 
 
 def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
-    """The text with ids of objects as words, and which begins at which character of it."""
+    """The text with ids of objects as words, and which begins at which character of it.
+
+    Raises:
+        InputError: it names an id that is not there, of a kind that is.
+    """
     plain, named, end = "", {}, 0
     for match in _ID.finditer(text):
         if match[0] in ids:
@@ -99,6 +105,10 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
             named[len(plain)] = match[0]
             plain += re.sub(r"[^A-Za-z]+", " ", match[0].rpartition("_")[0])
             end = match.end()
+            continue
+        kind = match[0].rpartition("_")[0]
+        if alike := [id for id in ids if id.rpartition("_")[0] == kind]:
+            raise InputError(f"the room has no {match[0]}; there is {', '.join(alike)}")
     return plain + text[end:], named
 
 
@@ -170,7 +180,6 @@ class _OrderReader:
         self.orders = [order]
         self.unknown: list[str] = []
         self._lexicon, self._named = lexicon, named
-        self._ids: dict[int, str] = {}
         self._ranks: dict[int, int] = {}
         self._rank: dict[int, int] = {}
         self._items = list(self._cut(tokens))
@@ -179,6 +188,9 @@ class _OrderReader:
         self._so: list[NounPhrase] = []
         self._negated = False
         self._pending: bool | None = None
+        self._clears = order.doing == "free"
+        self._anchors: list[Noun] = []
+        self._excepted: NounPhrase | None = None
 
     def read(self) -> list[Order]:
         """Read everything."""
@@ -204,6 +216,8 @@ class _OrderReader:
                     self._lose(item)
         if self._pending is not None:
             self.order.together = self._pending
+        if self._clears and self.order.doing == "free" and not self.order.free:
+            self.order.doing = "clear"
         return self.orders
 
     def _lose(self, item: Chunk) -> None:
@@ -242,7 +256,7 @@ class _OrderReader:
             if isinstance(chunk, Noun):
                 ids = [self._named[t.start] for t in run[chunk.start : chunk.end] if t.start in self._named]
                 if ids:
-                    self._ids[id(chunk)] = ids[0]
+                    chunk.id = ids[0]
                 ranks = [self._ranks[t.start] for t in run[chunk.start : chunk.end] if t.start in self._ranks]
                 self._rank[id(chunk)] = ranks[0] if ranks else 0
             yield chunk
@@ -315,10 +329,14 @@ class _OrderReader:
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
-        phrase = NounPhrase(noun, id=self._ids.get(id(noun), ""), rank=self._rank.get(id(noun), 0))
+        if self._is_address(noun):
+            return
+        phrase = NounPhrase(noun, id=noun.id, rank=self._rank.get(id(noun), 0))
         if self._pending is not None:
-            order.closer.append((self._pending, phrase))
-            self._pending = None
+            self._compared(phrase)
+        elif self._excepted is not None:
+            (order.things[-1].spared if order.things else order.spared).append(phrase)
+            self._excepted = phrase
         elif self._mode == "so":
             self._so.append(phrase)
         elif self._mode == "instead" and noun.kind in ("thing", "number"):
@@ -331,8 +349,32 @@ class _OrderReader:
             order.free.append(noun)
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
             order.things.append(phrase)
+            self._anchors = []
         else:
             self._lose(noun)
+
+    def _compared(self, phrase: NounPhrase) -> None:
+        """Read what a thing comes nearer to; "opposite the piano and 2 m away from it" is how far it is to be."""
+        order, again = self.order, bool(self._anchors) and _is_it(phrase.noun)
+        if again:
+            phrase = NounPhrase(self._anchors[-1])
+        if again and not self._pending and order.lengths:
+            order.apart.append((order.lengths.pop()[0], phrase))
+        else:
+            order.closer.append((bool(self._pending), phrase))
+        self._pending = None
+
+    def _is_address(self, noun: Noun) -> bool:
+        """Whether a noun speaks to somebody: "please, my dear"; one that nobody knows after a comma is lost alone."""
+        if is_filler(noun.text):
+            return True
+        before = self._items[self._at - 2] if self._at > 1 else None
+        after_comma = isinstance(before, Connector) and before.sort == "mark"
+        own = noun.kind == "thing" and not noun.named and noun.det in ("my", "our", "") and not noun.id
+        if after_comma and own and self.order.things and self.order.doing != "add" and self._at == len(self._items):
+            self._lose(noun)
+            return True
+        return False
 
     def _connector(self, link: Connector) -> None:
         match link.sort:
@@ -397,7 +439,26 @@ class _OrderReader:
             return
         if following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make":
             return
-        self._attach(self._where(link))
+        self._placed(self._where(link))
+
+    def _placed(self, where: Where) -> None:
+        order = self.order
+        if where.word == "except" and where.noun is not None:
+            self._excepted = NounPhrase(where.noun, id=where.noun.id)
+            (order.things[-1].spared if order.things else order.spared).append(self._excepted)
+            return
+        self._refer(where)
+        self._attach(where)
+
+    def _refer(self, where: Where) -> None:
+        """Let "it" mean what the same clause named before: an anchor of the thing, or another thing that is there."""
+        noun, things = where.noun, self.order.things
+        if noun is not None and _is_it(noun):
+            if self._anchors:
+                where.noun = self._anchors[-1]
+            elif len(things) > 1 and self.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
+                where.noun = things[-2].noun
+        self._anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
 
     def _comes_instead(self, link: Connector, following: Noun) -> bool:
         """Whether what follows comes in place of the thing: "replace A with a B", "swap A for a B"."""
@@ -433,6 +494,10 @@ class _OrderReader:
     def _attach(self, where: Where) -> None:
         if self._mode == "so":
             self._of_result(where)
+        elif self._excepted is not None:
+            self._excepted.places.append(where)
+        elif self._is_laden(where):
+            self.order.things[-1].laden, self.order.rest = True, False
         elif self.order.closer and not self.order.closer[-1][1].places and where.word not in ("to", "on"):
             self.order.closer[-1][1].places.append(where)
         elif self._mode == "instead" and self.order.instead:
@@ -442,6 +507,12 @@ class _OrderReader:
         else:
             self.order.places.append(where)
 
+    def _is_laden(self, where: Where) -> bool:
+        """Whether this is what rests on the thing itself: "the table and what is on it"."""
+        things = self.order.things
+        alone = where.noun is not None and _is_it(where.noun) and where.word in ("on", "in", "inside", "on_top")
+        return alone and bool(things) and things[-1].noun.kind == "thing" and self.order.doing in _ON_KNOWN
+
     def _of_result(self, where: Where) -> None:
         """Read "so that it is next to the bed", "so that nothing stands in the centre", "so there is room in it"."""
         said = self._so[-1].noun if self._so else None
@@ -450,6 +521,10 @@ class _OrderReader:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+
+def _is_it(noun: Noun) -> bool:
+    return noun.kind == "pronoun" and noun.value in ("it", "them")
 
 
 def _is_number(token: Token) -> bool:

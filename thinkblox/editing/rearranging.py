@@ -66,6 +66,8 @@ def _standing(scene: Scene) -> list[str]:
 
 def free(work: Work, finder: Finder, order: Order) -> None:
     """Move what stands in parts of the room that are to be free out of them, and nothing else if that will do."""
+    if not order.free:
+        raise InputError(f"'{order.text}' does not say which part of the room is to be free")
     places = [_place(noun) for noun in order.free]
     for place in places:
         if not parts(work.scene.room, place):

@@ -213,11 +213,31 @@ CLOSE = 2.0
 
 
 def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: Sequence[Picks] = ()) -> tuple[str, ...]:
-    """The objects that a phrase means, by where they are said to be.
+    """The objects that a phrase means, by where they are said to be, without those that it excepts.
 
     Raises:
-        InputError: as `Finder.ids`, or none of them is there.
+        InputError: as `Finder.ids`, none of them is there, or all are excepted.
     """
+    ids = _named(finder, phrase, said, picks)
+    left = spare(finder, ids, phrase.spared)
+    if ids and not left:
+        raise InputError(f"'{phrase.text}' means nothing but what it excepts: {', '.join(ids)}")
+    return left
+
+
+def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase]) -> tuple[str, ...]:
+    """Objects without those that are excepted: "except two" is the first two of them."""
+    for phrase in spared:
+        one = phrase.noun.kind == "pronoun" and phrase.noun.value == "one"
+        if (one or phrase.noun.kind == "number") and not phrase.places:
+            ids = ids[1 if one else phrase.noun.count or 0 :]
+        else:
+            out = _named(finder, phrase, phrase.places, ())
+            ids = [id for id in ids if id not in out]
+    return tuple(ids)
+
+
+def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     found = finder.matching(phrase.noun)

@@ -175,7 +175,13 @@ def _on(subject: Landmark, anchor: Landmark) -> Finding:
     lift = min((subject.base - height for height in (*anchor.carries, anchor.top)), key=abs)
     if not anchor.solid:
         lift = max(subject.base - anchor.top, 0.0)
-    text = f"{subject.name} {lift * 1000:.0f} mm above a surface of {anchor.name}" + ("" if over else ", not over it")
+    if not over:
+        text = f"{subject.name} not over {anchor.name}, {ground_gap(subject, anchor):.2f} m from it"
+    elif abs(lift) < 0.0005:
+        text = f"{subject.name} on a surface of {anchor.name}"
+    else:
+        way = "above" if lift > 0 else "below"
+        text = f"{subject.name} {abs(lift) * 1000:.0f} mm {way} a surface of {anchor.name}"
     return anchor.kind in ("object", "floor") and over and abs(lift) <= CONTACT + ROUNDING, text
 
 

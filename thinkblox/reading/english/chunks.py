@@ -40,6 +40,7 @@ class Noun:
         total: of how many a number is said to be a part ("five of the eight chairs"); 0 where nothing is said.
         fraction: "three out of every four" is (3, 4).
         share: "half as many" is 0.5; 0 where it is not said of something else's number.
+        id: of the object of a room that is named by it.
     """
 
     kind: NounKind
@@ -75,6 +76,7 @@ class Noun:
     fraction: tuple[int, int] = (0, 0)
     material: str = ""
     within: bool = False
+    id: str = ""
     degree: str = ""
     fates: dict[int, Fate] = field(default_factory=dict)
 
