@@ -70,22 +70,8 @@ def verify(
     way = way and bool(walkable.unreachable)
     robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
     objects = tuple(_verdict(world, placement, way, robot) for placement in scene.placements)
-    valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
-    return Report(
-        valid=valid,
-        complete=valid,
-        prompt=scene.prompt,
-        seed=scene.seed,
-        versions={"thinkblox": package_version(), "mujoco": mujoco.__version__},
-        objects=objects,
-        depth=held.depth,
-        drift=held.drift,
-        tilt=held.tilt,
-        simulated=held.seconds,
-        walker=walkable,
-        robot=robot,
-        notes=(*_motion_notes(state, held, tolerances, physics), *_way_notes(walkable)),
-    )
+    notes = _motion_notes(state, held, tolerances, physics)
+    return _report(scene, objects, held, tolerances, walkable, robot, (*notes, *_way_notes(walkable)))
 
 
 NEAR = 0.05
@@ -148,8 +134,20 @@ def reverify(
     held = structs.replace(
         held, depth=max(was.depth, held.depth), drift=max(was.drift, held.drift), tilt=max(was.tilt, held.tilt)
     )
-    valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
     moving = _motion_notes(state, held, tolerances, physics) if state is not None else ()
+    return _report(scene, objects, held, tolerances, walkable, robot, (*moving, *_way_notes(walkable), *notes))
+
+
+def _report(
+    scene: Scene,
+    objects: tuple[Verdict, ...],
+    held: Hold,
+    tolerances: Tolerances,
+    walkable: Access,
+    robot: Access,
+    notes: tuple[str, ...],
+) -> Report:
+    valid = all(v.valid for v in objects) and _stands_still(held, tolerances)
     return Report(
         valid=valid,
         complete=valid,
@@ -163,7 +161,7 @@ def reverify(
         simulated=held.seconds,
         walker=walkable,
         robot=robot,
-        notes=(*moving, *_way_notes(walkable), *notes),
+        notes=notes,
     )
 
 
