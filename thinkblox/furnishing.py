@@ -126,10 +126,10 @@ def furnish(
         for number in range(first, first + 1 + effort.restarts):
             made.append(_Attempt(scene, number, judged, refused))
             made[-1].furnish(loop, judged, _telling(on_object, anew))
-            anew = _amiss(made[-1].report, made[-1].world.scene, makeable)
             last = made[-1].faults
             if not any(last) or loop.over or (len(made) > 1 and last >= made[-2].faults):
                 break
+            anew = _amiss(made[-1].report, made[-1].world.scene, makeable)
     except UnavailableError as error:
         raise BrokenOffError(str(error), Furnished(scene, loop, judged, on_object, made).episode()) from error
     return Furnished(scene, loop, judged, on_object, made)

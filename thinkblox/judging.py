@@ -171,6 +171,12 @@ def rejected(text: object, why: Rejection) -> Try:
     return Try(text=said.encode("utf-8", "replace").decode(), rejection=why)
 
 
+def policy_failed(error: Exception) -> Try:
+    """The try of a policy that failed instead of answering."""
+    why = " ".join(f"the policy failed: {type(error).__name__}: {error}".split())[:500]
+    return rejected("", Rejection(reason="policy", message=why.encode("utf-8", "replace").decode()))
+
+
 def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -> Asset:
     """The asset for a target; one seed for a whole scene, so that its furniture is of one style.
 

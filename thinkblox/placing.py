@@ -14,7 +14,7 @@ from thinkblox.committing import commit
 from thinkblox.episode import Round, RoundKind
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.feedback import feedback_line
-from thinkblox.judging import Proposal, Try, asset_for, measured, proposed, rejected, understand
+from thinkblox.judging import Proposal, Try, asset_for, measured, policy_failed, proposed, rejected, understand
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.phrases import phrase
 from thinkblox.plan import Plan, Target
@@ -214,8 +214,7 @@ class Placing:
         except UnavailableError:
             raise
         except Exception as error:  # a policy is anybody's code, and the rest of the room can do without it
-            why = " ".join(f"the policy failed: {type(error).__name__}: {error}".split())[:500]
-            texts.append(rejected("", Rejection(reason="policy", message=why.encode("utf-8", "replace").decode())))
+            texts.append(policy_failed(error))
         return texts
 
     def _understood(self, text: object) -> Proposal | Try:

@@ -8,12 +8,12 @@ from pathlib import Path
 from thinkblox.crew import Done, work_through
 from thinkblox.errors import InputError, ThinkBloxError
 from thinkblox.training.card import card_of
-from thinkblox.training.recipe import Recipe
+from thinkblox.training.recipe import RECIPE, Recipe
 from thinkblox.training.shard import ShardCount, count_file, make_shard
 from thinkblox.value import Value, read_json, to_json
 from thinkblox.whole_file import write_whole
 
-RECIPE, MANIFEST = "recipe.json", "manifest.json"
+MANIFEST = "manifest.json"
 SECONDS = 7200.0
 """For one shard [s]."""
 Work = Callable[[Callable[[int], ShardCount], Sequence[int]], Iterable[Done[ShardCount]]]

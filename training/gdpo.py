@@ -14,7 +14,7 @@ from thinkblox.training.advantages import Advantages, tiered_advantages
 from thinkblox.training.config import GdpoConfig, section
 from thinkblox.training.episodes import Episodes
 from thinkblox.training.models import adapter_for, save_trained, starting_model
-from thinkblox.training.outcome import Rollout, outcomes
+from thinkblox.training.outcome import SHARES, Rollout, outcomes
 from thinkblox.training.picture_judge import PictureJudge
 from thinkblox.training.render_reward import RenderReward
 from thinkblox.training.rewards import REWARDS, Reward
@@ -169,15 +169,6 @@ def _tiered_trainer() -> Any:
 def own_share(total: NDArray[np.float64], count: int, rank: int) -> NDArray[np.float64]:
     """The advantages of a process's own `count` rollouts, of those of all processes in the order of their ranks."""
     return total[rank * count : (rank + 1) * count]
-
-
-SHARES: dict[str, Callable[[Any], bool]] = {
-    "valid": lambda verdict: verdict.valid,
-    "free": lambda verdict: "collision" not in verdict.reasons,
-    "inside": lambda verdict: "outside" not in verdict.reasons,
-    "stable": lambda verdict: verdict.settled and verdict.rest is not None,
-}
-"""What is logged of rollouts that were measured: the shares of which each holds."""
 
 
 def _text(said: Any) -> str:

@@ -13,7 +13,7 @@ from thinkblox.policies.pretrained import Pretrained
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Step, parse, write_step
 from thinkblox.training.episodes import Episodes
-from thinkblox.training.outcome import Asked, Rollout, outcomes
+from thinkblox.training.outcome import SHARES, Asked, Rollout, outcomes
 from thinkblox.training.rewards import REWARDS
 from thinkblox.training.rows import rows_of
 from thinkblox.training.tiers import HARD
@@ -82,12 +82,15 @@ def score_of(found: Sequence[Rollout]) -> Score:
     def share(holds: Iterable[bool]) -> float:
         return round(float(np.mean(list(holds))), 4)
 
+    def measured(name: str) -> float:
+        return share(verdict is not None and SHARES[name](verdict) for verdict in verdicts)
+
     return Score(
         steps=len(found),
         parsed=share(each.parsed for each in found),
-        free=share(v is not None and "collision" not in v.reasons for v in verdicts),
-        inside=share(v is not None and "outside" not in v.reasons for v in verdicts),
-        valid=share(v is not None and v.valid for v in verdicts),
+        free=measured("free"),
+        inside=measured("inside"),
+        valid=measured("valid"),
         by_mount={mount: (sum(valid), len(valid)) for mount, valid in sorted(mounts.items())},
         reasons=dict(sorted(reasons.items(), key=lambda item: -item[1])),
         hard=_mean(found, HARD["simulation"]),

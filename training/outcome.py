@@ -1,7 +1,7 @@
 """What became of a rollout: its text read, done and measured. Rewards are functions of this and nothing else."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from thinkblox.assets.source import AssetSource
@@ -15,6 +15,7 @@ from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Rejection, Step, parse
+from thinkblox.verdict import Verdict
 
 ANGLES = ("facing", "turned")
 """What reasoning says in degrees; all else is in metres."""
@@ -24,6 +25,14 @@ _WITH_OTHERS = ("around", "in_rows")
 """Relations of several objects together, which one of them alone does not meet or miss."""
 _TOWARDS = ("at", "around", "facing", "opposite")
 """Relations by which an object serves what it looks at."""
+
+SHARES: dict[str, Callable[[Verdict], bool]] = {
+    "valid": lambda verdict: verdict.valid,
+    "free": lambda verdict: "collision" not in verdict.reasons,
+    "inside": lambda verdict: "outside" not in verdict.reasons,
+    "stable": lambda verdict: verdict.settled and verdict.rest is not None,
+}
+"""What is counted of rollouts that were measured: the shares of which each holds."""
 
 
 class Asked(NamedTuple):

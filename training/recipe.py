@@ -8,7 +8,7 @@ from thinkblox.observe import Sight
 from thinkblox.training.filters import Filters
 from thinkblox.value import Value
 
-RECIPE_VERSION = 1
+RECIPE, RECIPE_VERSION = "recipe.json", 1
 Split = Literal["train", "validation", "test"]
 SPLITS: tuple[Split, ...] = ("train", "validation", "test")
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from thinkblox.errors import InputError
-from thinkblox.training.recipe import Recipe, Split
+from thinkblox.training.recipe import RECIPE, Recipe, Split
 from thinkblox.value import read_json
 
 NEEDED = ("prompt", "completion", "images", "at")
@@ -16,9 +16,9 @@ _TEXTS = 4000
 
 def recipe_of(data: str | Path) -> Recipe:
     """How a dataset was made; raises InputError where the folder holds none of ours."""
-    file = Path(data) / "recipe.json"
+    file = Path(data) / RECIPE
     if not file.is_file():
-        raise InputError(f"{data}: no dataset of ours: it has no recipe.json; thinkblox data build makes one")
+        raise InputError(f"{data}: no dataset of ours: it has no {RECIPE}; thinkblox data build makes one")
     return read_json(file, Recipe)
 
 
