@@ -14,6 +14,7 @@ from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.settings import Physics
@@ -208,7 +209,7 @@ def add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> mujoco.
     if shape.collide:
         geom.condim = 6 if shape.kind in ROLLING else 3
     if shape.kind == "hull":
-        geom.meshname = _mesh(spec, shape)
+        geom.meshname = _mesh(spec, collider(shape))
     else:
         geom.size = half_size(shape)
     return geom
