@@ -137,24 +137,14 @@ class PhraseReader(Heads):
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
-        if (
-            text == "stands"
-            and not units.nouns
-            and noun.count
-            and self._text(noun.start - 1, noun.start).lower() == "for"
-        ):
-            return 0
-        if units.nouns and self.is_after_noun(at):
-            return 0
-        if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+        if self._ends_early(noun, at, units):
             return 0
         if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
             units.nouns.append(Unit(self._text(at, at + part.length)))
             return part.length
         if not units.nouns and (length := self._side(noun, at)):
             return length
-        known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
-        known = self._unglued(at, known)
+        known = self._parted(noun, at, self._known(at, "object", "missing", "room", "place"))
         unjoined = known is None or not self._covers(at, known.length)
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
@@ -199,6 +189,10 @@ class PhraseReader(Heads):
     def _covers(self, at: int, length: int) -> bool:
         """Whether a phrase covers all that hyphens join at `at`."""
         return not self.tokens[at + length - 1].glued
+
+    def _parted(self, noun: Noun, at: int, known: Known | None) -> Known | None:
+        """Take from a name what belongs to the words after it."""
+        return self._unglued(at, self._without_verb(noun, at, known))
 
     def _without_verb(self, noun: Noun, at: int, known: Known | None) -> Known | None:
         """Part "a tall plant | stands near the door" from "two plant stands"."""
