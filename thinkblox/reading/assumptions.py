@@ -15,6 +15,8 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SEATED = ("at", "around", "at_long_side", "at_short_side")
+"""How seats stand to their tables."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -205,7 +207,7 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
-        if any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+        if any(b.kind in _SEATED and thing in b.anchors for b in draft.bonds):
             continue
         free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:
