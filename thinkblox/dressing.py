@@ -23,6 +23,8 @@ from thinkblox.verdict import Absence
 
 _CANDIDATES = 4
 """Poses proposed for one of the many things that nobody asked for; where none will do, it is left out."""
+_BY_WALL = 0.4
+"""What is no further from a wall is not amid the room [m]."""
 _SALT = 1_000_003
 """Keeps these random choices apart from those of the furniture."""
 
@@ -120,7 +122,15 @@ def _astray(scene: Scene, target: Target) -> str:
                 return f"there was no room left for it on {tie.anchors[0]}"
         elif tie.kind == "against_wall" and not measure(scene, tie.kind, target.id, tie.anchors).holds:
             return "there was no room left for it at a wall"
+        elif tie.kind == "in_corner" and _amid(scene, target.id):
+            return "there was no room left for it in a corner or at a wall"
     return ""
+
+
+def _amid(scene: Scene, id: str) -> bool:
+    """Whether it stands on the floor away from every wall."""
+    placement = scene[id]
+    return placement.support == "floor" and bool(scene.room.polygon.exterior.distance(placement.footprint) > _BY_WALL)
 
 
 def _absence(target: Target, why: str) -> Absence:

@@ -29,9 +29,9 @@ _CUBE = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (
 
 def pose(placement: Placement) -> Array:
     """The 3x4 matrix from the asset's frame to the room's."""
-    (fx, fy), (lx, ly) = placement.front, placement.left
+    fx, fy = placement.front
     x, y, z = placement.position
-    return np.array([[fx, lx, 0.0, x], [fy, ly, 0.0, y], [0.0, 0.0, 1.0, z]])
+    return np.array([[fx, -fy, 0.0, x], [fy, fx, 0.0, y], [0.0, 0.0, 1.0, z]])
 
 
 def shape_points(shape: Shape) -> Array:

@@ -15,6 +15,10 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SEATED = ("at", "around", "at_long_side", "at_short_side")
+"""How seats stand to their tables."""
+_DRAWN_UP = (*_SEATED, "behind")
+"""Relations of seats to what one sits at."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -61,24 +65,47 @@ def stock(draft: Draft) -> None:
 def draw_up(draft: Draft) -> None:
     """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
 
-    As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now.
+    As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now. Visitors'
+    chairs, and what is assumed for another table, are no seats for it.
     """
-    if draft.room in ("", "room") or draft.people:
+    if draft.room in ("", "room"):
         return
-    _share_out(draft)
-    habits = load_habits()
-    seats = [t for t in draft.things if habits.is_in(t.noun, "drawn_aside", "chairs") or _is_stool(t)]
-    for table in [t for t in draft.things if t.asked and not t.seats]:
+    if not draft.people:
+        _share_out(draft)
+    seats = [t for t in draft.things if _is_upright(t)]
+    taken = {id(t) for t in seats if not t.asked and draft.bonds_of(t)}
+    free = [t for t in seats if id(t) not in taken]
+    for table in [t for t in draft.things if t.asked and not t.seats and _is_for_one(draft, t)]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
         if kind == "around" and served:
             continue  # A table beside loungers is theirs.
         count = each * (table.count or 1)
-        drawn = [t for t in seats if any(b.kind in ("at", "around") and table in b.anchors for b in draft.bonds_of(t))]
+        drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not seats and not any(counts_as(seat, noun) for noun in draft.excluded):
+        elif seat and not drawn and not free and not any(counts_as(seat, noun) for noun in draft.excluded):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_for_one(draft: Draft, table: Mention) -> bool:
+    """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
+    if not draft.people:
+        return True
+    place = room_type(draft.room).place
+    return bool(place) and table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
+
+
+def _is_desk(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, "worked_at")
+
+
+def _is_upright(thing: Mention) -> bool:
+    """Whether one sits upright on it at a table."""
+    habits = load_habits()
+    return not habits.is_in(thing.noun, "visits") and (
+        habits.is_in(thing.noun, "drawn_aside", "chairs") or _is_stool(thing)
+    )
 
 
 def _is_stool(thing: Mention) -> bool:
@@ -165,7 +192,8 @@ def _serves(noun: str, usual: Usual) -> bool:
 
 def _have_tables(draft: Draft, category: str) -> bool:
     """Whether a thing is a place of one's own where the prompt names tables for the people."""
-    return category == room_type(draft.room).place and _has(draft, "meal_tables")
+    named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
+    return category == room_type(draft.room).place and named
 
 
 def _is_one(noun: str, category: str) -> bool:
@@ -205,7 +233,7 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
-        if any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+        if any(b.kind in _SEATED and thing in b.anchors for b in draft.bonds):
             continue
         free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:

@@ -37,7 +37,7 @@ _MOST = 0.85
 """Share of its sides from which a foot is about all of the outline."""
 
 
-class Shape(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
+class Shape(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, dict=True):
     """One convex primitive of a link, in the asset frame.
 
     Attributes:

@@ -93,10 +93,13 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
 
 
 def _wall_below_taken(situation: Situation, rects: Rects) -> Array:
-    """Who writes on a board stands before it: furniture there, with its chair, is in the way."""
-    if not situation.facts.is_in("boards"):
-        return np.zeros(len(rects))
-    return zone_costs(situation, beside(rects, "front", BEFORE_BOARD), weight=3.0)
+    """Who writes on a board or throws darts stands before it: furniture there, with its chair, is in the way."""
+    if situation.facts.is_in("boards"):
+        return zone_costs(situation, beside(rects, "front", BEFORE_BOARD), weight=3.0)
+    costs = np.zeros(len(rects))
+    for use in situation.facts.uses:
+        costs += zone_costs(situation, beside(rects, "front", use.depth), weight=3.0)
+    return costs
 
 
 def costs_below(situation: Situation, rects: Rects) -> Array:

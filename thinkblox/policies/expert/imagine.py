@@ -16,6 +16,7 @@ from thinkblox.policies.expert import (
     partners,
     rows,
     rugs,
+    runs,
     sides,
     spreading,
     surfaces,
@@ -39,6 +40,12 @@ TURNED_AWAY = 8.0
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
+BEFORE_FOOT = 6.0
+"""Cost of standing before the foot of a bed instead of beside it."""
+RECEIVING = -2.5
+"""Cost of a desk that looks into the room where people are received across it."""
+UNSERVED = 2.0
+"""Cost of a counter with no room behind it for who serves."""
 ASKEW = 4.0
 """Cost of turning a thing against what carries it, by whose sides others stand."""
 BY_ANOTHER = 2.0
@@ -66,8 +73,10 @@ def from_ties(situation: Situation) -> list[Idea]:
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
         ties = mutual
     paired = list(partners.partner_ideas(situation))
+    paired += runs.run_ideas(situation) if runs.is_built(situation) else ()
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
+    ideas += _receiving(situation)
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
@@ -90,6 +99,18 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
     yield from walls.off_walls(situation, max(walls.BEHIND if served or not deepest else 0.0, deepest + gaps[0]))
     if deepest and not served:
         yield from walls.off_walls(situation, deepest + gaps[-1])
+
+
+def _receiving(situation: Situation) -> Iterator[Idea]:
+    """A desk across which people are received: who works there has a wall behind and looks into the room."""
+    visits = (
+        tie.kind == "in_front_of" and situation.target.id in tie.anchors and facts_of(later.category).is_in("visits")
+        for later in situation.followers
+        for tie in later.ties
+    )
+    if situation.asset.gaze == "back" and situation.asset.mount == "floor" and any(visits):
+        for idea in walls.off_walls(situation, walls.BEHIND - 0.1, turned_round=True):
+            yield _dearer(idea, RECEIVING)
 
 
 def _is_behind(later: Target, own: str) -> bool:
@@ -178,7 +199,16 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return _turned_to(situation, place)
     if place in ("window", "door"):
         return _near_openings(situation, place)
-    return walls.in_line(situation, place)
+    return _by_wall(situation, tie, place)
+
+
+def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
+    """Against the walls that a place means; a counter that is by a wall rather has room behind it for who serves."""
+    served = tie.kind == "near" and situation.facts.is_in("served_over")
+    if served:
+        yield from walls.off_walls(situation)
+    for idea in walls.in_line(situation, place):
+        yield _dearer(idea, UNSERVED if served else 0.0)
 
 
 def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
@@ -193,7 +223,9 @@ def _turned_to(situation: Situation, place: str) -> Iterator[Idea]:
     """Along the walls and on the floor, whichever way looks at a part of the room."""
     marks = things(situation.scene, place)
     away = 180.0 if situation.asset.gaze == "back" else 0.0
-    for idea in (*walls.along_walls(situation), *walls.off_walls(situation), *open_floor.grid(situation)):
+    along = UNSERVED if situation.facts.is_in("served_over") else 0.0
+    flush = (_dearer(idea, along) for idea in walls.along_walls(situation))
+    for idea in (*flush, *walls.off_walls(situation), *open_floor.grid(situation)):
         x, y, _ = idea.position
         turns = [
             turn_between(idea.yaw + away, math.degrees(math.atan2(m.centre[1] - y, m.centre[0] - x))) for m in marks
@@ -208,7 +240,9 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     before = (wall for o in room.openings if o.kind == kind == "window" for wall in [room.walls[o.wall]])
     walled = situation.facts.is_in("walled")
     off = () if walled else walls.clear_of_windows(situation, before)
-    candidates = [*walls.along_walls(situation), *walls.corners(situation), *off]
+    served = situation.facts.is_in("served_over")
+    flush = (_dearer(idea, UNSERVED if served else 0.0) for idea in walls.along_walls(situation))
+    candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation) if served else ())]
     for idea in candidates:
         if not centres:
             yield idea
@@ -251,7 +285,8 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for rank, side in enumerate(sides):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
-    for side, dear in (("back", 1.5), ("front", 2.5)):
+    lain_on = facts_of(anchor.category).is_in("lain_on")
+    for side, dear in (("back", 1.5), ("front", BEFORE_FOOT if lain_on else 2.5)):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, dear)
     for other in situation.alike(anchor.id):

@@ -76,15 +76,19 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     yield from along_walls(situation, named_walls(situation.room, place))
 
 
-def off_walls(situation: Situation, behind: float = BEHIND) -> Iterator[Idea]:
-    """Parallel to a wall with room behind for whoever sits or serves there, or for what stands there [m]."""
+def off_walls(situation: Situation, behind: float = BEHIND, *, turned_round: bool = False) -> Iterator[Idea]:
+    """Parallel to a wall with room behind for whoever sits or serves there, or for what stands there [m].
+
+    Turned round, its front is to the wall: that of a desk, over whose back one looks into the room.
+    """
     for wall in situation.room.walls:
         for idea in along_walls(situation, (wall,)):
             (x, y), inward = (idea.position[0], idea.position[1]), wall.inward
             x, y = x + inward[0] * behind, y + inward[1] * behind
-            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
-            why = "somebody stands between it and the wall"
-            yield Idea((x, y, 0.0), idea.yaw, words, why, idea.cost)
+            yaw = (idea.yaw + (180.0 if turned_round else 0.0)) % 360.0
+            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+            why = "somebody sits between it and the wall" if turned_round else "somebody stands between it and the wall"
+            yield Idea((x, y, 0.0), yaw, words, why, idea.cost)
 
 
 def clear_of_windows(situation: Situation, walls: Iterable[Wall]) -> Iterator[Idea]:
