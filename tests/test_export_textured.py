@@ -128,7 +128,7 @@ def test_usd_binds_the_texture(folder: Path) -> None:
     texture = UsdShade.Shader(surface.GetInput("diffuseColor").GetConnectedSources()[0][0].source.GetPrim())
     assert texture.GetShaderId() == "UsdUVTexture"
     file = texture.GetInput("file").Get()
-    assert file.path.startswith("./assets/")
+    assert file.path.startswith("./")
     assert Path(file.resolvedPath).read_bytes() == chequered_png()
     reader = UsdShade.Shader(texture.GetInput("st").GetConnectedSources()[0][0].source.GetPrim())
     assert (reader.GetShaderId(), reader.GetInput("varname").Get()) == ("UsdPrimvarReader_float2", "st")

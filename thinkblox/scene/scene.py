@@ -1,6 +1,7 @@
 """A room and what stands in it, as a value: every change gives a new scene."""
 
 from collections.abc import Iterable, Sequence
+from importlib import import_module
 from pathlib import Path
 
 from msgspec import structs
@@ -45,7 +46,7 @@ class Scene(Arrangement, frozen=True, kw_only=True):
             raise InputError(f"scene version {self.version} is not known; this release reads version {SCENE_VERSION}")
         if len(self.placements) > MAX_PLACEMENTS:
             raise InputError(f"the scene has {len(self.placements)} placements; at most {MAX_PLACEMENTS} are read")
-        taken = {"floor", "ceiling"} | {w.name for w in self.room.walls} | {o.id for o in self.room.openings}
+        taken = {"world", "floor", "ceiling"} | {w.name for w in self.room.walls} | {o.id for o in self.room.openings}
         seen: set[str] = set()
         for placement in self.placements:
             if placement.id in taken:
@@ -118,6 +119,16 @@ class Scene(Arrangement, frozen=True, kw_only=True):
         place, turn = check_pose(id, old.position if position is None else position, yaw)
         new = structs.replace(old, position=place, yaw=old.yaw if turn is None else turn)
         return self.with_placements([new])
+
+    def export(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write it as one file in the format that its ending tells: "room.xml", "room.usdz", "room.glb" and so on.
+
+        Raises:
+            InputError: as of `thinkblox.exporters.exporting.export_file`.
+        """
+        # Imports flow towards scenes; what writes them is found when it is asked for.
+        written: Path = import_module("thinkblox.exporters.exporting").export_file(self, path, overwrite=overwrite)
+        return written
 
     def _with(
         self, placements: Sequence[Placement], assets: dict[str, Asset], changed: Sequence[str] | None
