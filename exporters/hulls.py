@@ -5,10 +5,12 @@ from functools import lru_cache
 from hashlib import sha256
 
 import numpy as np
+from msgspec import structs
 from numpy.typing import NDArray
 
+from thinkblox.scene.asset import Shape
 from thinkblox.scene.blobs import FOLDER
-from thinkblox.sim.render.tessellate import hull
+from thinkblox.sim.render.tessellate import ellipsoid, hull
 from thinkblox.value import Vec3
 
 
@@ -38,6 +40,12 @@ def hull_mesh(points: tuple[Vec3, ...], *, smooth: bool) -> HullMesh:
     faces = index.reshape(-1)[drawn.faces]
     kept = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
     return HullMesh(given[used], faces[kept], drawn.normals[drawn.faces][kept].astype(np.float64))
+
+
+def hull_of(shape: Shape) -> Shape:
+    """The hull that stands for a round shape, in its frame: a ball's, stretched to its extents."""
+    points = np.unique(np.round(ellipsoid(shape.size).vertices.astype(np.float64), 6), axis=0)
+    return structs.replace(shape, kind="hull", points=tuple((x, y, z) for x, y, z in points.tolist()), smooth=True)
 
 
 @lru_cache(maxsize=1024)

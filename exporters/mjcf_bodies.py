@@ -8,6 +8,7 @@ from thinkblox.exporters.mjcf_meshes import Stock
 from thinkblox.exporters.naming import Names
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.sim.build import COLLISION_GROUP, FREE_SUFFIX, GEOM_TYPES, VISUAL, half_size
+from thinkblox.sim.geometry.collider import collider
 
 SITE_GROUP = 4
 """The group of the sites on surfaces that carry things."""
@@ -56,7 +57,7 @@ def _parts(
     if there is not None:
         there.pos = geom.shape.position
         if geom.shape.kind == "hull":
-            there.meshname = stock.hull(geom.shape)
+            there.meshname = stock.hull(collider(geom.shape))
     if geom.look is None:
         if there is not None:
             there.group = COLLISION_GROUP

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Vt
 
-from thinkblox.exporters.hulls import hull_mesh
+from thinkblox.exporters.hulls import hull_mesh, hull_of
 from thinkblox.exporters.inventory import InventoryGeom
 from thinkblox.exporters.usd_looks import BINDING, UV, Looks
 from thinkblox.exporters.usd_prims import Prim, T, vectors
 from thinkblox.scene.asset import Shape
 from thinkblox.scene.corners import rotation
 from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
+from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.render.tessellate import Mesh, capsule, cylinder, ellipsoid, hull
 from thinkblox.value import Vec3
 
@@ -59,11 +60,8 @@ def _add_collider(scope: Prim, shape: Shape) -> None:
 
 
 def _add_hull(scope: Prim, shape: Shape) -> None:
-    points, smooth = shape.points, shape.smooth
-    if shape.kind != "hull":
-        rounded = np.unique(np.round(_rounded(shape).vertices.astype(np.float64), 6), axis=0)
-        points, smooth = tuple((x, y, z) for x, y, z in rounded.tolist()), True
-    mesh = hull_mesh(points, smooth=smooth)
+    solid = collider(shape if shape.kind == "hull" else hull_of(shape))
+    mesh = hull_mesh(solid.points, smooth=solid.smooth)
     prim = scope.child(shape.kind, "Mesh", apis=[_COLLIDER, "PhysicsMeshCollisionAPI"])
     prim.put("physics:approximation", T.Token, "convexHull", uniform=True)
     _put_mesh(prim, mesh.points, [3] * len(mesh.faces), mesh.faces.ravel().tolist())

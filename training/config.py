@@ -68,9 +68,11 @@ class SftConfig(Training, frozen=True, kw_only=True):
     """Supervised fine-tuning: the model learns to say what the demonstrations say.
 
     Attributes:
+        loss: on the completion alone, or on all that is said: a model that is made anew has to learn to read, too.
         weight_decay: of all weights.
     """
 
+    loss: Literal["completion", "all"] = "completion"
     weight_decay: Annotated[float, Meta(ge=0)] = 0.0
 
 

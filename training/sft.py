@@ -33,15 +33,25 @@ def _trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:
         **common_arguments(config),
         weight_decay=config.weight_decay,
         max_length=None,
-        completion_only_loss=True,
+        completion_only_loss=config.loss == "completion",
+        train_sampling_strategy="group_by_length",
     )
     return resuming(SFTTrainer)(
         model=model,
         args=arguments,
-        train_dataset=rows.select_columns(["prompt", "completion", "images"]),
+        train_dataset=_with_lengths(rows.select_columns(["prompt", "completion", "images"])),
         processing_class=processor,
         peft_config=adapter_for(config.lora),
     )
+
+
+def _with_lengths(rows: Any) -> Any:
+    """Rows with how long each is in characters: those of one batch are about as long, so that little is padded."""
+    lengths = [
+        sum(len(block["text"] or "") for message in (*prompt, *completion) for block in message["content"])
+        for prompt, completion in zip(rows["prompt"], rows["completion"], strict=True)
+    ]
+    return rows.add_column("length", lengths)
 
 
 if __name__ == "__main__":

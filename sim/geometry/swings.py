@@ -58,6 +58,7 @@ class Surroundings:
         self._standing: tuple[tuple[Placement, Asset], ...] = ()
         self._rests_on: dict[str, str] = {}
         self._boxes, self._reaches = np.empty((0, 2, 3)), np.empty((0, 2, 3))
+        self._opens = False
         self._objects: dict[int, _Object] = {}
         self._free: dict[tuple[str, str], list[float]] = {}
 
@@ -71,6 +72,7 @@ class Surroundings:
         more._standing = (*self._standing, *added)
         more._boxes = np.concatenate([self._boxes, placed_bounds(_bounds(assets), placements)])
         more._reaches = np.concatenate([self._reaches, placed_bounds(_reaches(assets), placements)])
+        more._opens = self._opens or any(asset.made_of[2] for asset in assets)
         more._objects, more._free = dict(self._objects), {}
         return more
 
@@ -87,6 +89,8 @@ class Surroundings:
             placement: an object of the same id among these is looked past.
             asset: what it places.
         """
+        if not (self._opens or asset.made_of[2]):
+            return ()
         one = self._object(placement, asset)
         own = self._own(one, placement) if one.moving and one.moving.sweeps else ()
         return (*own, *(() if one.yields else self._others(one, placement)))

@@ -15,7 +15,9 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
-_DRAWN_UP = ("at", "around", "behind")
+_SEATED = ("at", "around", "at_long_side", "at_short_side")
+"""How seats stand to their tables."""
+_DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
 _SEATED = 3
 """Who names so many seats to lean back in has said on what people sit there."""
@@ -236,7 +238,7 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
-        if any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+        if any(b.kind in _SEATED and thing in b.anchors for b in draft.bonds):
             continue
         free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:

@@ -82,7 +82,10 @@ def _one_each(thing: Mention, bonds: list[Bond]) -> Bond | None:
     """The bond by which a bare plural is one for each of several: "pendant lamps above the tables"."""
     lamp = load_habits().is_in(thing.noun, "lamps")
     several = (
-        b for b in bonds if b.kind in ("above", "on") and any(isinstance(a, Mention) and a.many for a in b.anchors)
+        b
+        for b in bonds
+        if b.kind in ("above", "on")
+        and (len(b.anchors) > 1 or any(isinstance(a, Mention) and a.many for a in b.anchors))
     )
     return next(several, None) if lamp and thing.plural else None
 

@@ -63,12 +63,20 @@ class Cutter:
         """All chunks of the text."""
         while self.at < len(self.tokens):
             chunk = self._next()
+            if isinstance(chunk, Noun) and self._is_bare_side(chunk):
+                self.made.append(Connector("prepositions", "on", chunk.start, chunk.start))
             if chunk is not None:
                 self.at = chunk.end
                 self.made.append(chunk)
             else:
                 self.at += 1
         return self.made
+
+    def _is_bare_side(self, noun: Noun) -> bool:
+        """Whether a noun says where something is without a preposition: "nightstands each side of the bed"."""
+        if noun.kind != "part" or noun.det not in ("each", "either", "both") or not self.made:
+            return False
+        return isinstance(self.made[-1], Noun) and self.made[-1].kind in ("thing", "number", "pronoun")
 
     def _next(self) -> Chunk | None:
         token = self.tokens[self.at]
@@ -152,7 +160,8 @@ class Cutter:
         """Whether "(a)", "(2)" numbers what is listed."""
         inner = self._text_at(self.at + 1)
         brackets = (self.tokens[self.at].text, self._text_at(self.at + 2)) == ("(", ")")
-        return brackets and len(inner) == 1 and inner.isalnum()
+        counts = inner.isdigit() and self._after_noun()
+        return brackets and len(inner) == 1 and inner.isalnum() and not counts
 
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""
@@ -170,8 +179,8 @@ class Cutter:
         return None
 
     def _words(self) -> Chunk:
-        if (doing := self._after_modal()) is not None:
-            return doing
+        if (said := self._after_modal() or self._described()) is not None:
+            return said
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
@@ -194,6 +203,12 @@ class Cutter:
         if adjective is not None:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _described(self) -> Adjective | None:
+        """Read what hyphens join after the noun that it describes: "a TV wall-mounted opposite the sofa"."""
+        if not self.tokens[self.at].glued or not self._after_noun() or not self._phrases.is_after_noun(self.at):
+            return None
+        return self._phrases.adjective(self.at)
 
     def _after_modal(self) -> Connector | None:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""

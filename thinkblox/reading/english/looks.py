@@ -94,8 +94,16 @@ class Descriptions(Rooms):
                 bind(self.draft, Bond(relation_kind(kind), other, (one,)))
             if nodes[0].frame is not None and nodes[0].things == things[-1:]:
                 nodes[0].things = things[-2:]
-        elif things and things[-1].many and kind != "around":
-            bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
+        elif things and things[-1].many:
+            self._mutual_within(link, things[-1])
+
+    def _mutual_within(self, link: Connector, thing: Mention) -> None:
+        """Read how the members of one plural thing stand to each other; what we do not know of them is said."""
+        kind = relation_kind(link.value)
+        if kind in ("facing", "next_to"):
+            bind(self.draft, Bond(kind, thing, (thing,)))
+        elif link.value != "around":
+            self._lose(link.start, link.end)
 
     def _not_mutual(self, link: Connector, things: list[Mention]) -> None:
         """Read "not facing each other"; what cannot be denied is not understood."""

@@ -8,7 +8,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
-from thinkblox.reading.english.referents import Referents, is_small
+from thinkblox.reading.english.referents import Referents, fits, is_small
 
 _OPENINGS = ("window", "door")
 _NAMED = {
@@ -23,10 +23,12 @@ _NAMED = {
 _ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
 _CARRYING = ("top", "middle", "inside", "in_shelf")
 """Parts that carry or hold things."""
-_WHOLE_BY = {"foot": "at_foot_of", "long_side": "at_long_side", "short_side": "at_long_side"}
+_WHOLE_BY = {"head": "at_foot_of", "foot": "at_foot_of", "long_side": "at_long_side", "short_side": "at_long_side"}
 """The relation that tells which thing has such a part."""
 
 
+_TOPS = ("tables", "desks", "counters", "worktops")
+"""What has a top on which things lie in the middle."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -56,12 +58,16 @@ class Meanings:
             meaning = replace(meaning, both=True) if meaning is not None else None
         else:
             meaning = self._of(where, subjects, likely, noun)
-        return meaning if meaning is not None and meaning.anchors else None
+        if meaning is None or not meaning.anchors:
+            return None
+        said = where.whole or where.noun
+        meaning.pointed = said is None or said.kind in ("pronoun", "part", "number")
+        return meaning
 
     def _of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
         said = where.noun
         if where.word == "halfway":
-            return Meaning("in_centre", ("centre",))
+            return Meaning("in_centre", (said.value if said is not None else "centre",))
         if said is None:
             return self._elided(where.word, subjects, likely, noun)
         match said.kind:
@@ -102,9 +108,11 @@ class Meanings:
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None
 
-    def _single(self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str) -> Mention | None:
+    def _single(
+        self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str, *, one: bool = False
+    ) -> Mention | None:
         subject = subjects[-1] if subjects else None
-        return self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun)
+        return self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun, one=one)
 
     def _pronoun(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -116,9 +124,9 @@ class Meanings:
             if kind == "between":
                 return Meaning(kind, self.referents.several(subjects, kind), told=True)
             if said.value == "one":
-                return self._one_of(kind, subjects)
+                return self._one_of(kind, subjects, noun)
             last = self.referents.last(subjects) if said.text.lower() == "that" else None
-            found = last or self._single(kind, subjects, likely, noun)
+            found = last or self._single(kind, subjects, likely, noun, one=said.value == "it")
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
         if said.value in ("former", "latter"):
@@ -140,8 +148,18 @@ class Meanings:
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
         return self._fitting(meaning, subjects, noun, where.word) if anchors else None
 
-    def _one_of(self, kind: str, subjects: list[Mention]) -> Meaning | None:
-        whole = self.referents.parted or next((t for t in self.referents.plural() if t not in subjects), None)
+    def _one_of(self, kind: str, subjects: list[Mention], noun: str) -> Meaning | None:
+        name = subjects[-1].noun if subjects else noun
+        several = [t for t in self.referents.plural() if t not in subjects]
+        usual = [t for t in several if name and load_habits().tie(name, t.noun) == kind]
+        fit = [t for t in several if fits(t, kind, name) and not (kind == "on" and is_seat(t))]
+        apart = [t for t in self.referents.spoken[::-1] if len(self.referents.family(t)) > 1 and t not in subjects]
+        told = [t for t in apart if name and load_habits().tie(name, t.noun) == kind]
+        if told and not usual and told[0] in self.referents.draft.things:
+            family = self.referents.family(told[0])
+            self.referents.parted = family[-1]
+            return self._fitting(Meaning(kind, (family[0],), told=True), subjects)
+        whole = self.referents.parted or next(iter(usual or fit or several), None)
         if whole is None:
             return None
         return self._fitting(Meaning(kind, (self.referents.part(whole, 1),), told=True), subjects)
@@ -182,7 +200,22 @@ class Meanings:
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        if where.word in ("above", "under", "behind") and said.value in ("head", "foot"):
+            kind = where.word
+        if where.word == "on" and self._lies_at_side(said, subjects, noun, whole):
+            return Meaning(
+                "on", meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=True
+            )
         return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told)
+
+    def _lies_at_side(self, said: Noun, subjects: list[Mention], noun: str, whole: Mention) -> bool:
+        """Whether "the left end of the desk" is a place on its top, for what usually lies there."""
+        habits = load_habits()
+        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det in ("my", "other"):
+            return False
+        name = subjects[-1].noun if subjects else noun
+        lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))
+        return lies and habits.is_in(whole.noun, "tables", "desks", "counters", "worktops")
 
     def _whole(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -202,7 +235,8 @@ class Meanings:
             return self._of_room(said, subjects)
         carried = said.value in _CARRYING
         kind = "on" if carried else _WHOLE_BY.get(said.value, "")
-        found = self._single(kind, subjects, likely, noun)
+        its = said.det == "my" and "their" not in said.text.lower()
+        found = self._single(kind, subjects, likely, noun, one=its)
         if found is None:
             return self._of_room(said, subjects)
         return Meaning("on", (found,), each=found.many and carried and found in likely, told=True)
@@ -234,10 +268,16 @@ class Meanings:
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
         if said.value == "middle" and said.det != "my" and not (alone and likely):
             return True
+        if said.value == "side" and said.det in ("each", "either", "both") and self._is_beside_something(subjects):
+            return False
         if likely or said.det == "my" or said.value not in ("middle", "side", "left", "right", "front", "back", "end"):
             return False
         here = bool(subjects) and where.word in ("on", "at") and said.value in _ROOM_SIDES
         return here or not self.referents.topics or not (subjects or noun)
+
+    def _is_beside_something(self, subjects: list[Mention]) -> bool:
+        """Whether something was named that others can flank."""
+        return any(t not in subjects and not is_small(t) for t in self.referents.draft.things)
 
     def _of_room(self, said: Noun, subjects: list[Mention]) -> Meaning | None:
         if said.value == "middle":
@@ -265,24 +305,30 @@ class Meanings:
                     return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
             small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
             if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
-                return Meaning("in_centre", (likely[0],), each=likely[0].many, told=True)
+                return self._middle_of_top(likely)
             return Meaning("in_centre", ("centre",))
         each = said.each
         several = said.count if said.count and said.count > 1 else 0
         if name == "corner":
             return corner(word, said, walls, several)
         if name in _OPENINGS:
-            return opening(word, name)
+            return opening(word, name) if said.det != "other" else None
         if name == "ceiling":
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
         return wall(word, said, name, several, each=each)
 
+    def _middle_of_top(self, likely: list[Mention]) -> Meaning:
+        """In the middle of what has a top: the likeliest, or what was named last."""
+        named = (*likely, *reversed(self.referents.draft.things))
+        top = next((t for t in named if load_habits().is_in(t.noun, *_TOPS)), likely[0])
+        return Meaning("in_centre", (top,), each=top.many, told=True, pointed=True)
+
     # --- things
 
     def _thing(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:
-        if where.word in ("of", "as"):
+        if where.word in ("of", "as", "from"):
             return None
         if said.det == "no":
             return None
@@ -342,6 +388,11 @@ class Namer:
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number means."""
         raise NotImplementedError
+
+
+def is_seat(thing: Mention) -> bool:
+    """Whether one sits on it."""
+    return load_habits().is_in(thing.noun, "seats")
 
 
 def _is_open(shelves: Mention) -> bool:

@@ -258,6 +258,7 @@ class Numbers(Verbs):
 
     def _speak_of_part(self, part: Mention, noun: Noun | None) -> None:
         if noun is not None:
+            self.meant[noun.start] = [part]
             self._look(part, noun)
             part.least = part.least if noun.least is None else noun.least
         self.counted.add(part)

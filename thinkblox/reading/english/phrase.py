@@ -2,7 +2,7 @@
 
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
-from thinkblox.reading.adjectives import degree_of
+from thinkblox.reading.adjectives import adjective_kinds, degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.heads import Heads
@@ -44,6 +44,12 @@ class PhraseReader(Heads):
                 noun.kind = "number"
                 return self._finished(noun)
             noun.of_known, at = True, noun.end
+        return self._named_at(noun, at, after_preposition=after_preposition)
+
+    def _named_at(self, noun: Noun, at: int, *, after_preposition: bool) -> Noun | None:
+        """What the words after determiner and quantity make of the phrase."""
+        if noun.ordinal and noun.det == "a" and self._text(at, at + 1) == "," and self._is_plain_adjective(at + 1):
+            at, noun.ordinal = at + 1, 0
         self.group = noun.det in ("all", "both", "other", "half", "none")
         if self._part(noun, at, after_preposition=after_preposition):
             return self._finished(noun)
@@ -53,6 +59,8 @@ class PhraseReader(Heads):
             return self._headless(noun, at, end, units)
         noun.end = end
         self._head(noun, units)
+        if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
+            return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
         return self._finished(noun)
 
@@ -97,7 +105,31 @@ class PhraseReader(Heads):
             if not length:
                 break
             at += length
+            at += self._comma(noun, at, units)
         return at
+
+    def _comma(self, noun: Noun, at: int, units: Units) -> int:
+        """1 for the comma of "a large, round table"; 0 where it ends the phrase."""
+        described = bool(units.adjectives) and not units.nouns and (bool(noun.det) or noun.count is not None)
+        if not described or at + 2 >= len(self.tokens) or self.tokens[at].text != ",":
+            return 0
+        for after in range(at + 1, min(at + 6, len(self.tokens))):
+            if self.tokens[after].text in (",", "and"):
+                continue
+            thing, looks = self.thing_at(after), self._known(after, "attribute", "style") is not None
+            if thing is not None and (not self._is_plain_adjective(after) or (looks and thing.length > 1)):
+                return int(after > at + 1 or looks)
+            if not self._is_plain_adjective(after):
+                return 0
+        return 0
+
+    def _is_plain_adjective(self, at: int) -> bool:
+        """Whether a word only describes what comes after it."""
+        word = self.tokens[at].text
+        if self.tokens[at].kind != "word" or grammar().at(self.tokens, at, *STOPS) is not None:
+            return False
+        said = self._known(at, "attribute", "style") is not None or bool(adjective_kinds(word) or degree_of(word))
+        return said or grammar().at(self.tokens, at, "evaluative", "states") is not None
 
     def _is_unread(self, at: int) -> bool:
         """Whether words begin that nothing is made of; an animal after other words names a thing: "a porcelain dog"."""
@@ -105,15 +137,14 @@ class PhraseReader(Heads):
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
-        text = self.tokens[at].text
-        if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+        if self._ends_early(noun, at, units):
             return 0
         if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
             units.nouns.append(Unit(self._text(at, at + part.length)))
             return part.length
         if not units.nouns and (length := self._side(noun, at)):
             return length
-        known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
+        known = self._parted(noun, at, self._known(at, "object", "missing", "room", "place"))
         unjoined = known is None or not self._covers(at, known.length)
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
@@ -159,6 +190,10 @@ class PhraseReader(Heads):
         """Whether a phrase covers all that hyphens join at `at`."""
         return not self.tokens[at + length - 1].glued
 
+    def _parted(self, noun: Noun, at: int, known: Known | None) -> Known | None:
+        """Take from a name what belongs to the words after it."""
+        return self._unglued(at, self._without_verb(noun, at, known))
+
     def _without_verb(self, noun: Noun, at: int, known: Known | None) -> Known | None:
         """Part "a tall plant | stands near the door" from "two plant stands"."""
         if known is None or known.length < 2 or not known.entry.plural:
@@ -166,6 +201,32 @@ class PhraseReader(Heads):
         if noun.count not in (None, 1) or (noun.count is None and noun.det not in ("a", "each", "another")):
             return known
         if grammar().at(self.tokens, at + known.length - 1, "verbs") is None:
+            return known
+        shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
+        entry = shorter.entry("object", "missing", "room", "place")
+        return Known(entry, shorter.length) if entry is not None else known
+
+    def _ends_early(self, noun: Noun, at: int, units: Units) -> bool:
+        """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
+        text = self.tokens[at].text
+        if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+            return True
+        people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
+        stands = text == "stands" and not units.nouns and people
+        return stands or (bool(units.nouns) and self.is_after_noun(at))
+
+    def is_after_noun(self, at: int) -> bool:
+        """Whether words that hyphens join describe the noun before them: "a TV wall-mounted opposite it"."""
+        end = at
+        while end + 1 < len(self.tokens) and self.tokens[end].glued:
+            end += 1
+        return end > at and self.tokens[end].text.endswith("ed") and not self._starts_noun(end + 1)
+
+    def _unglued(self, at: int, known: Known | None) -> Known | None:
+        """Part "a TV | wall-mounted opposite it" from "a TV wall"."""
+        if known is None or known.length < 2 or not self.tokens[at + known.length - 1].glued:
+            return known
+        if self.tokens[at].glued or self.tokens[at + known.length].text not in ("mounted", "hung", "fixed"):
             return known
         shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
         entry = shorter.entry("object", "missing", "room", "place")

@@ -3,7 +3,7 @@
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning
 
-_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
+_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "around", "in", "to", "from", "under", "above")
 _CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
 
 

@@ -17,6 +17,8 @@ _ON_WALL = ("along", "against", "around", "at", "by", "next_to")
 """Prepositions that say where on a wall things hang."""
 _FRONTS = 20
 """Most relations that wait for their subject."""
+_AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
+"""Prepositions before a pronoun for what the clause before was about."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
@@ -109,9 +111,9 @@ class Positions(Subjects):
 
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""
-        before = self._state_of_reading()
+        before, self.laid = self._state_of_reading(), False
         self._say_where(where)
-        if self._state_of_reading() == before:
+        if self._state_of_reading() == before and not self.laid:
             self._lose_where(where)
 
     def _state_of_reading(self) -> tuple[object, ...]:
@@ -127,6 +129,7 @@ class Positions(Subjects):
         self.negating = False
         if where.noun is None and where.text.lower() in ("in", "into"):
             return
+        self._reword(where)
         if where.word == "turned":
             self._turned_to(where)
             return
@@ -135,8 +138,6 @@ class Positions(Subjects):
         if self._is_side_of_owner(where):
             self._lose_where(where)
             return
-        if where.word == "halfway":
-            where.noun = None
         if (where.noun is not None and self._is_elsewhere(where, where.noun)) or self._is_of_opening(where):
             return
         if self._qualifies_front():
@@ -151,6 +152,14 @@ class Positions(Subjects):
             self._place_node(node, where)
         elif fronted or where.noun is not None:
             self._set_front(where)
+
+    def _reword(self, where: Where) -> None:
+        """Take "leaning on the wall" for against it, and "halfway down the room" for in its middle."""
+        place = where.noun is not None and where.noun.kind == "place"
+        if where.word == "on" and place and self._is_leaning():
+            where.word = "against"
+        if where.word == "halfway" and not (place and where.noun is not None and "wall" in where.noun.value):
+            where.noun = None
 
     def _turned_to(self, where: Where) -> None:
         """Say that nobody sees to "parallel to the shelf"; the shelf is asked for all the same."""
@@ -246,13 +255,22 @@ class Positions(Subjects):
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
-        meaning = self.meanings.of(where, subjects, self._likely(node))
-        if meaning is None:
+        meaning = self.meanings.of(where, subjects, self._likely(node, elided=where.noun is None))
+        if meaning is None or self._is_elsewhere_named(subjects):
             self._lose_where(where)
+        if meaning is None:
             return
         self._relate(subjects, meaning, negated=where.negated)
-        if where.negated:
-            return
+        if meaning.loose:
+            self._lose_where(where)
+        if not where.negated:
+            self._go_on_from(node, where, meaning)
+
+    def _go_on_from(self, node: Node, where: Where, meaning: Meaning) -> None:
+        """Let what comes be about the things just placed, or about what they were placed by."""
+        subjects = node.things
+        if node.frame is None or node.frame.head is None:
+            self._keep_in_mind(where, meaning)
         if where.second is not None and where.second.kind == "place":
             opening = Meaning("next_to", (where.second.value.split()[0],))
             self._relate(subjects, opening)
@@ -264,14 +282,42 @@ class Positions(Subjects):
             self.frontier.append(node)
         if node.frame is not None and node.frame.head is not None:
             node.frame.told |= any(t in meaning.anchors for t in node.frame.head.things)
+        self._go_to_anchors(where, meaning, subjects)
+
+    def _go_to_anchors(self, where: Where, meaning: Meaning, subjects: list[Mention]) -> None:
+        """Let what comes be about the anchors as well; one each of what is told of each of several."""
         anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
-        if anchors and self.each and not meaning.told and where.noun is not None and where.noun.det == "a":
+        if not anchors or where.noun is None:
+            return
+        if self.each and not meaning.told and where.noun.det == "a":
             anchors[0].count = sum(self.referents.total(t) for t in subjects)
             self.each = False
-        if anchors and where.noun is not None and where.noun.kind in ("thing", "number") and not meaning.told:
+        if where.noun.kind in ("thing", "number") and not meaning.told:
             self.frontier.append(Node(anchors, None, known=where.noun.definite))
-        elif anchors and where.noun is not None and where.noun.kind == "thing":
+        elif where.noun.kind == "thing":
             self.frontier.append(Node(anchors, None, known=True, told=True))
+
+    def _is_elsewhere_named(self, subjects: list[Mention]) -> bool:
+        """Whether the words since the last mark name things that have nothing to do with the subjects."""
+        said: list[Mention] = []
+        for chunk in reversed(self.chunks[max(0, self._began - _FRONTS) : self._began]):
+            if self._is_link(chunk, "mark"):
+                break
+            if isinstance(chunk, Noun):
+                said += self.meant.get(chunk.start, [])
+        owners = [o for t in said for o in (t.owner, t.host) if o is not None]
+        owners += [a for t in said for b in self.draft.bonds_of(t) for a in b.anchors if isinstance(a, Mention)]
+        related = {id(k) for t in (*said, *owners) for k in self.referents.family(t)}
+        alike = {t.noun for t in said} & {t.noun for t in subjects}
+        return bool(said) and not alike and not related & {id(k) for t in subjects for k in self.referents.family(t)}
+
+    def _keep_in_mind(self, where: Where, meaning: Meaning) -> None:
+        """Remember what "it" meant: what comes may go on about it."""
+        noun = where.noun
+        its = noun is not None and ((noun.kind == "pronoun" and noun.value == "it") or noun.det == "my")
+        anchor = meaning.anchors[0]
+        if its and meaning.pointed and isinstance(anchor, Mention) and not is_small(anchor):
+            self.spoken_of = anchor
 
     def _place_carrier(self, subjects: list[Mention], meaning: Meaning) -> None:
         """Read "In the middle a vase on a table": it is the table that stands in the middle."""
@@ -290,6 +336,9 @@ class Positions(Subjects):
     def _set_front(self, where: Where) -> None:
         noun = self._noun_ahead()
         likely = [self.referents.topics[-1]] if self.referents.topics and not self.clause.members else []
+        centre = self.referents.centre
+        if likely and centre is not None and where.word in _AROUND_IT:
+            likely = [centre, *likely]
         if self.frontier and self.frontier[-1].things and not likely:
             outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
             last = next(n for n in reversed(self.frontier) if n.things)
@@ -310,6 +359,7 @@ class Positions(Subjects):
             small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
             self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
+            self._keep_in_mind(where, meaning)
             self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
         else:
             self._lose_where(where)

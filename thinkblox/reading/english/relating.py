@@ -22,9 +22,13 @@ class Relating(Naming):
             if subject in anchors and len(anchors) == 1:
                 continue
             if meaning.kind in ("in_front_of", "next_to", "near") and self._lies_on(subject, anchors):
+                self.laid = True
                 continue
+            if meaning.each:
+                self.referents.shared.update(a for a in anchors if isinstance(a, Mention))
             self._multiply(subject, meaning)
             if self._is_laid(subject, meaning, anchors) and not negated:
+                self.laid = True
                 continue
             self._bind_one(subject, meaning, anchors, negated=negated)
 
@@ -37,6 +41,7 @@ class Relating(Naming):
         if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
             kind = "next_to"
         bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+        bond.told = meaning.pointed
         if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
             self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
             bind(self.draft, lying)
@@ -103,10 +108,17 @@ class Relating(Naming):
             return False
         tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
         if not tables:
+            tables += self._only_table()
+        if not tables:
             return False
         subject.per += [s for s in seats if s not in subject.per]
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
         return True
+
+    def _only_table(self) -> list[Mention]:
+        """The one table or desk that was named, where there is one."""
+        found = [t for t in self.draft.things if self.habits.is_in(t.noun, "tables", "desks")]
+        return found if len(found) == 1 else []
 
     def _multiply(self, subject: Mention, meaning: Meaning) -> None:
         """One "on each side" are two; one "in each corner" four."""

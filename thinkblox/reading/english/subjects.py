@@ -60,23 +60,48 @@ class Subjects(Having):
         if middle and thing.many and not frame.each:
             return True
         if not self._is_pronominal(where):
+            if self._is_beside_whole(thing, frame, head, where):
+                return True
             return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
                 noun is not None and self._is_beside_head(thing, frame, head, where, noun)
             )
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
-            return True
+            return not any(member.many for member in frame.members if member is not thing)
         if where.word not in _BY_OWNER or noun is None or noun.kind != "pronoun":
             return False
         lying = [b for b in self.draft.bonds_of(thing) if b.implied and b.kind in ("on", "inside")]
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         return bool(lying) and (within or self._behind_its_carrier(head, where))
 
+    def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
+        whole = where.whole
+        if whole is None or whole.kind != "thing" or where.noun is None or where.noun.kind != "part":
+            return False
+        if where.noun.value in ("middle", "top", "inside", "in_shelf"):
+            return False
+        held = self._is_held(thing, frame) and not frame.each
+        return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+
     def _is_place_of_head(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether a place is where the owner stands: "a desk with a chair by the window"."""
         if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
             return False
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
+        on_surface = on_surface and not self._is_held(thing, frame)
         return not on_surface and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
+
+    def _is_within(self, noun: Noun, frame: Listed) -> bool:
+        """Whether it is something of the same list."""
+        return self.referents.named(noun) in frame.members
+
+    def _is_held(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it lies on or in what has it: "a shelf with six toys above the table"."""
+        heads = frame.head.things if frame.head is not None else []
+        held = (
+            b for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside") and (b.implied or frame.kind != "with")
+        )
+        return any(a in heads for bond in held for a in bond.anchors)
 
     def _is_listed(self, noun: Noun, frame: Listed) -> bool:
         """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
@@ -84,7 +109,13 @@ class Subjects(Having):
 
     def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
-        if where.word not in _BY_OWNER or noun.kind != "thing" or self._is_head(noun, head):
+        held = self._is_held(thing, frame) and not frame.each
+        held = held and where.word in ("above", "under", "against", "by", "at", "on")
+        if where.word == "on" and self.habits.is_in(noun.value, "covers") and self.habits.is_in(thing.noun, "seats"):
+            return not frame.each
+        if not (where.word in _BY_OWNER or held) or noun.kind != "thing" or self._is_head(noun, head):
+            return False
+        if held and (self.habits.is_in(noun.value, "small") or self._is_within(noun, frame)):
             return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
@@ -163,10 +194,12 @@ class Subjects(Having):
         said = self.chunks[self._began - 1] if self._began else None
         return isinstance(said, Connector) and said.text.lower() in grammar().lists["leaning"]
 
-    def _likely(self, node: Node) -> list[Mention]:
-        """What a pronoun means first: the head of the list, then what the clause is about."""
+    def _likely(self, node: Node, *, elided: bool = False) -> list[Mention]:
+        """What a pronoun means first: the head of the list, then what the clause is about; elided, what came before."""
         found: list[Mention] = []
         frame = node.frame
+        if elided and frame is not None and frame.head is None and not self.predicate:
+            found += [m for m in frame.members if m not in node.things][-1:]
         for bond in (b for t in node.things for b in self.draft.bonds_of(t)[-_BONDS:]):
             found += [a for a in bond.anchors if isinstance(a, Mention) and not bond.negated]
         found += [t.host for t in node.things if t.host is not None]
