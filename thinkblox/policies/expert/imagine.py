@@ -40,12 +40,14 @@ TURNED_AWAY = 8.0
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
-BEFORE_FOOT = 6.0
-"""Cost of standing before the foot of a bed instead of beside it."""
+BEHIND_IT, IN_USE = 3.0, 6.0
+"""Cost of standing behind or before what has a front, instead of beside it."""
 RECEIVING = -2.5
 """Cost of a desk that looks into the room where people are received across it."""
 UNSERVED = 2.0
 """Cost of a counter with no room behind it for who serves."""
+SIDE_BY_SIDE = 4.0
+"""Cost of two alike one behind the other that are to be next to each other."""
 ASKEW = 4.0
 """Cost of turning a thing against what carries it, by whose sides others stand."""
 BY_ANOTHER = 2.0
@@ -285,10 +287,11 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for rank, side in enumerate(sides):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
-    lain_on = facts_of(anchor.category).is_in("lain_on")
-    for side, dear in (("back", 1.5), ("front", BEFORE_FOOT if lain_on else 2.5)):
+    used = situation.scene.asset_of(anchor).front == "one"
+    alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
+    for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", IN_USE if used else 2.5)):
         for idea in beside.sides_of(situation, anchor, (side,)):
-            yield _dearer(idea, dear)
+            yield _dearer(idea, dear + alike)
     for other in situation.alike(anchor.id):
         for idea in beside.sides_of(situation, other, sides):
             yield _dearer(idea, BY_ANOTHER)

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from itertools import pairwise
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
@@ -14,6 +15,8 @@ _OFFSETS = ("in_front_of", "behind", "above", "left_of", "right_of", "to", "outs
 """Prepositions before which a length says how far off something is."""
 _BESIDE, _NEAR = 0.5, 1.5
 """How far things beside, and near, each other are at most [m]."""
+_LEAST_SIDE = 1.5
+"""A room is no narrower than this [m]."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
@@ -135,6 +138,7 @@ class Descriptions(Rooms):
         thing = self.frontier[-1].thing if self.frontier else None
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
+        roomy |= self._outgrows(measured, thing)
         if roomy and not self.draft.sizes and not told:
             self.draft.sizes.append(size)
         elif self._keeps_off(measured, following, told=told):
@@ -149,6 +153,15 @@ class Descriptions(Rooms):
             thing.size = thing.size or size
         else:
             self.draft.sizes.append(size)
+
+    def _outgrows(self, measured: Measured, thing: Mention | None) -> bool:
+        """Whether a size after a comma can be none of the thing before: "with a washing machine, 2 m by 2.5 m"."""
+        lengths = [length.metres for length in measured.size.lengths]
+        comma = self._is_link(self._before(), "mark", "comma")
+        if thing is None or not comma or len(lengths) < 2 or min(lengths) < _LEAST_SIDE:
+            return False
+        depth, width, _ = kind_of(thing.noun).size_range[1]
+        return min(lengths) > max(depth, width)
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
         """Whether a length says how far off something is: "2 m from it", "2 m in front of it", "1 m apart"."""
