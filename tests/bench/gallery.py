@@ -10,6 +10,7 @@ from pathlib import Path
 
 from PIL import Image
 
+from tests.bench.robots import picture as robot_picture
 from tests.bench.rooms import PROMPTS
 from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.editing import edit_room
@@ -90,6 +91,7 @@ def main() -> int:
     last = next(o for o in reversed(steps) if o.asset.mount == "floor" and o.asset.front == "one")
     sight(last).save(out / "sight.png", optimize=True)
     overview().save(out / "rooms.png", optimize=True)
+    robot_picture().save(out / "robot.png", optimize=True)
     assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE) if not CATALOGUE[name].plain]
     contact_sheet(assets, columns=14, size=110).quantize(256).save(out / "catalogue.png", optimize=True)
     return 0
