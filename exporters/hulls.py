@@ -13,8 +13,8 @@ from thinkblox.scene.blobs import FOLDER
 from thinkblox.sim.render.tessellate import Mesh, capsule, ellipsoid, hull
 from thinkblox.value import Vec3
 
-_SIDES = 32
-"""Of the prism that stands for a cylinder."""
+_SIDES = 20
+"""Of the prism that stands for a cylinder; MJX warns of faces of more corners."""
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from thinkblox.exporters.usd_looks import Looks
 from thinkblox.exporters.usd_objects import add_object
 from thinkblox.exporters.usd_prims import Prim, T, put_units, vector
 from thinkblox.exporters.usd_room import add_room
+from thinkblox.exporters.usd_verified import check_written
 from thinkblox.scene.room import Room
 from thinkblox.sim.build import package_version
 from thinkblox.sim.settings import Physics
@@ -39,11 +40,16 @@ def write_usd(inventory: Inventory, path: Path) -> None:
     ".usda" is text and ".usdc" binary, each with a layer for each asset and the textures beside it; ".usd" is binary
     from MANY objects on. ".usdz" is one file with all in it. Z up, metres, kilograms. Objects stand where MuJoCo let
     them come to rest, as in keyframe "settled" of the MJCF; their masses and inertias are those of the compiled model.
-    Fixed objects are colliders without a body.
+    Fixed objects are colliders without a body. What was written is read again and checked.
     """
     if path.suffix == ".usdz":
         _write_package(inventory, path)
-        return
+    else:
+        _write_layers(inventory, path)
+    check_written(path, inventory)
+
+
+def _write_layers(inventory: Inventory, path: Path) -> None:
     layers = AssetLayers(inventory)
     layer, binary = _layer(inventory, layers), path.suffix == ".usdc"
     if path.suffix == ".usd":

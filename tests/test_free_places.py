@@ -76,7 +76,7 @@ def test_compact_words_say_numbers_as_answers_do(episode: Episode) -> None:
     (message,) = seen.chat(Sight(words="compact", pictures=False))
     lines = message.text.splitlines()
     assert lines[0].startswith("room 5.0 4.0 high ")
-    assert any(line.startswith(f"place {seen.target.id} ") for line in lines)
+    assert any(line.startswith(f'place "{seen.target.id}" ') for line in lines)
     assert any(line.startswith("free ") for line in lines)
     assert len(message.text) < len(seen.text()) / 4
 

@@ -46,7 +46,7 @@ def _lines(seen: "Observation") -> Iterator[str]:
         yield f"{o.kind} {room.walls[o.wall].name} {number(o.offset)} {number(o.width)}"
     yield from _things(seen)
     target, asset = seen.target, seen.asset
-    yield f"place {target.id} {_numbers(asset.size)} {asset.mount} {asset.front}"
+    yield f'place "{target.id}" {_numbers(asset.size)} {asset.mount} {asset.front}'
     wanted = [f"{tie.kind} {' '.join(tie.anchors)}{_share(tie.index, tie.count)}".strip() for tie in target.ties]
     if wanted:
         yield "wanted " + ", ".join(wanted)

@@ -58,7 +58,7 @@ class RunLog(NamedTuple):
 
     def points(self, key: str) -> list[tuple[float, float]]:
         """The steps and values of one quantity."""
-        return [(float(line["step"]), float(line[key])) for line in self.history if key in line]
+        return [(float(line["step"]), float(line[key])) for line in self.history if line.get(key) is not None]
 
 
 def read_run(folder: Path) -> RunLog:

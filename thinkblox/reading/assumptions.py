@@ -309,10 +309,17 @@ def _carry(draft: Draft) -> None:
         if _lies_somewhere(draft, thing):
             continue
         carriers = [a for habit in load_habits().of(thing.noun) if habit.kind == "on" for a in habit.anchors]
-        if not any(t.noun in carriers for t in draft.things):
+        if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
                 _add(draft, noun, 1)
+
+
+def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
+    """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase."""
+    habits = load_habits()
+    high = habits.is_in(thing.noun, "lamps") and habits.is_in(carrier.noun, "shelves")
+    return not (high and _has(draft, "beds"))
 
 
 def _build_in(draft: Draft) -> None:
