@@ -24,7 +24,7 @@ from thinkblox.scene.saying import turned
 from thinkblox.scene.zones import beside
 from thinkblox.value import Vec3
 
-GAP = 0.004
+GAP = 0.008
 """Left between neighbours in a run [m]."""
 TALL = 1.2
 """What is higher than this stands at an end of the run [m]."""
