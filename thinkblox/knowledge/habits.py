@@ -25,10 +25,11 @@ class Habit:
 
 @dataclass(frozen=True, slots=True)
 class Habits:
-    """Groups of categories, and the habits of each category in order of preference."""
+    """Groups of categories, in order and as sets, and the habits of each category in order of preference."""
 
     groups: dict[str, tuple[str, ...]]
     habits: dict[str, tuple[Habit, ...]]
+    members: dict[str, frozenset[str]]
 
     def of(self, category: str) -> tuple[Habit, ...]:
         """The habits of a category; none for one that may stand anywhere."""
@@ -43,7 +44,7 @@ class Habits:
     def is_in(self, category: str, *names: str) -> bool:
         """Whether a category belongs to one of these groups."""
         if category in self.habits or category in _PLACES:
-            return any(category in self.groups[name] for name in names)
+            return any(category in self.members[name] for name in names)
         return facts_of(category).is_in(*names)
 
     def tie(self, category: str, anchor: str) -> RelationKind | None:
@@ -70,7 +71,8 @@ def _collected(revision: int) -> Habits:
     read: dict[str, Habit] = {}
     for line in {line for kind in known.values() for line in kind.habits}:
         read[line] = _habit(line, groups)
-    return Habits(groups, {name: tuple(read[line] for line in kind.habits) for name, kind in known.items()})
+    habits = {name: tuple(read[line] for line in kind.habits) for name, kind in known.items()}
+    return Habits(groups, habits, {name: frozenset(group) for name, group in groups.items()})
 
 
 def _groups(known: Mapping[str, Facts]) -> dict[str, tuple[str, ...]]:

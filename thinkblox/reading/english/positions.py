@@ -221,6 +221,9 @@ class Positions(Subjects):
         if noun.kind in ("people", "abstract"):
             self._beyond(where)
             return True
+        if noun.kind == "number" and noun.rows and where.word not in ("in", "as", "to", "at"):
+            self._lose_where(where)
+            return True
         if noun.kind == "number" and noun.rows:
             things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
             if things:

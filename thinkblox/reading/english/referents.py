@@ -55,7 +55,8 @@ class Referents:
     def named(self, noun: Noun, besides: Sequence[Mention] = ()) -> Mention | None:
         """The latest thing that "the <noun>" can mean, `besides` some; None when nothing like it was mentioned."""
         recent = [t for t in reversed(self.draft.things[-_REACH:]) if t not in besides or t.many]
-        recent = [t for t in recent if t.asked and not _is_another_kind(noun, t)]
+        named = _is_own_name(noun.text, noun.value) and noun.named and noun.kind == "thing"
+        recent = [t for t in recent if t.asked and not (named and _is_another_kind(noun, t))]
         word = noun.word
         said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
         tests = (
@@ -288,15 +289,13 @@ def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention],
 
 def _is_another_kind(noun: Noun, thing: Mention) -> bool:
     """Whether a thing was called by a name of its own that differs: a dining table is not "the coffee table"."""
-    if not noun.named or noun.value == thing.noun or noun.kind != "thing":
-        return False
-    names = [set(text.lower().split()[-2:]) for text in (noun.text, thing.text)]
-    known = load_habits().known()
-    own = all(len(name) == 2 and "_" in value for name, value in zip(names, (noun.value, thing.noun), strict=True))
-    own = own and noun.value in known and thing.noun in known
-    return own and all(
-        set(value.split("_")) <= name for name, value in zip(names, (noun.value, thing.noun), strict=True)
-    )
+    return noun.value != thing.noun and _is_own_name(thing.text, thing.noun)
+
+
+def _is_own_name(text: str, value: str) -> bool:
+    """Whether words are the name of one category, as "a coffee table" is and "a table" is not."""
+    words = value.split("_")
+    return len(words) == 2 and value in load_habits().known() and words == text.lower().split()[-2:]
 
 
 def is_small(thing: Mention) -> bool:

@@ -64,6 +64,8 @@ class Subjects(Having):
             return True
         if frame.contents and len(frame.members) == 1:
             return True
+        if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
+            return not frame.each and not self.habits.is_in(thing.noun, "seats")
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
         if middle and thing.many and not frame.each:
             return True
