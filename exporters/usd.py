@@ -97,7 +97,7 @@ def _layer(inventory: Inventory, layers: AssetLayers | None = None) -> Any:
         _add_physics(world, inventory.physics)
         _add_lights(world, inventory.scene.room)
         _add_cameras(world, inventory)
-        add_room(world, inventory, parts, looks)
+        add_room(world, inventory, parts, looks, layers)
         objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
         shelf = Shelf(layer, inventory.looks, looks, layers)
         for item in inventory.objects:

@@ -19,7 +19,7 @@ SHELF = "Assets"
 
 
 class AssetLayers:
-    """The layer of each asset of an inventory, which is a payload of the objects that are made of it.
+    """The layer of each asset of an inventory, which is a payload of the objects that are made of it, and the room's.
 
     Attributes:
         files: its bytes, by its path relative to the stage that names it.
@@ -28,12 +28,17 @@ class AssetLayers:
     def __init__(self, inventory: Inventory) -> None:
         self.files: dict[str, bytes] = {}
         self._names: dict[str, str] = {}
+        for item in inventory.objects:
+            if item.asset not in self._names:
+                self._names[item.asset] = self.add(_asset_layer(item, inventory.looks))
+
+    def add(self, layer: Any) -> str:
+        """Take one more layer; returns its path."""
         with TemporaryDirectory() as folder:
-            for item in inventory.objects:
-                if item.asset not in self._names:
-                    data = _crate(_asset_layer(item, inventory.looks), Path(folder) / "asset.usdc")
-                    name = f"{FOLDER}/{hashlib.sha256(data).hexdigest()}.usdc"
-                    self._names[item.asset], self.files[name] = name, data
+            data = _crate(layer, Path(folder) / "layer.usdc")
+        name = f"{FOLDER}/{hashlib.sha256(data).hexdigest()}.usdc"
+        self.files[name] = data
+        return name
 
     def file_of(self, item: InventoryObject) -> str:
         """The path of the layer that an object's asset is in."""

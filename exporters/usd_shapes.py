@@ -17,6 +17,8 @@ from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
 from thinkblox.sim.geometry.collider import collider
 
 _COLLIDER = "PhysicsCollisionAPI"
+_NO_AREA = 1e-11
+"""Twice the area of a face that is left out [m2]."""
 
 
 def add_colliders(scope: Prim, geoms: Sequence[InventoryGeom]) -> None:
@@ -68,28 +70,55 @@ def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> N
 def add_textured(parent: Prim, name: str, mesh: TexturedMesh, looks: Looks, look: str) -> Prim:
     """Add one visible mesh, with the places of its vertices in a texture where they have any."""
     parts = [Polygons(mesh.vertices, mesh.normals, [3] * len(mesh.faces), mesh.faces.ravel().tolist())]
-    prim = add_mesh(parent, name, parts, looks, look)
-    if not mesh.uv.any():
-        return prim
-    places = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(mesh.uv, np.float32))
-    return prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
+    return add_mesh(parent, name, parts, looks, look, uv=mesh.uv if mesh.uv.any() else None)
 
 
-def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:
-    """Add one visible mesh made of all parts."""
+def add_mesh(
+    parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str, *, uv: NDArray[Any] | None = None
+) -> Prim:
+    """Add one visible mesh made of all parts: each point once, with a normal a corner, and no face without an area."""
     prim = parent.child(name, "Mesh", apis=[BINDING])
-    starts = np.cumsum([0] + [len(part.points) for part in parts]).tolist()
-    indices = [index + start for part, start in zip(parts, starts, strict=False) for index in part.indices]
-    points = np.vstack([part.points for part in parts])
-    _put_mesh(prim, points, [count for part in parts for count in part.counts], indices)
-    normals = np.vstack([part.normals for part in parts])
-    prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="vertex")
+    starts = np.cumsum([0] + [len(part.points) for part in parts])
+    corners = np.concatenate([np.asarray(part.indices) + start for part, start in zip(parts, starts, strict=False)])
+    points, same = np.unique(np.round(np.vstack([part.points for part in parts]), 6) + 0.0, axis=0, return_inverse=True)
+    counts = np.concatenate([np.asarray(part.counts) for part in parts])
+    kept = np.repeat(_with_area(points, same.reshape(-1)[corners], counts), counts)
+    counts, corners = counts[_first_of(kept, counts)], corners[kept]
+    used, index = np.unique(same.reshape(-1)[corners], return_inverse=True)
+    _put_mesh(prim, points[used], counts.tolist(), index.reshape(-1).tolist())
+    normals = np.vstack([part.normals for part in parts])[corners]
+    prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="faceVarying")
+    if uv is not None:
+        _put_uv(prim, np.asarray(uv, np.float32)[corners])
     looks.bind(prim, look)
     return prim
 
 
+def _with_area(points: NDArray[Any], corners: NDArray[Any], counts: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which faces have an area, by their first three corners, and a fourth where there is one."""
+    first = np.cumsum(counts) - counts
+    a, b, c, last = (points[corners[first + step]] for step in (0, 1, 2, counts - 1))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) + np.linalg.norm(np.cross(c - a, last - a), axis=1)
+    kept: NDArray[np.bool_] = area > _NO_AREA
+    return kept
+
+
+def _first_of(kept: NDArray[np.bool_], counts: NDArray[Any]) -> NDArray[np.bool_]:
+    """Of corners that are kept face by face, the faces."""
+    found: NDArray[np.bool_] = kept[np.cumsum(counts) - counts]
+    return found
+
+
+def _put_uv(prim: Prim, places: NDArray[np.float32]) -> None:
+    values, index = np.unique(places, axis=0, return_inverse=True)
+    array = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values))
+    prim.put(f"primvars:{UV}", T.TexCoord2fArray, array, interpolation="faceVarying")
+    prim.put(f"primvars:{UV}:indices", T.IntArray, Vt.IntArray(index.reshape(-1).tolist()))
+
+
 def _put_mesh(prim: Prim, points: NDArray[Any], counts: list[int], indices: list[int]) -> None:
+    stored = np.round(np.asarray(points, np.float64), 6).astype(np.float32)
     prim.put("points", T.Point3fArray, vectors(points, 6)).put("faceVertexCounts", T.IntArray, Vt.IntArray(counts))
     prim.put("faceVertexIndices", T.IntArray, Vt.IntArray(indices))
     prim.put("subdivisionScheme", T.Token, "none", uniform=True)
-    prim.extent(np.round(points.min(axis=0), 6).tolist(), np.round(points.max(axis=0), 6).tolist())
+    prim.extent(stored.min(axis=0).tolist(), stored.max(axis=0).tolist())

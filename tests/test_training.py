@@ -11,7 +11,6 @@ from msgspec import structs
 from tests.stub_server import stub
 from thinkblox import InputError
 from thinkblox.observe import Sight
-from thinkblox.steps import Step, parse
 from thinkblox.training.building import build
 from thinkblox.training.config import GdpoConfig, SftConfig, read_experiment, section
 from thinkblox.training.recipe import Recipe
@@ -204,21 +203,3 @@ def test_a_model_learns_to_read_before_it_answers(data: str, tmp_path: Path) -> 
     run(trainer, config)
     assert taken[:2] == [1.0, 1.0]
     assert max(taken[2:]) < 0.8
-
-
-def test_an_object_by_another_name_is_asked_for_and_answered_alike(data: str) -> None:
-    from thinkblox.training.other_names import with_other_names
-
-    rows = rows_of(data, "train")
-    other = with_other_names(rows, 1.0, seed=0)
-    kept = with_other_names(rows, 0.0, seed=0)
-    assert kept["completion"] == rows["completion"]
-    assert [image.size for image in other[0]["images"]] == [image.size for image in rows[0]["images"]]
-    differ = 0
-    for row in other:
-        step = parse(row["completion"][0]["content"][0]["text"])
-        assert isinstance(step, Step)
-        shown = row["prompt"][0]["content"][0]["text"]
-        assert f'place "{step.id}" ' in shown
-        differ += step.id != row["id"]
-    assert differ >= len(other) - 2

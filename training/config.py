@@ -70,12 +70,10 @@ class SftConfig(Training, frozen=True, kw_only=True):
     Attributes:
         reading: updates at the start in which the loss is on all that is said; after them it is on the completion
             alone. A model that is made anew has to learn to read before it can answer.
-        renamed: share of the rows whose object goes by another name, so that the name has to be read.
         weight_decay: of all weights.
     """
 
     reading: Annotated[int, Meta(ge=0)] = 0
-    renamed: Annotated[float, Meta(ge=0, le=1)] = 0.0
     weight_decay: Annotated[float, Meta(ge=0)] = 0.0
 
 

@@ -9,8 +9,6 @@ from thinkblox.errors import InputError
 from thinkblox.training.recipe import RECIPE, Recipe, Split
 from thinkblox.value import read_json
 
-Row = dict[str, Any]
-"""A row, or a part of one, by the names of its columns."""
 NEEDED = ("prompt", "completion", "images", "at")
 _TEXTS = 4000
 """Rows from which the tokens of a new model are learnt."""

@@ -6,7 +6,6 @@ from typing import Any
 
 from thinkblox.training.config import SftConfig, section
 from thinkblox.training.models import adapter_for, save_trained, starting_model
-from thinkblox.training.other_names import with_other_names
 from thinkblox.training.rows import rows_of
 from thinkblox.training.running import common_arguments, resuming, run
 
@@ -21,8 +20,6 @@ def train_sft(config: SftConfig) -> Path:
         InputError: the configuration, the dataset or the model cannot be used; said before anything is trained.
     """
     rows = rows_of(config.data, "train")
-    if config.renamed:
-        rows = with_other_names(rows, config.renamed, config.seed)
     start = starting_model(config)
     trainer = sft_trainer(config, start.model, start.processor, rows)
     run(trainer, config)
