@@ -52,7 +52,7 @@ $(VENV)/installed: pyproject.toml constraints.txt
 
 # The tools of development besides: tests, linters, types.
 $(VENV)/installed-dev: $(VENV)/installed
-	@echo "Adding the tools of development and what models need, once: about 400 MB to download, two minutes."
+	@echo "Adding the tools of development and what models need, once: about 500 MB to download, two minutes."
 	$(PIP) "torch==2.13.0"
 	$(PIP) --no-build-isolation -e ".[dev]"
 	@touch $@

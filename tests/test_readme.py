@@ -72,7 +72,7 @@ def test_the_commands_of_the_readme_run(tmp_path):
 
 
 def test_links_point_at_files():
-    pages = (*RUN, "rooms", "training", "evaluation", "benchmarks")
+    pages = (*RUN, "engines", "rooms", "training", "evaluation", "benchmarks")
     for name in ("README.md", *(f"docs/{page}.md" for page in pages)):
         for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
             assert (ROOT / name).parent.joinpath(link).exists(), (name, link)

@@ -1,0 +1,127 @@
+"""Exported rooms in other engines, beside MuJoCo.
+
+python -m tests.bench.engines ROOMS [--engines rapier3d,dartpy] [--home DIR] [--out FILE]
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import tomllib
+import venv
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.bench.engines.case import moved, swings, write_case
+from thinkblox.sim.environment import rooms_of
+
+HERE = Path(__file__).parent
+PINS: dict[str, dict[str, Any]] = tomllib.loads((HERE / "pins.toml").read_text())
+COLUMNS = (
+    "room", "engine", "masses off [%]", "moved in 2 s [mm]", "turned [degrees]", "hinges off [degrees]",
+    "drawers off [mm]", "seconds",
+)  # fmt: skip
+
+
+def interpreter(engine: str, home: Path) -> Path:
+    """The Python of an engine's virtual environment, which is made when it is not there.
+
+    Raises:
+        RuntimeError: it cannot be installed; says why.
+    """
+    place = home / engine
+    python = place / "bin" / "python"
+    if not (place / "ready").exists():
+        venv.create(place, with_pip=True, clear=True)
+        command = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PINS[engine]["needs"]]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise RuntimeError(f"cannot be installed: {done.stderr.strip().splitlines()[-1]}")
+        (place / "ready").touch()
+    return python
+
+
+def driven(engine: str, case: Path, home: Path) -> dict[str, Any]:
+    """What a driver prints of a case.
+
+    Raises:
+        RuntimeError: it fails, or takes over five minutes; says how.
+    """
+    command = [interpreter(engine, home), HERE / f"drive_{engine}.py", case]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+    except subprocess.TimeoutExpired:
+        raise RuntimeError("takes over five minutes") from None
+    if done.returncode:
+        last = (done.stderr.strip().splitlines() or [f"ends with status {done.returncode}"])[-1]
+        raise RuntimeError(last[:160])
+    return json.loads(done.stdout.splitlines()[-1])  # type: ignore[no-any-return]
+
+
+def row(room: str, engine: str, case: dict[str, Any], told: dict[str, Any], wanted: Any) -> str:
+    """A line of the table: the largest of each difference."""
+    # What does not collide, such as a rug, weighs nothing in the engine.
+    kept = [thing for thing in case["things"] if thing["mass"] > 0.0]
+    off = max((100.0 * abs(told["masses"].get(t["name"], 0.0) / t["mass"] - 1.0) for t in kept), default=0.0)
+    away, turned, which = moved(case, told["poses"])
+    hinges, drawers = _swung(wanted, told["swings"])
+    far = f"{away:.2f} {which}" if away > 5.0 else f"{away:.2f}"
+    cells = (room, engine, f"{off:.4f}", far, f"{turned:.2f}", hinges, drawers, f"{told['took']:.1f}")
+    return f"| {' | '.join(cells)} |"
+
+
+def _swung(wanted: Any, found: Any) -> tuple[str, str]:
+    """The largest differences of hinges [degrees] and drawers [mm], where there are any."""
+    hinges, drawers = [0.0], [0.0]
+    if not found:
+        return "-", "-"
+    for asset, joints in wanted.items():
+        for joint, values in joints.items():
+            apart = np.abs(np.subtract(values, found[asset][joint])).max()
+            if "drawer" in joint:
+                drawers.append(1000.0 * float(apart))
+            else:
+                hinges.append(float(np.degrees(apart)))
+    return f"{max(hinges):.1f}", f"{max(drawers):.1f}"
+
+
+def lines(rooms: list[str], engines: list[str], home: Path) -> Iterator[str]:
+    """The table, line by line, failures included."""
+    yield f"| {' | '.join(COLUMNS)} |"
+    yield "|---" * len(COLUMNS) + "|"
+    for source in (source for room in rooms for source in rooms_of(room)):
+        scene = source.load()
+        with tempfile.TemporaryDirectory(prefix="engines-") as folder:
+            case = write_case(scene, Path(folder, "room"))
+            wanted = swings(scene, case)
+            for engine in engines:
+                try:
+                    told = driven(engine, Path(folder, "room", "case.json"), home)
+                    yield row(source.name, engine, case, told, wanted)
+                except RuntimeError as error:
+                    yield f"| {source.name} | {engine} | {error} | | | | | |"
+
+
+def main() -> int:
+    """Print the table, and write it where asked to."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("rooms", nargs="+")
+    parser.add_argument("--engines", default=",".join(PINS))
+    parser.add_argument("--home", type=Path, default=Path("out/engines"))
+    parser.add_argument("--out", type=Path)
+    arguments = parser.parse_args()
+    table = []
+    for line in lines(arguments.rooms, arguments.engines.split(","), arguments.home.absolute()):
+        print(line, flush=True)
+        table.append(line)
+    if arguments.out is not None:
+        arguments.out.write_text("\n".join(table) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

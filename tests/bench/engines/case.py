@@ -1,0 +1,112 @@
+"""What a driver is given: an exported room, and what the engine that measured it makes of the same."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+from msgspec import structs
+
+from thinkblox.exporters.inventory import InventoryObject
+from thinkblox.exporters.naming import safe_name
+from thinkblox.exporters.saving import save_scene
+from thinkblox.exporters.stocktaking import inventory_of
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.sim.build import add_placement, new_spec
+from thinkblox.sim.settings import Physics
+
+SECONDS = 2.0
+"""How long a room is let alone [s]."""
+TIMES = (0.4, 0.8)
+"""When doors and drawers are looked at [s]."""
+TILTED = (2.0, 0.0, -9.6)
+"""Gravity that draws doors and drawers open, in the frame of what they are part of [m/s2]."""
+
+
+def write_case(scene: Scene, folder: Path) -> dict[str, Any]:
+    """Export a room into a folder with `case.json`; returns that.
+
+    Things stand where they came to rest. `swinging` are the assets with doors and drawers, each alone and held still.
+    """
+    inventory = inventory_of(scene)
+    save_scene(scene, folder, formats=("mjcf", "urdf"), pictures=False, overwrite=True)
+    things = [_thing(item, folder) for item in inventory.objects]
+    walls = [
+        {"position": g.shape.position, "quat": g.shape.quat_wxyz, "size": g.shape.size, "friction": g.friction[0]}
+        for wall in inventory.walls
+        for g in wall.geoms
+        if g.shape is not None
+    ]
+    swinging = {thing["asset"]: thing for thing in things if thing["joints"]}
+    case = {
+        "folder": str(folder),
+        "timestep": inventory.physics.timestep,
+        "gravity": inventory.physics.gravity,
+        "tilted": TILTED,
+        "seconds": SECONDS,
+        "times": TIMES,
+        "things": things,
+        "boxes": walls,
+        "swinging": list(swinging.values()),
+    }
+    (folder / "case.json").write_text(json.dumps(case))
+    return case
+
+
+def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
+    first = item.bodies[0]
+    models = list((folder / "assets").glob(f"{safe_name(item.asset)}_*.urdf"))
+    friction = next((geom.friction[0] for body in item.bodies for geom in body.geoms if geom.collides), 0.0)
+    return {
+        "name": item.name,
+        "id": item.id,
+        "asset": item.asset,
+        "model": str(models[0]),
+        "free": item.free,
+        "collides": any(geom.collides for body in item.bodies for geom in body.geoms),
+        "position": first.settled[0],
+        "quat": first.settled[1],
+        "mass": sum(body.mass for body in item.bodies),
+        "friction": friction,
+        # As a model has them, whose links have plain names.
+        "joints": {f"{safe_name(body.link)}_joint": body.source for body in item.bodies[1:]},
+    }
+
+
+def swings(scene: Scene, case: dict[str, Any]) -> dict[str, dict[str, list[float]]]:
+    """How far the doors and drawers of each asset are open at the times, in MuJoCo [rad, m]."""
+    found = {}
+    for thing in case["swinging"]:
+        physics = Physics(gravity=TILTED)
+        spec, placement = new_spec(physics), scene[thing["id"]]
+        add_placement(spec, _at_origin(placement), scene.asset_of(placement), free=False)
+        model = spec.compile()
+        data, seen = mujoco.MjData(model), dict[str, list[float]]()
+        for time in TIMES:
+            while data.time < time - 1e-9:
+                mujoco.mj_step(model, data)
+            for joint, source in thing["joints"].items():
+                seen.setdefault(joint, []).append(float(data.qpos[model.joint(source).qposadr[0]]))
+        found[thing["asset"]] = seen
+    return found
+
+
+def _at_origin(placement: Placement) -> Placement:
+    return structs.replace(placement, position=(0.0, 0.0, 0.0), yaw=0.0)
+
+
+def moved(case: dict[str, Any], poses: dict[str, Any]) -> tuple[float, float, str]:
+    """The farthest that a free thing went [mm] and turned [degrees], and which went farthest."""
+    worst, turned, which = 0.0, 0.0, ""
+    for thing in case["things"]:
+        if not thing["free"] or thing["name"] not in poses:
+            continue
+        position, quat = (np.asarray(each) for each in poses[thing["name"]])
+        away = float(np.linalg.norm(position - thing["position"])) * 1000.0
+        same = min(abs(float(quat @ thing["quat"])) / float(np.linalg.norm(quat)), 1.0)
+        turned = max(turned, float(np.degrees(2.0 * np.arccos(same))))
+        if away > worst:
+            worst, which = away, thing["name"]
+    return worst, turned, which
