@@ -19,6 +19,8 @@ _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
 _UNLIMITED = 1000
 _VISITORS = 3
 """So many are received at once across a desk."""
+_MANY_DESKS, _MANY_SEATS = 10, 12
+"""From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
 _LINE = 3
 """From so many on alike things stand in line."""
 _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
@@ -42,10 +44,20 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         if len(waiting) >= _LINE and whole and load_habits().is_in(request[0].category, "in_line"):
             waiting = _in_rows(waiting)
         for habit in load_habits().of(request[0].category):
+            if habit.kind == "against_wall" and len(waiting) >= _crowd(request[0].category):
+                waiting = _in_rows(waiting)
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _crowd(category: str) -> int:
+    """From how many on alike things stand in rows rather than along the walls."""
+    habits = load_habits()
+    if habits.is_in(category, "worked_at") and habits.is_in(category, "desks"):
+        return _MANY_DESKS
+    return _MANY_SEATS if habits.is_in(category, "chairs") else _UNLIMITED
 
 
 def _look_ahead(members: Members, request: list[Member]) -> None:

@@ -119,7 +119,8 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     for run in _runs(members):
         first = min(ranks[id][:2] for id in run)
         whole = sum(members.by_id[id].footprint for id in run)
-        ranks |= {id: (first[0], min(first[1], -round(whole, 6)), ranks[id][2]) for id in run}
+        stage = 0 if any(members.by_id[id].request.asked for id in run) else first[0]
+        ranks |= {id: (stage, min(first[1], -round(whole, 6)), ranks[id][2]) for id in run}
     queue = list(ranks)
     while queue:
         id = queue.pop()

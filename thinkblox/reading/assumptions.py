@@ -19,6 +19,8 @@ _SEATED = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand to their tables."""
 _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
+_ENOUGH_SEATS = 3
+"""Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -166,7 +168,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
         there = any(_serves(noun, usual) for noun in present) or any(_is_one(n, usual.category) for n in draft.excluded)
-        if there or usual.category in unlikely or _have_tables(draft, usual.category):
+        if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
         if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
@@ -190,8 +192,11 @@ def _serves(noun: str, usual: Usual) -> bool:
     return _is_one(noun, usual.category) and not amid
 
 
-def _have_tables(draft: Draft, category: str) -> bool:
-    """Whether a thing is a place of one's own where the prompt names tables for the people."""
+def _have_places(draft: Draft, category: str) -> bool:
+    """Whether a thing is a place of one's own where the prompt names tables or loungers for the people."""
+    loungers = [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "lounges")]
+    if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _ENOUGH_SEATS:
+        return True
     named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
     return category == room_type(draft.room).place and named
 
@@ -237,6 +242,7 @@ def _seat(draft: Draft) -> None:
             continue
         free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:
+            seat.count = thing.seats * (thing.count or 1) if seat.count is None else seat.count
             draft.bonds.append(Bond(_seated(thing), seat, (thing,), asked=False))
         if not free:
             _chairs(draft, thing, thing.seats * (thing.count or 1))
@@ -303,10 +309,17 @@ def _carry(draft: Draft) -> None:
         if _lies_somewhere(draft, thing):
             continue
         carriers = [a for habit in load_habits().of(thing.noun) if habit.kind == "on" for a in habit.anchors]
-        if not any(t.noun in carriers for t in draft.things):
+        if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
                 _add(draft, noun, 1)
+
+
+def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
+    """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase."""
+    habits = load_habits()
+    high = habits.is_in(thing.noun, "lamps") and habits.is_in(carrier.noun, "shelves")
+    return not (high and _has(draft, "beds"))
 
 
 def _build_in(draft: Draft) -> None:

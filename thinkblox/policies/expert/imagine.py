@@ -40,12 +40,18 @@ TURNED_AWAY = 8.0
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
-BEFORE_FOOT = 6.0
-"""Cost of standing before the foot of a bed instead of beside it."""
+BEHIND_IT, IN_USE = 3.0, 6.0
+"""Cost of standing behind or before what has a front, instead of beside it."""
 RECEIVING = -2.5
 """Cost of a desk that looks into the room where people are received across it."""
 UNSERVED = 2.0
 """Cost of a counter with no room behind it for who serves."""
+ROUND_CORNER, SEAT_DEPTH = 1.3, 1.0
+"""Depth from which a sofa goes round a corner, and that of its seats without that part [m]."""
+WITHIN_CORNER = 3.0
+"""How much better a low table stands within such a sofa than before all of it, which is not before it as measured."""
+SIDE_BY_SIDE = 4.0
+"""Cost of two alike one behind the other that are to be next to each other."""
 ASKEW = 4.0
 """Cost of turning a thing against what carries it, by whose sides others stand."""
 BY_ANOTHER = 2.0
@@ -146,6 +152,8 @@ def _any_surface(situation: Situation) -> Iterator[Idea]:
     promised = {a for t in later for tie in t.ties if carries(tie) for a in tie.anchors}
     for anchor in situation.solid:
         if anchor.id in promised or situation.scene.asset_of(anchor).mount == "surface":
+            continue
+        if situation.facts.is_in("built_in") and not facts_of(anchor.category).is_in("takes_built_in"):
             continue
         if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
@@ -285,10 +293,11 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for rank, side in enumerate(sides):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
-    lain_on = facts_of(anchor.category).is_in("lain_on")
-    for side, dear in (("back", 1.5), ("front", BEFORE_FOOT if lain_on else 2.5)):
+    used = situation.scene.asset_of(anchor).front == "one"
+    alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
+    for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", IN_USE if used else 2.5)):
         for idea in beside.sides_of(situation, anchor, (side,)):
-            yield _dearer(idea, dear)
+            yield _dearer(idea, dear + alike)
     for other in situation.alike(anchor.id):
         for idea in beside.sides_of(situation, other, sides):
             yield _dearer(idea, BY_ANOTHER)
@@ -303,12 +312,27 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
         yield from open_floor.presenting(situation, anchor)
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
     why = f"it belongs before {anchor.id}"
+    if situation.facts.is_in("low_tables") and anchor.size[0] > ROUND_CORNER and not tie.asked:
+        yield from _within_corner(situation, anchor, gaps, why)
     if face and facts_of(anchor.category).is_in("counters"):
         gaps = AT_COUNTER
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
     for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
+
+
+def _within_corner(situation: Situation, anchor: Placement, gaps: tuple[float, ...], why: str) -> Iterator[Idea]:
+    """Before the seats of a sofa that goes round a corner, beside its longer part, whichever side that is on."""
+    for rank, gap in enumerate(gaps):
+        for aside in (0.2, -0.2, 0.25, -0.25):
+            local = (-anchor.size[0] / 2 + SEAT_DEPTH + gap + situation.size[0] / 2, aside * anchor.size[1])
+            words = (Constraint(kind="beside", anchors=(anchor.id,), side="front", values=(gap,)),)
+            ignore = (anchor.id,)
+            cost = 0.15 * rank - WITHIN_CORNER
+            yield beside.beside_at(
+                situation, anchor, local, yaw=anchor.yaw, words=words, why=why, cost=cost, ignore=ignore
+            )
 
 
 def _is_worked_at(situation: Situation, desk: Placement) -> bool:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from thinkblox.knowledge.uses import MAIN_WAY
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Tie
+from thinkblox.plan import Tie, is_object
 from thinkblox.policies.expert import row_layout
 from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import darkens, ground_costs
@@ -19,6 +19,7 @@ from thinkblox.policies.expert.row_layout import RowLayout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.wall_rows import belongs_to_wall, wall_rows
 from thinkblox.policies.expert.ways import imbalance, moment
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.pairs import FACING
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
@@ -123,7 +124,24 @@ def _everywhere(situation: Situation, layouts: list[RowLayout], facing: tuple[st
     centre = (slots[:, None] + (middle + shifts)[None, :, None]).reshape(-1, slots.shape[1], 2)
     yaw = np.repeat(np.array([layout.yaws for layout in layouts]), len(shifts), axis=0)
     cost = (np.array([layout.cost for layout in layouts])[:, None] + off[None]).reshape(-1)
-    return Blocks(centre, yaw, cost + _first_row_costs(situation, centre, facing))
+    cost += _first_row_costs(situation, centre, facing) + _place_costs(situation, centre, yaw)
+    return Blocks(centre, yaw, cost)
+
+
+def _place_costs(situation: Situation, centre: Array, yaw: Array) -> Array:
+    """What it costs that some do not look at the part of the room that they are to look at."""
+    ties = (tie for tie in situation.target.ties if tie.kind == "facing")
+    places = [name for tie in ties for name in tie.anchors if not is_object(name)]
+    marks = [part.centre for name in places for part in things(situation.scene, name)]
+    if not marks:
+        return np.zeros(len(centre))
+    to = np.array(marks)[None, None] - centre[:, :, None]
+    bearing = np.degrees(np.arctan2(to[..., 1], to[..., 0]))
+    gaze = yaw + (180.0 if situation.asset.gaze == "back" else 0.0)
+    off = np.abs((bearing - gaze[:, :, None] + 180.0) % 360.0 - 180.0).min(-1)
+    past = off > FACING - 1.0
+    away = np.linalg.norm(to, axis=-1).min(-1).mean(-1)
+    return np.asarray(OFF_SIGHT * past.mean(-1) + ANY_OFF_SIGHT * past.any(-1) + 0.3 * away)
 
 
 def _at_walls(situation: Situation, tie: Tie) -> Blocks:

@@ -24,10 +24,12 @@ from thinkblox.scene.saying import turned
 from thinkblox.scene.zones import beside
 from thinkblox.value import Vec3
 
-GAP = 0.004
+GAP = 0.008
 """Left between neighbours in a run [m]."""
 TALL = 1.2
 """What is higher than this stands at an end of the run [m]."""
+SPARE = 1.07
+"""How much wider than usual a tall thing may come."""
 TALL_GAP = 0.02
 """Left beside what is tall [m]."""
 CORNER = 0.06
@@ -44,7 +46,7 @@ HARD = 30.0
 """Cost of a member outside, in something, in a door's swing or before a window."""
 BY_WINDOW = ("under", "near", "next_to", "in_front_of")
 """Relations to a window that a place in a run can meet."""
-SAME_PLACE = 0.06
+SAME_PLACE = 0.12
 """A member stands in a slot when it is nearer than this [m]."""
 FINALISTS = 6
 """Layouts of which each gives an idea."""
@@ -95,13 +97,29 @@ def run_ideas(situation: Situation) -> Iterator[Idea]:
     order = sorted(range(len(layouts)), key=lambda i: costs[i])[: 4 * FINALISTS]
     taken: list[tuple[int, float]] = []
     for i in order:
-        slot = next(slot for slot in layouts[i].slots if slot.member.id == own)
+        slot = _closed_up(situation, layouts[i], own)
         if any(wall == slot.wall and abs(along - slot.along) < SAME_PLACE for wall, along in taken):
             continue
         taken.append((slot.wall, slot.along))
         yield _idea(situation, slot, float(costs[i]), len(members))
         if len(taken) == FINALISTS:
             return
+
+
+def _closed_up(situation: Situation, layout: _Layout, id: str) -> Slot:
+    """The slot of a member as it follows from the nearest that stands there: not all are as wide as was thought."""
+    at = next(n for n, slot in enumerate(layout.slots) if slot.member.id == id)
+    own = layout.slots[at]
+    there = [n for n, slot in enumerate(layout.slots) if slot.wall == own.wall and n != at]
+    standing = [n for n in there if layout.slots[n].member.id in situation.scene]
+    if not standing:
+        return own
+    nearest = min(standing, key=lambda n: abs(n - at))
+    placed = situation.scene[layout.slots[nearest].member.id]
+    along, _ = situation.room.walls[own.wall].coordinates((placed.position[0], placed.position[1]))
+    line = [slot.member for slot in layout.slots[min(at, nearest) : max(at, nearest) + 1]]
+    apart = _length(line) - (line[0].size[1] + line[-1].size[1]) / 2
+    return own._replace(along=along + (apart if at > nearest else -apart))
 
 
 def _company(situation: Situation) -> list[Target]:
@@ -150,7 +168,10 @@ def _walls_of(situation: Situation, target: Target) -> frozenset[int]:
 def _size(situation: Situation, target: Target) -> Vec3:
     if target.id == situation.target.id:
         return situation.size
-    return situation.scene[target.id].size if target.id in situation.scene else situation.kind(target).size
+    if target.id in situation.scene:
+        return situation.scene[target.id].size
+    depth, width, height = situation.kind(target).size
+    return (depth, width * (SPARE if height > TALL else 1.0), height)
 
 
 def _layouts(situation: Situation, members: list[Member]) -> Iterator[_Layout]:

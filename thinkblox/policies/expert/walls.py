@@ -20,6 +20,8 @@ BESIDE_CORNER = 0.4
 """Left between a seat and its corner for a lamp or a small table [m]."""
 BEHIND = 1.1
 """Left between a counter and the wall for those who sit or serve behind it [m]."""
+ASIDE = 2.0
+"""Cost per metre beside the axis of what is looked at across the room."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -213,7 +215,7 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             place = min(max(along + shift, low), high)
             aside = abs(place - along)
             if aside < 0.5 + inward / 2:
-                cost = aside + (0.0 if facing < -0.5 else 2.0) + _too_far(situation, anchor, inward)
+                cost = ASIDE * aside + (0.0 if facing < -0.5 else 2.0) + _too_far(situation, anchor, inward)
                 idea = at_wall(situation, wall, place, cost=cost, why=f"it faces {anchor.id} across the room")
                 in_line = (Constraint(kind="facing", anchors=(anchor.id,)),) if aside < 0.05 else ()
                 yield replace(idea, words=(*idea.words, *in_line))
