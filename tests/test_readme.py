@@ -11,7 +11,7 @@ import pytest
 from tests.bench.gallery import kinds
 
 ROOT = Path(__file__).parent.parent
-RUN = ("guide", "extending", "models", "editing", "mcp", "environment")
+RUN = ("guide", "extending", "models", "editing", "mcp", "environment", "interop")
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}", marks=[pytest.mark.slow] if "models" in name else [])
     for name in ("README.md", *(f"docs/{page}.md" for page in RUN))
@@ -52,7 +52,9 @@ def test_make_test_lints_types_and_tests():
 
 def test_the_commands_of_the_readme_run(tmp_path):
     shown = re.findall(r"^    thinkblox (\w+)(.*)$", (ROOT / "README.md").read_text(), re.MULTILINE)
-    assert [command for command, _ in shown] == ["generate", "edit", "verify", "evaluate", "render", "assets", "schema"]
+    assert [command for command, _ in shown] == [
+        "generate", "edit", "verify", "evaluate", "export", "render", "assets", "schema",
+    ]  # fmt: skip
     values = {"PROMPT": "An empty room with nothing in it but a chair.", "DIR": str(tmp_path / "room")}
     values |= {"SCENE": values["DIR"], "N": "2", "PX": "96", "NAME": "scene", "WHO": "expert"}
     values |= {"INSTRUCTION": "Turn the chair by 90 degrees."}
@@ -62,7 +64,8 @@ def test_the_commands_of_the_readme_run(tmp_path):
     for command, rest in shown:
         rest = rest.replace("--annotations FILE", f"--annotations {tmp_path / 'annotations.json'}")
         rest = rest.replace("--category NAME", "--category desk")
-        rest = rest.replace("--out DIR", f"--out {tmp_path / 'edited'}") if command == "edit" else rest
+        rest = rest.replace("--out DIR", f"--out {tmp_path / command}") if command in ("edit", "export") else rest
+        rest = rest.replace("--to A,B", "--to mjcf,glb").replace("--flavor NAME", "--flavor mjx")
         words = re.sub(r"\[--(room|json|out|overwrite)[^]]*\]|#.*|[\[\]]", "", rest).split()
         arguments = [values.get(word, word) for word in words]
         done = subprocess.run(
