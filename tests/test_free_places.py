@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from thinkblox.compact import IT, named
 from thinkblox.episode import Episode
 from thinkblox.free_places import Stretch, free_places
 from thinkblox.generate import generate_room
@@ -76,7 +77,8 @@ def test_compact_words_say_numbers_as_answers_do(episode: Episode) -> None:
     (message,) = seen.chat(Sight(words="compact", pictures=False))
     lines = message.text.splitlines()
     assert lines[0].startswith("room 5.0 4.0 high ")
-    assert any(line.startswith(f"place {seen.target.id} ") for line in lines)
+    assert any(line.startswith(f'place {seen.target.category} "{IT}" ') for line in lines)
+    assert named('{"id": "it_1"}', seen.target.id) == f'{{"id": "{seen.target.id}"}}'
     assert any(line.startswith("free ") for line in lines)
     assert len(message.text) < len(seen.text()) / 4
 

@@ -11,9 +11,10 @@ import pytest
 from tests.bench.gallery import kinds
 
 ROOT = Path(__file__).parent.parent
+RUN = ("guide", "extending", "models", "editing", "mcp", "environment")
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}", marks=[pytest.mark.slow] if "models" in name else [])
-    for name in ("README.md", *(f"docs/{page}.md" for page in ("guide", "extending", "models", "editing", "mcp")))
+    for name in ("README.md", *(f"docs/{page}.md" for page in RUN))
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]
 
@@ -71,7 +72,7 @@ def test_the_commands_of_the_readme_run(tmp_path):
 
 
 def test_links_point_at_files():
-    pages = ("guide", "rooms", "extending", "models", "editing", "mcp", "training", "evaluation", "benchmarks")
+    pages = (*RUN, "rooms", "training", "evaluation", "benchmarks")
     for name in ("README.md", *(f"docs/{page}.md" for page in pages)):
         for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
             assert (ROOT / name).parent.joinpath(link).exists(), (name, link)

@@ -14,6 +14,8 @@ from thinkblox.scene.room import Room
 if TYPE_CHECKING:
     from thinkblox.observe import Observation
 
+IT = "it_1"
+"""What the object to place is called in these words, and in the answers to them."""
 THINGS = 12
 """Things that are named besides those that something is wanted of, the last ones; of the others the number."""
 
@@ -26,6 +28,11 @@ def compact_text(observation: "Observation") -> str:
     of lines on which its centre may be (`thinkblox.free_places`); "up": the height above the floor, where it has one.
     """
     return "\n".join(_lines(observation))
+
+
+def named(text: object, id: str) -> object:
+    """An answer to compact words with the object's own id; anything else as it is."""
+    return text.replace(f'"{IT}"', f'"{id}"') if isinstance(text, str) else text
 
 
 def number(value: float, digits: int = 2) -> str:
@@ -46,7 +53,7 @@ def _lines(seen: "Observation") -> Iterator[str]:
         yield f"{o.kind} {room.walls[o.wall].name} {number(o.offset)} {number(o.width)}"
     yield from _things(seen)
     target, asset = seen.target, seen.asset
-    yield f"place {target.id} {_numbers(asset.size)} {asset.mount} {asset.front}"
+    yield f'place {target.category} "{IT}" {_numbers(asset.size)} {asset.mount} {asset.front}'
     wanted = [f"{tie.kind} {' '.join(tie.anchors)}{_share(tie.index, tie.count)}".strip() for tie in target.ties]
     if wanted:
         yield "wanted " + ", ".join(wanted)

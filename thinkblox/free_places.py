@@ -8,11 +8,12 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thinkblox.assets import facts_of
 from thinkblox.plan import Target, Tie, carries
-from thinkblox.scene.arrangement import Arrangement
-from thinkblox.scene.asset import AssetCard, Surface
+from thinkblox.scene.arrangement import Arrangement, Known
+from thinkblox.scene.asset import Asset, AssetCard, Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
 from thinkblox.scene.room import Opening, Room, Wall
@@ -260,7 +261,7 @@ def _vec(point: Array) -> Vec3:
     return (x, y, z)
 
 
-def _is_free(scene: Arrangement, asset: AssetCard, line: _Line, points: Array) -> Array:
+def _is_free(scene: Arrangement, asset: AssetCard, line: _Line, points: Array) -> NDArray[np.bool_]:
     depth, width, height = asset.size
     boxes = Rects.of([((x, y), (depth, width), line.yaw, z, z + height) for x, y, z in points.tolist()])
     free = outside(boxes, scene.room.polygon) <= 1e-6
@@ -281,10 +282,14 @@ def _kept(scene: Arrangement, asset: AssetCard, solid: Sequence[Placement]) -> l
     for opening in scene.room.openings:
         door = opening.kind == "door"
         zones.append(Rects.of([_zone(scene.room, opening, opening.width if door else WINDOW_DEPTH)]))
-    opening_things = tuple(p for p in solid if scene.asset_of(p).opens)
+    opening_things = tuple(p for p in solid if _opens(scene.asset_of(p)))
     if opening_things:
         zones.append(beside(Rects.of_placements(opening_things), "front", OPENING_DEPTH))
     return zones
+
+
+def _opens(known: Known) -> bool:
+    return bool((known.card if isinstance(known, Asset) else known).opens)
 
 
 def _zone(room: Room, opening: Opening, depth: float) -> tuple[Vec2, Vec2, float, float, float]:

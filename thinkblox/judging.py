@@ -1,12 +1,13 @@
 """One judge for all: a policy's text becomes an action, and that a verdict. Loop, pool, rewards and edits use it."""
 
 from collections.abc import Sequence
+from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 from zlib import crc32
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Measures
-from thinkblox.errors import InputError
+from thinkblox.errors import InputError, UnavailableError
 from thinkblox.plan import Target
 from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, Turn
 from thinkblox.scene.asset import Asset
@@ -18,6 +19,10 @@ from thinkblox.value import Value, Vec3
 from thinkblox.verdict import Verdict
 
 if TYPE_CHECKING:
+    import numpy as np
+
+    from thinkblox.observe import Observation
+    from thinkblox.policies import Policy
     from thinkblox.sim.verdict.world import World
     from thinkblox.sim.workers.pool import VerdictPool
 
@@ -169,6 +174,31 @@ def rejected(text: object, why: Rejection) -> Try:
     """The try of what cannot be used; of a longer text than is read, as much as would be."""
     said = text[:MAX_TEXT] if isinstance(text, str) else ""
     return Try(text=said.encode("utf-8", "replace").decode(), rejection=why)
+
+
+def answers(policy: "Policy", observation: "Observation", most: int, rng: "np.random.Generator") -> list[object]:
+    """What a policy answers; where it fails, what came before that, and a try that says so.
+
+    Args:
+        policy: who proposes.
+        observation: what it is shown.
+        most: how many answers are taken.
+        rng: its random choices follow from it.
+
+    Raises:
+        UnavailableError: the policy cannot go on, for this or any other object.
+    """
+    texts: list[object] = []
+    try:
+        given = policy.propose(observation, most, rng)
+        if isinstance(given, str | bytes):
+            raise TypeError(f"it gave one {type(given).__name__}; a list of texts is wanted")
+        texts.extend(islice(given, most))
+    except UnavailableError:
+        raise
+    except Exception as error:  # a policy is anybody's code, and the rest of the room can do without it
+        texts.append(policy_failed(error))
+    return texts
 
 
 def policy_failed(error: Exception) -> Try:

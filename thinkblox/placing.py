@@ -12,9 +12,9 @@ from msgspec import structs
 from thinkblox.assets.source import AssetSource
 from thinkblox.committing import commit
 from thinkblox.episode import Round, RoundKind
-from thinkblox.errors import InputError, UnavailableError
+from thinkblox.errors import InputError
 from thinkblox.feedback import feedback_line
-from thinkblox.judging import Proposal, Try, asset_for, measured, policy_failed, proposed, rejected, understand
+from thinkblox.judging import Proposal, Try, answers, asset_for, measured, proposed, rejected, understand
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.phrases import phrase
 from thinkblox.plan import Plan, Target
@@ -161,7 +161,7 @@ class Placing:
             if self.loop.over:
                 break
             start = time.perf_counter()
-            texts = self._texts(self.observation)
+            texts = answers(self.loop.policy, self.observation, self.loop.effort.candidates, self.rng)
             grown = self.answer(texts, seconds=time.perf_counter() - start)
             if grown is not None:
                 return grown
@@ -201,21 +201,6 @@ class Placing:
             fell = FALLING.intersection(alone.reasons)
             self.loop.falls[asset] = f"it cannot stand: by itself on an empty level floor it {says}" if fell else ""
         return self.loop.falls[asset]
-
-    def _texts(self, observation: Observation) -> list[object]:
-        """What the policy answers; where it fails, what came before that, and a try that says so."""
-        most = self.loop.effort.candidates
-        texts: list[object] = []
-        try:
-            answers = self.loop.policy.propose(observation, most, self.rng)
-            if isinstance(answers, str | bytes):
-                raise TypeError(f"it gave one {type(answers).__name__}; a list of texts is wanted")
-            texts.extend(islice(answers, most))
-        except UnavailableError:
-            raise
-        except Exception as error:  # a policy is anybody's code, and the rest of the room can do without it
-            texts.append(policy_failed(error))
-        return texts
 
     def _understood(self, text: object) -> Proposal | Try:
         found = understand(self.scene, self.target, text, asset=self.asset, source=self.loop.source)

@@ -68,11 +68,12 @@ class SftConfig(Training, frozen=True, kw_only=True):
     """Supervised fine-tuning: the model learns to say what the demonstrations say.
 
     Attributes:
-        loss: on the completion alone, or on all that is said: a model that is made anew has to learn to read, too.
+        reading: updates at the start in which the loss is on all that is said; after them it is on the completion
+            alone. A model that is made anew has to learn to read before it can answer.
         weight_decay: of all weights.
     """
 
-    loss: Literal["completion", "all"] = "completion"
+    reading: Annotated[int, Meta(ge=0)] = 0
     weight_decay: Annotated[float, Meta(ge=0)] = 0.0
 
 

@@ -5,7 +5,7 @@ write them, and `scores.json` as `thinkblox train score` writes it.
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -58,7 +58,7 @@ class RunLog(NamedTuple):
 
     def points(self, key: str) -> list[tuple[float, float]]:
         """The steps and values of one quantity."""
-        return [(float(line["step"]), float(line[key])) for line in self.history if key in line]
+        return [(float(line["step"]), float(line[key])) for line in self.history if line.get(key) is not None]
 
 
 def read_run(folder: Path) -> RunLog:
@@ -180,7 +180,7 @@ def _table_of_runs(runs: list[RunLog]) -> str:
     return table(("run", "steps done", "minutes", "settings"), rows)
 
 
-def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """A table in Markdown."""
     lines = ["| " + " | ".join(cells) + " |" for cells in (head, ("---",) * len(head), *rows)]
     return "\n".join(lines) + "\n"

@@ -1,6 +1,6 @@
 """The way from what is wanted to a pose, in numbers that can be copied: a small model learns to follow it."""
 
-from thinkblox.compact import number
+from thinkblox.compact import IT, number
 from thinkblox.free_places import Stretch, free_places
 from thinkblox.observe import Observation
 from thinkblox.phrases import planned_constraints, wall_words
@@ -16,6 +16,7 @@ NEAR = 0.06
 def worked_out(seen: Observation, step: Step, placement: Placement) -> str:
     """A step's text in whole centimetres and degrees: why, where there is space, and the place there.
 
+    The object is called as compact words call it.
     The height keeps its millimetres: what stands on something must neither sink into it nor fall onto it.
     """
     x, y, z = placement.position
@@ -25,7 +26,7 @@ def worked_out(seen: Observation, step: Step, placement: Placement) -> str:
     said = [line.partition(". ")[2] or line for line in step.think.splitlines() if line.strip()]
     why = said[1] if len(said) > 2 else said[0]
     lines = [why, _space(seen, placement), _so(step, placement, position, yaw)]
-    return spaced(write_step(lines, id=step.id, position=position, yaw=yaw, size=size))
+    return spaced(write_step(lines, id=IT, position=position, yaw=yaw, size=size))
 
 
 def spaced(text: str) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Point
+from shapely.geometry.base import BaseGeometry
 
 from thinkblox.errors import InputError
 from thinkblox.sim.environment.driving import Driver, limited, turn_to
@@ -26,6 +27,10 @@ LOW, HIGH = 0.22, 1.2
 """How low and how high it comes [m]."""
 SPEED = 0.15
 """Of what is drawn open [m/s]."""
+ASIDE = (0.0, 0.25, -0.25, 0.5, -0.5)
+"""How far from straight the arm may come to a front [rad]."""
+_TRIED = 16
+"""So many ways are sought."""
 _BEYOND = 1.1
 """It is drawn a little farther than must be."""
 _EASY = 0.08
@@ -84,10 +89,8 @@ class OpeningMotion:
 
 @dataclass(frozen=True)
 class Stance:
-    """From where to open something: where the base stands [m] and looks [rad], and what the cup touches [m]."""
+    """From where to open something: which way the base looks [rad], what the cup touches [m], and the way there."""
 
-    x: float
-    y: float
     yaw: float
     touch: Array
     out: Array
@@ -188,30 +191,41 @@ class Opener:
 
 def _stances(errand: Errand, goal: OpenGoal, swing: OpeningMotion) -> Iterator[Stance]:
     """Where the base can stand so that the arm reaches the front, and follows it as it opens."""
-    index, floor = errand.index, errand.places.floor
-    start, tried = index.pose[:2], 0
-    for touch, out in _touchable(index, goal, swing):
-        left = -out[:2] / np.linalg.norm(out[:2])
-        yaw = math.atan2(-left[0], left[1])
-        moves = np.array(
-            [swing.point(touch, share * swing.upper) - touch for share in np.linspace(0.0, OPEN * _BEYOND, 12)]
-        )
-        back, along = -moves[:, :2] @ left, moves[:, :2] @ np.array([math.cos(yaw), math.sin(yaw)])
-        nearest = FIRST + CUP + max(float(back.max()), 0.0) + 0.01
-        for away in sorted(np.arange(nearest, LAST, 0.03), key=lambda away: abs(away - nearest - _EASY)):
-            middle = touch[:2] - left * away
-            ends = [
-                middle + shift * np.array([math.cos(yaw), math.sin(yaw)]) for shift in (along.min(), along.max() + 1e-6)
-            ]
-            if not shapely.covers(floor, LineString(ends)):
-                continue
-            found = way(floor, start, shapely.intersection(floor, Point(middle).buffer(0.05)))
-            tried += 1
-            if found is not None:
-                found = np.vstack([found, middle])
-                yield Stance(float(middle[0]), float(middle[1]), yaw, touch, out, found)
-            if tried > 12:
-                return
+    floor, start = errand.places.floor, errand.index.pose[:2]
+    points, tried = _touchable(errand.index, goal, swing), 0
+    for aside in ASIDE:
+        for touch, out in points:
+            for middle, yaw in _middles(floor, touch, _turned(-out[:2], aside), swing):
+                found = way(floor, start, shapely.intersection(floor, Point(middle).buffer(0.05)))
+                if found is not None:
+                    yield Stance(yaw, touch, out, np.vstack([found, middle]))
+                tried += 1
+                if tried >= _TRIED:
+                    return
+
+
+def _middles(
+    floor: BaseGeometry, touch: Array, left: Array, swing: OpeningMotion
+) -> Iterator[tuple[NDArray[np.float64], float]]:
+    """Where the base's middle can be for an arm that reaches out in a direction (2,), and which way it looks then."""
+    ahead = np.array([left[1], -left[0]])
+    opened = np.linspace(0.0, OPEN * _BEYOND * swing.upper, 12)
+    moves = np.array([(swing.point(touch, each) - touch)[:2] for each in opened])
+    back, along = -moves @ left, moves @ ahead
+    nearest = FIRST + CUP + max(float(back.max()), 0.0) + 0.01
+    farthest = LAST + min(float(back.min()), 0.0)
+    for away in sorted(np.arange(nearest, farthest, 0.03), key=lambda away: abs(away - nearest - _EASY)):
+        middle = touch[:2] - left * away
+        ends = [middle + shift * ahead for shift in (along.min(), along.max() + 1e-6)]
+        if shapely.covers(floor, LineString(ends)):
+            yield middle, math.atan2(ahead[1], ahead[0])
+
+
+def _turned(direction: Array, angle: float) -> Array:
+    """A unit vector (2,) in a direction that is turned to the left [rad]."""
+    x, y = direction / np.linalg.norm(direction)
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([c * x - s * y, s * x + c * y])
 
 
 def _touchable(index: ModelIndex, goal: OpenGoal, swing: OpeningMotion) -> list[tuple[Array, Array]]:

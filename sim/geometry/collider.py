@@ -8,6 +8,7 @@ from msgspec import structs
 from numpy.typing import NDArray
 
 from thinkblox.scene.asset import Shape
+from thinkblox.scene.derived import kept
 from thinkblox.value import Vec3
 
 Array = NDArray[np.float64]
@@ -26,6 +27,11 @@ def collider(shape: Shape) -> Shape:
     """
     if shape.kind != "hull" or not shape.collide or len(shape.points) <= MOST_CORNERS:
         return shape
+    return _smaller(shape)
+
+
+@kept
+def _smaller(shape: Shape) -> Shape:
     return structs.replace(shape, points=_fewer(shape.points))
 
 

@@ -12,6 +12,7 @@ from typing import NamedTuple, cast
 
 from PIL import Image
 
+from tests.bench.robots import picture as robot_picture
 from tests.bench.rooms import PROMPTS
 from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.editing import edit_room
@@ -140,6 +141,7 @@ def main() -> int:
     sight(last).save(out / "sight.png", optimize=True)
     draw_kinds(out, [])
     overview().save(out / "rooms.png", optimize=True)
+    robot_picture().save(out / "robot.png", optimize=True)
     assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE) if not CATALOGUE[name].plain]
     contact_sheet(assets, columns=14, size=110).quantize(256).save(out / "catalogue.png", optimize=True)
     return 0

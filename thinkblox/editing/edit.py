@@ -31,6 +31,7 @@ from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene, load_scene
+from thinkblox.scoring import score
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.verify import reverify
 from thinkblox.sim.verdict.world import World
@@ -194,7 +195,9 @@ def undo_edit(room: Made | str | Path) -> Edit:
     if RoomState.of(made.scene) != last.after:
         raise InputError(f"the room has been changed since edit {last.number}; it cannot be undone")
     scene = episode.restored(last.before)
-    report = structs.replace(reverify(scene, made.scene, made.report), stand_ins=plain_things(scene))
+    report = structs.replace(
+        reverify(scene, made.scene, made.report), stand_ins=plain_things(scene), score=score(scene)
+    )
     if len(standing) == 1:
         report = as_made(report, scene, made.report, episode.plan)
     else:
@@ -326,6 +329,7 @@ def _finished(work: Work, made: _Source, read: Instruction, tolerances: Toleranc
         complete=report.valid and not work.failed and not read.unknown,
         unknown=read.unknown,
         stand_ins=plain_things(scene),
+        score=score(scene),
         notes=(*done, *(f"Not done: {text}" for text in work.failed), *work.notes, *report.notes),
     )
     plan = made.episode.plan if made.episode is not None else None

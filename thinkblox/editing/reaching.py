@@ -14,7 +14,7 @@ from thinkblox.editing.spots import Pose, whole_floor
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round, RoundKind
 from thinkblox.feedback import feedback_line
-from thinkblox.judging import Proposal, Try, policy_failed, rejected, understand
+from thinkblox.judging import Proposal, Try, answers, rejected, understand
 from thinkblox.observe import observe
 from thinkblox.phrases import phrase
 from thinkblox.plan import Target, Tie
@@ -133,11 +133,7 @@ class Reaching:
             feedback=feedback,
         )
         start = time.perf_counter()
-        texts: list[object] = []
-        try:
-            texts.extend(islice(work.policy.propose(observation, work.effort.candidates, work.rng), 256))
-        except Exception as error:  # a policy is anybody's code, and the search can do without it
-            texts.append(policy_failed(error))
+        texts = answers(work.policy, observation, work.effort.candidates, work.rng)
         seconds = time.perf_counter() - start
         read = [t if isinstance(t, Try) else self._understood(t) for t in texts]
         done = self._try("policy", read, propose_seconds=seconds, tell=True, number=number)

@@ -19,7 +19,7 @@ _SEATED = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand to their tables."""
 _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
-_SEATED = 3
+_ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
@@ -195,7 +195,7 @@ def _serves(noun: str, usual: Usual) -> bool:
 def _have_places(draft: Draft, category: str) -> bool:
     """Whether a thing is a place of one's own where the prompt names tables or loungers for the people."""
     loungers = [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "lounges")]
-    if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _SEATED:
+    if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _ENOUGH_SEATS:
         return True
     named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
     return category == room_type(draft.room).place and named

@@ -38,7 +38,8 @@ class Audit(Doubts):
     def _find_each(self, thing: Mention) -> None:
         """Say of "each basin" that no basins were named."""
         noun = self.named_by.get(thing)
-        if noun is not None and noun.det == "each" and noun.count is None and thing not in self.told_later:
+        counted = noun is not None and noun.count is not None and not noun.text.lower().startswith("each of")
+        if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
             self.account.mark(noun.start, noun.end, "not_understood")
             self.draft.unknown.append(f"{noun.text} (none named)")
 

@@ -76,7 +76,7 @@ class Boundaries(State):
         self.verb = ""
         if kind == "stop":
             self.referents.parted = None
-            self.meanings.sided, self.meanings.room_side = None, ""
+            self.meanings.forget_sides()
             self.fresh.clear()
         if self.subject is not None and self.subject.thing is not None:
             self.referents.topics.append(self.subject.thing)
@@ -84,7 +84,8 @@ class Boundaries(State):
             listed = len(things) > 1 and not self.existential and not things[-1].many
             self.referents.topics.append(things[-1] if listed else things[0])
         if kind in ("stop", "semicolon"):
-            self.referents.centre, self.spoken_of = self.spoken_of, None
+            kept = self.referents.centre if kind == "semicolon" else None
+            self.referents.centre, self.spoken_of = self.spoken_of or kept, None
         its = [f for f in self.front if f.used and f.where.noun is not None and f.where.noun.kind == "pronoun"]
         side = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
         if kind == "semicolon" and its and side is not None and side.kind == "part" and side.det == "my":

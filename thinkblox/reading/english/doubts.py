@@ -6,10 +6,13 @@ from itertools import pairwise
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.corrections import Corrections
-from thinkblox.reading.english.referents import is_small, parts_of
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.referents import is_small, last_word, parts_of
 
 _FURNITURE = ("seats", "chairs", "tables", "desks", "beds", "lounges", "storage", "shelves")
 """What stands on the floor."""
+_BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind")
+"""Relations that say nothing of what something lies on."""
 _PLATFORMS = ("covers",)
 """What furniture can stand on."""
 _PLAIN_SIDES = 2
@@ -28,7 +31,7 @@ class Doubts(Corrections):
         for bond in self.draft.bonds:
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
-        self.draft.unknown += [*self._untied(), *self._carried_twice()]
+        self.draft.unknown += [*self._untied(), *self._carried_twice(), *self._on_and_beside()]
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")
@@ -86,27 +89,34 @@ class Doubts(Corrections):
         anchors = parts_of(bond)
         if not bond.asked or bond.negated or bond.implied:
             return ""
-        carried = bool(self.habits.of(bond.subject.noun)) and all(
-            h.kind == "on" for h in self.habits.of(bond.subject.noun)
-        )
+        carried = self._is_carried(bond.subject)
         tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
         if bond.kind == "in_centre" and bond.anchors == ("centre",) and is_small(bond.subject) and carried and tops:
             return f"{bond.subject.text} in the middle (of what?)"
         if not anchors:
             return ""
+        if bond.kind in _BESIDE and carried and self._lies_nowhere(bond.subject, anchors[0]):
+            return f"{bond.subject.text} {bond.kind.replace('_', ' ')} {anchors[0].text} (on what?)"
         lone = len(anchors) == 1 and self.referents.total(anchors[0]) == 1 and not anchors[0].per
-        if bond.each and lone:
+        if bond.each and lone and not anchors[0].many:
             return f"each {anchors[0].text} (only one named)"
         if bond.kind == "between" and len(anchors) == 1 and not anchors[0].many:
             return f"{bond.subject.text} between {anchors[0].text} and what?"
-        if (
-            bond.told
-            and bond.kind in ("on", "inside")
-            and self._stands(bond.subject)
-            and not self._is_floor(anchors[0])
-        ):
+        if bond.told and bond.kind == "on" and self._stands(bond.subject) and not self._is_floor(anchors[0]):
             return f"{bond.subject.text} {bond.kind} {anchors[0].text} (hardly)"
         return ""
+
+    def _is_carried(self, thing: Mention) -> bool:
+        """Whether it lies on other things, and is nowhere else."""
+        habits = self.habits.of(thing.noun)
+        hung = any(habit.kind == "against_wall" for habit in habits) or last_word(thing) in grammar().lists["hung"]
+        return bool(habits) and all(habit.kind == "on" for habit in habits) and not hung
+
+    def _lies_nowhere(self, thing: Mention, anchor: Mention) -> bool:
+        """Whether what has to lie on something is only said to be beside what carries nothing."""
+        lies = is_small(thing) and not thing.per
+        on = any(b.kind in ("on", "inside", "in_centre", "above") for b in self.draft.bonds_of(thing))
+        return lies and not on and self.habits.is_in(anchor.noun, *_FURNITURE) and not is_small(anchor)
 
     def _stands(self, thing: Mention) -> bool:
         return self.habits.is_in(thing.noun, *_FURNITURE) and not is_small(thing)
@@ -134,6 +144,15 @@ class Doubts(Corrections):
             for one, other in pairwise(carriers):
                 if one is not other and not (self._is_over(one, other) or self._is_over(other, one)):
                     yield f"{thing.text} on {one.text} and on {other.text}"
+
+    def _on_and_beside(self) -> Iterator[str]:
+        """Things that are to be on another and at a side of it, which then means a part of its top."""
+        for thing in self.draft.things:
+            bonds = [b for b in self.draft.bonds_of(thing) if not (b.negated or b.implied)]
+            carriers = [a for b in bonds if b.kind in ("on", "inside") for a in parts_of(b)]
+            for bond in bonds:
+                if bond.kind in _BESIDE and any(a in carriers for a in parts_of(bond)):
+                    yield f"{thing.text} {bond.kind.replace('_', ' ')} {parts_of(bond)[0].text} (and on it?)"
 
     def _is_over(self, one: Mention, other: Mention) -> bool:
         return any(other in b.anchors for b in self.draft.bonds_of(one)) or one.many or other.many

@@ -181,7 +181,7 @@ class Memberships(Ties):
 
     def _repeat(self) -> bool:
         """Read "a rack on the left and another on the right": one more of what was named last."""
-        node = self.frontier[-1] if self.frontier else None
+        node = next((n for n in reversed(self.frontier) if n.frame is not None), None)
         thing = node.thing if node is not None else None
         if node is None or node.frame is None or thing is None or thing.many:
             return False

@@ -7,7 +7,7 @@ from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
-from thinkblox.reading.english.nodes import Node
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
 
@@ -82,13 +82,14 @@ class Descriptions(Rooms):
         node = next((n for n in nodes if any(t.many for t in n.things)), None)
         kind = link.value
         things = node.things if node is not None else list(self.clause.members)
+        if node is nodes[0] and node.frame is not None and kind == "next_to" and not self.predicate:
+            things = self._joined_several(node, node.frame)
         if self.predicate and self.subject is not None:
             things = self.subject.things
         if self.negating:
             self._not_mutual(link, things)
         elif kind in ("in_rows", "in_row"):
-            for thing in things[-1:]:
-                bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
+            self._row(kind, list(things), nodes[0])
         elif len(things) > 1:
             for one, other in pairwise(things[-2:]):
                 bind(self.draft, Bond(relation_kind(kind), other, (one,)))
@@ -96,6 +97,35 @@ class Descriptions(Rooms):
                 nodes[0].things = things[-2:]
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
+
+    def _joined_several(self, node: Node, frame: Listed) -> list[Mention]:
+        """The washers and dryers of "two washers and two dryers side by side"."""
+        two = frame.members[-2:]
+        joined = frame.head is None and len(two) == 2 and node.things == two[1:] and self._is_joined_before(self.at - 1)
+        if not joined or any(not b.implied for b in self.draft.bonds_of(two[0])):
+            return node.things
+        node.things = list(two)
+        self.referents.pairs.append((two[0], two[1]))
+        return node.things
+
+    def _is_joined_before(self, at: int) -> bool:
+        """Whether the noun before the chunk at `at` came right after "and", and that after another noun."""
+        at -= 1
+        while at > 0 and not isinstance(self.chunks[at], Noun):
+            at -= 1
+        joint, first = self.chunks[at - 1 : at], self.chunks[at - 2 : at - 1]
+        joined = bool(joint) and isinstance(joint[0], Connector) and joint[0].text.lower() in ("and", "&", "+")
+        return joined and bool(first) and isinstance(first[0], Noun)
+
+    def _row(self, kind: str, things: list[Mention], node: Node) -> None:
+        """Read "in a row": of several alike, or of single things, which then stand side by side."""
+        if kind == "in_row" and len(things) > 1 and not any(t.many for t in things):
+            for one, other in pairwise(things):
+                bind(self.draft, Bond("next_to", other, (one,)))
+            node.things = things
+            return
+        for thing in things[-1:]:
+            bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
 
     def _mutual_within(self, link: Connector, thing: Mention) -> None:
         """Read how the members of one plural thing stand to each other; what we do not know of them is said."""

@@ -5,7 +5,7 @@ from thinkblox.assets.repaint import LOOKS
 from thinkblox.reading.adjectives import adjective_kinds, degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
-from thinkblox.reading.english.heads import Heads
+from thinkblox.reading.english.heads import Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
@@ -166,7 +166,8 @@ class PhraseReader(Heads):
         unknown = not any(unit.owner for unit in units.nouns)
         built = known.entry.value.split()[0] in _BUILT and unknown
         if known.entry.sort == "place" and units.nouns and not built:
-            if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
+            after_thing = units.nouns[-1].known is not None and units.nouns[-1].known.entry.sort == "object"
+            if known.entry.value != "centre" or known.length > 1 or noun.det == "the" or after_thing:
                 return 0
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
@@ -177,7 +178,7 @@ class PhraseReader(Heads):
     def _is_shape(self, at: int) -> bool:
         """Whether "round" is an adjective: "Centre: round table", not "round the table"."""
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
-        return self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
+        return at < len(self.tokens) and self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
 
     def _is_shade(self, at: int, length: int) -> bool:
         """Whether a word for a thing is the colour or material of what follows: "orange cushions", "a glass table"."""
@@ -246,11 +247,7 @@ class PhraseReader(Heads):
         if self._is_plural_head(noun, at, stop, units):
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
-        if stop.sort not in ("verbs", "participles") or units.nouns or not (noun.det or noun.count is not None):
-            return 0
-        if noun.det in ("other", "both", "all", "half", "none"):
-            return 0
-        if self.tokens[at - 1].text in ("this", "that", "these", "those"):
+        if units.nouns or not (noun.det or noun.count is not None) or not self._may_be_doing(noun, at, stop):
             return 0
         if stop.sort == "verbs" and grammar().at(self.tokens, at + stop.length, "determiners", "count", "quantifiers"):
             return 0
@@ -265,6 +262,14 @@ class PhraseReader(Heads):
             return 0
         units.nouns.append(Unit(self.tokens[at].shown))
         return 1
+
+    def _may_be_doing(self, noun: Noun, at: int, stop: Function) -> bool:
+        """Whether a verb after what begins a phrase may belong to it: "the facing desks", not "two of them stand"."""
+        facing = self.tokens[at].text == "facing" and noun.det != "" and self._starts_noun(at + 1)
+        before = self.tokens[at - 1].text
+        ends = noun.det in ("other", "both", "all", "half", "none") or before in ("this", "that", "these", "those")
+        ends |= noun.of_known and before in ("them", "which", "whom")
+        return (facing or stop.sort in ("verbs", "participles")) and not ends
 
     def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
         """Whether several of a singular noun have to be of the next: "four repair stands"."""
@@ -297,12 +302,17 @@ class PhraseReader(Heads):
         if units.nouns and self._ends_before(at, units):
             return 0
         adjective = token.text.endswith(_ENDINGS) or token.text in grammar().lists["turned"]
-        if not units.nouns and adjective and self._starts_noun(at + 1) and self._has_noun(at + 1):
-            noun.unshown.append(token.shown.lower())
+        adjective |= bool({"size", "build"} & adjective_kinds(token.text))
+        if not units.nouns and adjective and self._goes_on_to_noun(at + 1):
+            noun.unshown += [] if is_purpose(token.text) else [token.shown.lower()]
             units.adjectives += 1
             return 1
         units.nouns.append(Unit(token.shown))
         return 1
+
+    def _goes_on_to_noun(self, at: int) -> bool:
+        """Whether a noun comes, with or without adjectives before it."""
+        return self._is_shape(at) or (self._starts_noun(at) and self._has_noun(at))
 
     def _is_colour(self, at: int) -> bool:
         """Whether a colour or material comes."""

@@ -14,7 +14,8 @@ def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | N
     if word not in _CORNERED:
         return None
     each = said.each or said.det in ("both", "all")
-    times = several or (2 if said.det == "both" else 4 if each else 1)
+    all_of_them = 2 if said.det == "both" or len(walls) == 1 else 4
+    times = several or (all_of_them if each else 1)
     opposite = "opposite" in said.text.lower() and said.plural
     spread = times if (each or several or opposite) else 0
     if opposite and not several:

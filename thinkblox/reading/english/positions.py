@@ -6,6 +6,7 @@ from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -71,11 +72,16 @@ class Positions(Subjects):
 
     def _second(self, first: Noun) -> Noun | None:
         """The other of "between A and B"; goes past it."""
-        if first.kind == "pronoun" or first.many or not self._is_link(self.peek(), "joins", "and"):
+        if first.kind == "pronoun" or not self._is_link(self.peek(), "joins", "and"):
             return None
         second = self._next_noun(1)
+        if first.many and not (second is not None and second.definite and self._ends_after(second)):
+            return None
         if second is None or second.kind not in ("thing", "place", "pronoun"):
             return None
+        if first.kind == "number" and first.ordinal and second.kind == "thing":
+            first.kind, first.value, first.named = "thing", second.value, second.named
+            first.text = f"{first.text} {second.word}"
         self._go_past(second)
         return second
 
@@ -130,6 +136,8 @@ class Positions(Subjects):
         if where.noun is None and where.text.lower() in ("in", "into"):
             return
         self._reword(where)
+        if self._is_side_of_wall(where):
+            return
         if where.word == "turned":
             self._turned_to(where)
             return
@@ -152,6 +160,24 @@ class Positions(Subjects):
             self._place_node(node, where)
         elif fronted or where.noun is not None:
             self._set_front(where)
+
+    def _is_side_of_wall(self, where: Where) -> bool:
+        """Take "on the wall to the right" for the right wall."""
+        before, noun = self.chunks[self._began - 1] if self._began else None, where.noun
+        wall = (
+            isinstance(before, Noun)
+            and before.kind == "place"
+            and before.value == "wall"
+            and where.word in ("to", "on")
+        )
+        if not wall or noun is None or noun.kind != "part" or where.whole is not None or noun.det == "my":
+            return False
+        side = ROOM_SIDES.get(noun.value, "")
+        bonds = [b for b in self.draft.bonds[-_FRONTS:] if b.anchors == ("wall",) and b.kind in ("on", "against_wall")]
+        if not side or not bonds:
+            return False
+        bonds[-1].anchors = (side,)
+        return True
 
     def _reword(self, where: Where) -> None:
         """Take "leaning on the wall" for against it, and "halfway down the room" for in its middle."""
@@ -198,7 +224,10 @@ class Positions(Subjects):
         if noun.kind == "number" and noun.rows:
             things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
             if things:
-                bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(noun.rows, 0)))
+                frame = things[0].frame
+                of_each = frame is not None and frame.each and frame.head is not None and frame.head.things
+                rowed = frame.head if of_each and frame is not None and frame.head is not None else things[0]
+                bind(self.draft, Bond("in_rows", rowed.things[-1], rows=max(noun.rows, 0)))
             else:
                 self._lose_where(where)
             return True
@@ -240,7 +269,7 @@ class Positions(Subjects):
         several = noun is not None and noun.kind == "people" and noun.of_known
         if whole is not None and whole.kind in ("thing", "pronoun") and noun is not None:
             self._lose(where.start, whole.end)
-        elif noun is not None and self.draft.things and (several or self._is_telling(noun)):
+        elif noun is not None and self.draft.things and (several or self._is_telling(noun) or where.word == "between"):
             self._lose(where.start, noun.end)
         if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
             self.frontier, self.subject, self.predicate = [], None, False
@@ -255,7 +284,11 @@ class Positions(Subjects):
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
-        meaning = self.meanings.of(where, subjects, self._likely(node, elided=where.noun is None))
+        likely = self._likely(node, elided=where.noun is None)
+        hung = likely and self.habits.is_in(likely[0].noun, "wallpieces", "screens")
+        if where.noun is None and where.word == "opposite" and not hung:
+            likely = [m for m in self.clause.members[:1] if m not in subjects and not is_small(m)] + likely
+        meaning = self.meanings.of(where, subjects, likely)
         if meaning is None or self._is_elsewhere_named(subjects):
             self._lose_where(where)
         if meaning is None:
@@ -314,7 +347,7 @@ class Positions(Subjects):
     def _keep_in_mind(self, where: Where, meaning: Meaning) -> None:
         """Remember what "it" meant: what comes may go on about it."""
         noun = where.noun
-        its = noun is not None and ((noun.kind == "pronoun" and noun.value == "it") or noun.det == "my")
+        its = noun is None or (noun.kind == "pronoun" and noun.value == "it") or noun.det == "my"
         anchor = meaning.anchors[0]
         if its and meaning.pointed and isinstance(anchor, Mention) and not is_small(anchor):
             self.spoken_of = anchor
@@ -343,7 +376,8 @@ class Positions(Subjects):
             outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
             last = next(n for n in reversed(self.frontier) if n.things)
             both_small = noun != "" and self._belongs(noun, "small") and is_small(last.things[-1])
-            likely = [n.things[-1] for n in ([last] if both_small else outer or [last])]
+            lying = [n for n in self.frontier if n.things and is_small(n.things[-1])]
+            likely = [n.things[-1] for n in (lying[:1] if both_small else outer or [last])]
         sides = ("left", "right", "side", "front", "back")
         side = where.noun is not None and where.noun.kind == "part" and where.noun.value in sides
         before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]

@@ -26,7 +26,10 @@ class Relating(Naming):
                 continue
             if meaning.each:
                 self.referents.shared.update(a for a in anchors if isinstance(a, Mention))
+            before = subject.count
             self._multiply(subject, meaning)
+            if before == 1 and (subject.count or 1) > 1:
+                self._multiply_carried(subject)
             if self._is_laid(subject, meaning, anchors) and not negated:
                 self.laid = True
                 continue
@@ -131,6 +134,13 @@ class Relating(Naming):
                 subject.least *= meaning.times
         elif meaning.spread > 1 and (subject.count in (None, 1) or (subject.vague and subject.count < meaning.spread)):
             subject.count = meaning.spread
+
+    def _multiply_carried(self, carrier: Mention) -> None:
+        """Take "a sculpture on a pedestal in each corner" for one on each pedestal."""
+        for bond in self.draft.bonds:
+            on = bond.kind in ("on", "inside") and bond.anchors == (carrier,) and not bond.negated
+            if on and bond.subject.count == 1 and bond.subject in self.clause.members:
+                bond.each = True
 
     def _share(self, bond: Bond) -> None:
         """Keep the number that "each" gave where the relation to it is told in other words."""

@@ -137,6 +137,7 @@ class State(Namer):
         nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
         kinds = ("thing", "part", "place", "number")
         other = bool(nouns) and nouns[0].kind == "pronoun" and nouns[0].text.lower() not in ("this", "that")
+        other &= bool(self.draft.things) or where.word != "in"
         if nouns and (nouns[0].kind in kinds or other) and where.text:
             self._lose(where.start, nouns[-1].end)
 

@@ -172,6 +172,7 @@ class Ties(Relating):
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
         flat = last_word(head) in grammar().lists["flat"]
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
+        lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
         if lies and carries and thing.noun != "tv":
             return "inside" if contains else "on"
         if first and lies and is_small(head) and not head.many:
