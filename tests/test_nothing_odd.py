@@ -324,3 +324,62 @@ def test_nothing_stands_where_darts_are_thrown():
 def test_a_kitchen_table_keeps_its_chairs_whatever_the_seed():
     briefs = [varied(read_brief("A kitchen"), seed) for seed in range(12)]
     assert all(any(r.category == "chair" for r in brief.requests) for brief in briefs)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "number"),
+    [
+        ("A hair salon with four styling chairs in front of mirrors", "mirror", 4),
+        ("A classroom with 12 tables for two and chairs", "chair", 24),
+        ("A home cinema with two rows of three recliners", "sofa", 0),
+        ("A tiny bedroom with a bed, a bookcase and a bedside lamp", "nightstand", 1),
+        ("A kitchen with a stove, a sink and a fridge", "hob", 0),
+        ("A dorm room for two students", "desk", 2),
+        ("A barbershop with three chairs", "barber_chair", 3),
+        ("A nail salon with three tables", "manicure_table", 3),
+    ],
+)
+def test_what_belongs_together_is_there_in_numbers_that_match(prompt, category, number):
+    assert counts(prompt).get(category, 0) == number
+
+
+def test_a_single_bed_is_not_a_double_one():
+    assert "single" in read_brief("A small bedroom with a single bed and a desk").requests[0].attributes
+    assert "single" not in read_brief("A small bedroom with a single lamp").requests[0].attributes
+
+
+def test_a_size_that_the_thing_before_it_cannot_have_is_the_room_s():
+    brief = read_brief("A small bathroom with a washing machine, 2 m by 2.5 m")
+    assert (brief.width, brief.depth) == (2.0, 2.5)
+    assert read_brief("A bedroom with a rug, 2 m by 3 m").requests[0].size[:2] != (None, None)
+
+
+def test_a_dressing_table_below_a_mirror_has_none_of_its_own():
+    brief = read_brief("A bedroom with a bed, a dressing table and a mirror above the dressing table")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    table = next(t for t in plan.targets if t.category == "dressing_table")
+    assert "bare" in table.attributes
+    assert make_asset("dressing_table", seed=0, attributes=("bare",)).size[2] < 0.9
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A waiting room with 16 chairs", "chair"),
+        ("A call centre with ten workstations", "desk"),
+        ("A gym with four treadmills facing the window", "treadmill"),
+    ],
+)
+def test_many_alike_stand_in_rows(prompt, category):
+    brief = read_brief(prompt)
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    targets = [t for t in plan.targets if t.category == category]
+    assert all(any(tie.kind == "in_rows" for tie in t.ties) for t in targets)
+
+
+def test_the_table_of_a_sofa_round_a_corner_stands_before_its_seats():
+    room = made("A family living room with a sectional sofa, a TV and a toy box")
+    sofa, table = placed(room, "sofa")[0], placed(room, "coffee_table")[0]
+    ahead, _ = sofa.to_local((table.position[0], table.position[1]))
+    assert room.report.valid
+    assert ahead - table.size[0] / 2 < sofa.size[0] / 2

@@ -52,7 +52,7 @@ FINALISTS = 6
 """Layouts of which each gives an idea."""
 
 
-class Member(NamedTuple):
+class RunMember(NamedTuple):
     """One thing of a run.
 
     Attributes:
@@ -69,17 +69,17 @@ class Member(NamedTuple):
     window: bool
 
 
-class Slot(NamedTuple):
+class RunSlot(NamedTuple):
     """Where a member stands: against which wall, and how far along it its middle is [m]."""
 
-    member: Member
+    member: RunMember
     wall: int
     along: float
 
 
 @dataclass(frozen=True)
 class _Layout:
-    slots: tuple[Slot, ...]
+    slots: tuple[RunSlot, ...]
     cost: float
 
 
@@ -106,7 +106,7 @@ def run_ideas(situation: Situation) -> Iterator[Idea]:
             return
 
 
-def _closed_up(situation: Situation, layout: _Layout, id: str) -> Slot:
+def _closed_up(situation: Situation, layout: _Layout, id: str) -> RunSlot:
     """The slot of a member as it follows from the nearest that stands there: not all are as wide as was thought."""
     at = next(n for n, slot in enumerate(layout.slots) if slot.member.id == id)
     own = layout.slots[at]
@@ -143,9 +143,9 @@ def _is_given(tie: Tie) -> bool:
     return tie.kind == "against_wall" or tie.anchors == ("window",)
 
 
-def _members(situation: Situation) -> list[Member]:
+def _members(situation: Situation) -> list[RunMember]:
     return [
-        Member(
+        RunMember(
             t.id,
             _size(situation, t),
             facts_of(t.category).is_in("takes_built_in"),
@@ -174,7 +174,7 @@ def _size(situation: Situation, target: Target) -> Vec3:
     return (depth, width * (SPARE if height > TALL else 1.0), height)
 
 
-def _layouts(situation: Situation, members: list[Member]) -> Iterator[_Layout]:
+def _layouts(situation: Situation, members: list[RunMember]) -> Iterator[_Layout]:
     low = [m for m in members if m.size[2] <= TALL]
     tall = [m for m in members if m.size[2] > TALL]
     walls = situation.room.walls
@@ -186,26 +186,26 @@ def _layouts(situation: Situation, members: list[Member]) -> Iterator[_Layout]:
             yield from _on_two(walls, order, ends)
 
 
-def _orders(low: list[Member]) -> list[list[Member]]:
+def _orders(low: list[RunMember]) -> list[list[RunMember]]:
     """Ways to line up what is low: appliances between cabinets, seen from either end."""
     cabinets, others = [m for m in low if m.cabinet], [m for m in low if not m.cabinet]
     if not cabinets or not others:
         return [low, low[::-1]] if len(low) > 1 else [low]
-    order: list[Member] = []
+    order: list[RunMember] = []
     for number, cabinet in enumerate(cabinets):
         first, last = (len(others) * n // len(cabinets) for n in (number, number + 1))
         order += [cabinet, *others[first:last]]
     return [order, order[::-1]]
 
 
-def _ends(tall: list[Member]) -> list[tuple[list[Member], list[Member]]]:
+def _ends(tall: list[RunMember]) -> list[tuple[list[RunMember], list[RunMember]]]:
     """Ways to share what is tall between the beginning and the end."""
     return [([], tall), (tall, [])] if tall else [([], [])]
 
 
 def _straight(
-    walls: Sequence[Wall], number: int, order: list[Member], ends: tuple[list[Member], list[Member]]
-) -> Iterator[tuple[tuple[Slot, ...], float]]:
+    walls: Sequence[Wall], number: int, order: list[RunMember], ends: tuple[list[RunMember], list[RunMember]]
+) -> Iterator[tuple[tuple[RunSlot, ...], float]]:
     """All in one line along one wall, at several places, and how far each is from a corner [m]."""
     line = [*ends[0], *order, *ends[1]]
     free = walls[number].length - _length(line) - 2 * WALL_GAP
@@ -216,7 +216,9 @@ def _straight(
         yield _slots(line, number, start + WALL_GAP), min(start, free - start)
 
 
-def _on_two(walls: Sequence[Wall], order: list[Member], ends: tuple[list[Member], list[Member]]) -> Iterator[_Layout]:
+def _on_two(
+    walls: Sequence[Wall], order: list[RunMember], ends: tuple[list[RunMember], list[RunMember]]
+) -> Iterator[_Layout]:
     """A part along one wall and the rest along the next, from their corner, or along the one across the room."""
     line = [*ends[0], *order, *ends[1]]
     for cut in range(1, len(line)):
@@ -230,7 +232,7 @@ def _on_two(walls: Sequence[Wall], order: list[Member], ends: tuple[list[Member]
 
 
 def _round(
-    walls: Sequence[Wall], pair: tuple[int, int], first: list[Member], second: list[Member]
+    walls: Sequence[Wall], pair: tuple[int, int], first: list[RunMember], second: list[RunMember]
 ) -> Iterator[_Layout]:
     """Round the corner at the end of the first wall: both parts begin past the depth of the other."""
     depths = [max(m.size[0] for m in part) + WALL_GAP + CORNER for part in (first, second)]
@@ -241,7 +243,7 @@ def _round(
 
 
 def _across(
-    walls: Sequence[Wall], pair: tuple[int, int], first: list[Member], second: list[Member]
+    walls: Sequence[Wall], pair: tuple[int, int], first: list[RunMember], second: list[RunMember]
 ) -> Iterator[_Layout]:
     lengths = [walls[n].length - _length(part) - 2 * WALL_GAP for n, part in zip(pair, (first, second), strict=True)]
     if min(lengths) < 0.0:
@@ -252,18 +254,18 @@ def _across(
             yield _Layout(slots, ON_TWO_WALLS)
 
 
-def _length(line: list[Member]) -> float:
+def _length(line: list[RunMember]) -> float:
     return sum(m.size[1] for m in line) + sum(_between(a, b) for a, b in pairwise(line))
 
 
-def _between(one: Member, other: Member) -> float:
+def _between(one: RunMember, other: RunMember) -> float:
     return TALL_GAP if max(one.size[2], other.size[2]) > TALL else GAP
 
 
-def _slots(line: list[Member], wall: int, start: float) -> tuple[Slot, ...]:
+def _slots(line: list[RunMember], wall: int, start: float) -> tuple[RunSlot, ...]:
     slots, at = [], start
     for number, member in enumerate(line):
-        slots.append(Slot(member, wall, at + member.size[1] / 2))
+        slots.append(RunSlot(member, wall, at + member.size[1] / 2))
         at += member.size[1] + (_between(member, line[number + 1]) if number + 1 < len(line) else 0.0)
     return tuple(slots)
 
@@ -283,7 +285,7 @@ def _may_be(situation: Situation, layout: _Layout) -> bool:
     return True
 
 
-def _is_by_window(situation: Situation, slot: Slot) -> bool:
+def _is_by_window(situation: Situation, slot: RunSlot) -> bool:
     windows = (o for o in situation.room.openings if o.kind == "window" and o.wall == slot.wall)
     return any(o.offset - 0.1 <= slot.along <= o.offset + o.width + 0.1 for o in windows)
 
@@ -318,7 +320,7 @@ def _rects(situation: Situation, layouts: list[_Layout]) -> Rects:
     return Rects.of(rows)
 
 
-def _idea(situation: Situation, slot: Slot, cost: float, count: int) -> Idea:
+def _idea(situation: Situation, slot: RunSlot, cost: float, count: int) -> Idea:
     wall = situation.room.walls[slot.wall]
     x, y = wall.point(slot.along, WALL_GAP + situation.size[0] / 2)
     words = (Constraint(kind="against", anchors=(wall.name,)), turned(wall.yaw))
