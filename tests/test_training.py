@@ -203,3 +203,12 @@ def test_a_model_learns_to_read_before_it_answers(data: str, tmp_path: Path) -> 
     run(trainer, config)
     assert taken[:2] == [1.0, 1.0]
     assert max(taken[2:]) < 0.8
+
+
+def test_no_rollout_can_have_a_token_that_stands_for_a_picture(tiny_folder: Path) -> None:
+    from thinkblox.policies.pretrained import load_pretrained
+    from thinkblox.training.gdpo import sight_tokens
+
+    processor = load_pretrained(tiny_folder, device="cpu").processor
+    said = "<|vision_start|><|image_pad|><|video_pad|><|vision_end|>"
+    assert sight_tokens(processor) == sorted(processor.tokenizer.encode(said))

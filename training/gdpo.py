@@ -79,6 +79,7 @@ def gdpo_trainer(
         max_completion_length=config.tokens,
         scale_rewards="none",
         log_completions=False,
+        generation_kwargs={"suppress_tokens": sight_tokens(processor)},
     )
     trainer = _tiered_trainer()(
         model=model,
@@ -92,6 +93,13 @@ def gdpo_trainer(
     trainer.tier_weights = [config.weights.get(tier, 1.0) for tier in tiers]
     trainer.measure = measure
     return trainer
+
+
+def sight_tokens(processor: Any) -> list[int]:
+    """The tokens that stand for pictures: no answer has them, and a rollout with one could not be read back."""
+    names = ("image_token", "video_token", "vision_start_token", "vision_end_token")
+    ids = {getattr(processor, f"{name}_id", None) for name in names}
+    return sorted(id for id in ids if id is not None)
 
 
 def _named(name: str, judge: PictureJudge | None) -> Any:
