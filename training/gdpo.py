@@ -68,6 +68,8 @@ def gdpo_trainer(
     """A GRPOTrainer of TRL whose advantages are those of the tiers."""
     from trl import GRPOConfig
 
+    # TRL pads prompts on the left, but takes from the processor, padded its way, which tokens are of pictures.
+    processor.tokenizer.padding_side = "left"
     tiers = config.tiers
     names = [name for rewards in tiers.values() for name in rewards]
     arguments = GRPOConfig(
@@ -79,7 +81,6 @@ def gdpo_trainer(
         max_completion_length=config.tokens,
         scale_rewards="none",
         log_completions=False,
-        generation_kwargs={"suppress_tokens": sight_tokens(processor)},
     )
     trainer = _tiered_trainer()(
         model=model,
@@ -93,13 +94,6 @@ def gdpo_trainer(
     trainer.tier_weights = [config.weights.get(tier, 1.0) for tier in tiers]
     trainer.measure = measure
     return trainer
-
-
-def sight_tokens(processor: Any) -> list[int]:
-    """The tokens that stand for pictures: no answer has them, and a rollout with one could not be read back."""
-    names = ("image_token", "video_token", "vision_start_token", "vision_end_token")
-    ids = {getattr(processor, f"{name}_id", None) for name in names}
-    return sorted(id for id in ids if id is not None)
 
 
 def _named(name: str, judge: PictureJudge | None) -> Any:
