@@ -203,3 +203,21 @@ def test_a_model_learns_to_read_before_it_answers(data: str, tmp_path: Path) -> 
     run(trainer, config)
     assert taken[:2] == [1.0, 1.0]
     assert max(taken[2:]) < 0.8
+
+
+def test_pictures_keep_their_places_where_prompts_are_padded(data: str, tmp_path: Path) -> None:
+    """Of prompts of different lengths in one batch, TRL is told rightly which tokens stand for pictures."""
+    from thinkblox.training.gdpo import gdpo_trainer
+    from thinkblox.training.models import starting_model
+
+    config = GdpoConfig(data=data, out=str(tmp_path / "out"), steps=1, batch=4, rollouts=2, prompts=2, tokens=4)
+    start = starting_model(sft(data, tmp_path / "sft"))
+    rows = rows_of(data, "train")
+    gdpo_trainer(config, start.model, start.processor, rows, lambda at, texts: [])
+    template = start.processor.apply_chat_template
+    said = [template([{"role": "user", "content": "<|image_pad|>" + "long " * n}], tokenize=False) for n in (1, 9)]
+    found = start.processor(text=said, images=[[row["images"][0]] for row in (rows[0], rows[1])], padding=True)
+    for ids, types, mask in zip(found["input_ids"], found["mm_token_type_ids"], found["attention_mask"], strict=True):
+        assert mask[-1] == 1
+        picture = start.processor.image_token_id
+        assert [kind == 1 for kind in types] == [token == picture for token in ids]

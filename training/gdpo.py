@@ -68,6 +68,8 @@ def gdpo_trainer(
     """A GRPOTrainer of TRL whose advantages are those of the tiers."""
     from trl import GRPOConfig
 
+    # TRL pads prompts on the left, but takes from the processor, padded its way, which tokens are of pictures.
+    processor.tokenizer.padding_side = "left"
     tiers = config.tiers
     names = [name for rewards in tiers.values() for name in rewards]
     arguments = GRPOConfig(
