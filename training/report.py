@@ -18,7 +18,7 @@ from thinkblox.value import Value
 from thinkblox.whole_file import write_whole
 
 SCORES, STATE, CONFIG = "scores.json", "trainer_state.json", "config.json"
-LOSS = {"loss": "loss on the completion", "mean_token_accuracy": "share of tokens that are the likeliest"}
+LOSS = {"loss": "loss", "mean_token_accuracy": "share of tokens that are the likeliest"}
 REWARD = {
     "share/valid": "share of valid rollouts",
     "share/parsed": "share of rollouts that can be read",
