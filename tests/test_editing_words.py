@@ -288,6 +288,8 @@ def test_chairs_are_pulled_out_and_pushed_in() -> None:
     before = dining(2)
     out = done(before, "Pull the chairs out.").scene
     assert all(gap(out, id, "dining_table_1") > gap(before, id, "dining_table_1") for id in chairs(out))
+    so_far = done(before, "Pull the chairs out by 10 cm").scene
+    assert all(gap(so_far, id, "dining_table_1") - gap(before, id, "dining_table_1") < 0.13 for id in chairs(out))
     back = done(out, "Push the chairs in").scene
     assert all(measure(back, "at", id, ("dining_table_1",)).holds for id in chairs(back))
 
@@ -375,14 +377,14 @@ class Gone:
 
 
 def test_one_string_instead_of_a_list_is_rejected_with_a_reason() -> None:
-    result = edit_room(living(), "Move the armchair next to the sofa", policy=OneString())  # type: ignore[arg-type]
+    result = edit_room(living(), "Move the armchair next to the sofa", policy=OneString())
     tries = [t for r in result.trace for t in r.tries if t.rejection is not None]
     assert any("a list of texts is wanted" in t.rejection.message for t in tries if t.rejection is not None)
 
 
 def test_a_policy_that_cannot_go_on_ends_the_edit() -> None:
     with pytest.raises(UnavailableError, match="the server is gone"):
-        edit_room(living(), "Move the armchair next to the sofa", policy=Gone())  # type: ignore[arg-type]
+        edit_room(living(), "Move the armchair next to the sofa", policy=Gone())
 
 
 def test_a_server_that_is_not_there_leaves_nothing_behind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

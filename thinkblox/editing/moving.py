@@ -95,7 +95,7 @@ def _check_says_where(order: Order, places: Sequence[Where]) -> None:
     told = (order.closer, order.apart, order.direction, order.facing, order.seated, order.mutual)
     if not (places or any(told) or order.there or order.free):
         raise InputError(f"'{order.text}' does not say where to; say a place, such as 'next to the bed'")
-    if order.lengths and not (order.closer or order.direction):
+    if order.lengths and not (order.closer or order.direction or order.seated == "out" or order.scatter):
         said = ", ".join(f"{metres:.4g} m" for metres, _ in order.lengths)
         raise InputError(
             f"'{order.text}': it is not clear what {said} is; say 'to the left', 'from the wall' and so on"
@@ -233,7 +233,7 @@ def _seated(work: Work, id: str, order: Order) -> list[Goal]:
     table = min(tables, key=lambda name: ground_gap(mark, things(work.scene, name)[0]))
     if order.seated == "in":
         return [Related("at", (table,))]
-    return [Nearing((table,), nearer=False, by=order.lengths.pop()[0] if order.lengths else None, slight=order.slight)]
+    return [Nearing((table,), nearer=False, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)]
 
 
 def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:

@@ -11,7 +11,7 @@ from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.wheres import bound, corner_near, named
 from thinkblox.editing.work import Work
-from thinkblox.editing.zones import RoomPart, Zone, place_named, zone_of
+from thinkblox.editing.zones import PlaceZone, Zone, place_named, zone_of
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
 from thinkblox.knowledge.rooms import Usual, room_types
@@ -71,19 +71,19 @@ def free(work: Work, finder: Finder, order: Order) -> None:
         InputError: the order names none, or one that the room does not have.
     """
     places = [place_named(noun) for noun in order.free]
-    zones: list[Zone] = [RoomPart(place) for place in places]
+    zones: list[Zone] = [PlaceZone(place) for place in places]
     zones += [zone_of(work.scene, finder, where) for where in order.places]
     if not zones:
         raise InputError(f"'{order.text}' does not say which part of the room is to be free")
     for zone in zones:
-        if isinstance(zone, RoomPart) and not parts(work.scene.room, zone.place):
+        if isinstance(zone, PlaceZone) and not parts(work.scene.room, zone.place):
             raise InputError(f"the room has no {zone.place.replace('_', ' ')} that could be kept free")
     vacate(work, zones)
 
 
 def vacate(work: Work, zones: Sequence[Zone]) -> None:
     """Move what stands in some stretches of floor out of them."""
-    work.freed = tuple(dict.fromkeys((*work.freed, *(zone.place for zone in zones if isinstance(zone, RoomPart)))))
+    work.freed = tuple(dict.fromkeys((*work.freed, *(zone.place for zone in zones if isinstance(zone, PlaceZone)))))
     goals = [zone.goal for zone in zones]
     there = list(dict.fromkeys(id for zone in zones for id in zone.takers(work.scene)))
     movers = [id for id in there if id not in work.kept]

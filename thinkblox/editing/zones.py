@@ -46,7 +46,7 @@ class Zone(Protocol):
 
 
 @dataclass(frozen=True)
-class RoomPart:
+class PlaceZone:
     """A part of the room, as plans know it."""
 
     place: str
@@ -108,7 +108,7 @@ def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
     if noun.kind in ("place", "part"):
         if where.word not in _BEFORE:
             raise InputError(f"'{where.text} {noun.text}' is no part of the room that could be kept free")
-        return RoomPart(place_named(noun))
+        return PlaceZone(place_named(noun))
     ids = finder.ids(NounPhrase(noun))
     if len(ids) != 1:
         raise InputError(f"'{noun.text}' is {', '.join(ids)}; say of which one")
