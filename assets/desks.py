@@ -102,9 +102,10 @@ def teacher_desk(spec: Spec) -> Build:
 
 
 def dressing_table(spec: Spec) -> Build:
-    """Return a table with two shallow drawers and a mirror at its back."""
+    """Return a table with two shallow drawers and a mirror at its back; without the mirror when "bare"."""
     x, y, z = spec.size
-    top = min(0.76, 0.56 * z)
+    bare = spec.has("bare")
+    top = z if bare else min(0.76, 0.56 * z)
     area = ((-x / 2, x / 2), (-y / 2, y / 2))
     build = Build(surfaces=[top_surface("top", (-x / 2 + 0.045, x / 2), (-y / 2, y / 2), top)])
     build.body.append(box(spec.wood, *area, (top - 0.022, top)))
@@ -121,7 +122,8 @@ def dressing_table(spec: Spec) -> Build:
     build.moving += parts.moving
     feet = [(sx * (x / 2 - 0.065), sy * (y / 2 - 0.05)) for sx in (-1, 1) for sy in (-1, 1)]
     build.body += [leg(spec.wood, at, at, (0, top - 0.125), 0.024, 0.04) for at in feet]
-    build.body += panel(spec.wood, (-x / 2, -x / 2 + 0.025), around(0, min(0.7, 0.7 * y)), (top, z), 0.03, MIRROR)
+    if not bare:
+        build.body += panel(spec.wood, (-x / 2, -x / 2 + 0.025), around(0, min(0.7, 0.7 * y)), (top, z), 0.03, MIRROR)
     return build
 
 

@@ -11,8 +11,8 @@ from thinkblox.errors import InputError
 from thinkblox.scene.asset import Gaze
 from thinkblox.value import Vec2
 
-Role = Literal["holds", "carries", "over", "inside", "under"]
-"""What a thing is to another one on, in or under it."""
+Role = Literal["holds", "carries", "over", "inside", "under", "below"]
+"""What a thing is to another one on, in, under or above it."""
 _LAST = 10**6
 _RELATIONS: tuple[str, ...] = get_args(RelationKind)
 
@@ -96,7 +96,8 @@ class Facts:
         run: what it forms a row along a wall with, side by side; a name that its company shares.
         uses: floor that people need around it, where its clearance does not say enough.
         forms: words for the variant in which it "holds", "carries" or stands "over" other things, or is itself "inside"
-            or "under" one: an umbrella in a stand is upright, a stand that is told to hold some is empty before.
+            or "under" one, or "below" what hangs over it: an umbrella in a stand is upright, a stand that is told to
+            hold some is empty before.
         gaze: which way one looks who uses it: over its front (a sofa), or over its back (a desk).
     """
 

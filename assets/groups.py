@@ -44,6 +44,12 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "watched": "still looks for those who watch it where it is only said to be on the wall",
         "played_around": "needs wide floor all around for a game",
         "lined_up": "stands in rows with seats behind",
+        "built_in_line": "is built in one line along a wall with the others of its run",
+        "visits": "those sit on it who are received across a desk",
+        "visited": "people are received across it by who works at it",
+        "worked_at": "somebody sits at its front to work, with nobody to serve across it",
+        "served_over": "somebody stands or sits behind it and serves those before it",
+        "in_line": "three and more of it stand in line, with their backs to a wall",
         "sat_before": "needs floor before it for those who sit or stand there",
         # What the expert speaks of.
         "seating": "people sit on it",

@@ -10,7 +10,7 @@ from pathlib import Path
 import msgspec
 
 from thinkblox.errors import InputError
-from thinkblox.exporters.manifest import PICTURES, foreign_files
+from thinkblox.exporters.manifest import MANIFEST, PICTURES, foreign_files
 from thinkblox.holding import note_placed, signals_held
 from thinkblox.renaming import exchange, rename_if_free
 from thinkblox.scene.scene import Scene
@@ -60,7 +60,8 @@ def _check_ours(out: Path, overwrite: bool) -> None:
         raise InputError(f"{out}: exists and holds other files ({', '.join(foreign)}); choose another folder")
     try:
         read_json(out / "scene.json", Scene)
-        read_json(out / "report.json", _AnyReport)
+        if (out / "report.json").exists() or not (out / MANIFEST).exists():
+            read_json(out / "report.json", _AnyReport)
     except InputError as error:
         raise InputError(f"{out}: exists and is not a room that we wrote; choose another folder") from error
     if not overwrite:

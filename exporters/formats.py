@@ -69,10 +69,40 @@ def _write_single_mjcf(inventory: "Inventory", path: Path) -> None:
     write_single_mjcf(inventory, path)
 
 
+def _write_robosuite(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.mjcf import write_mjcf
+
+    write_mjcf(inventory, path, flavor="robosuite")
+
+
+def _write_mjx(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.mjcf import write_mjcf
+
+    write_mjcf(inventory, path, flavor="mjx")
+
+
 def _write_usd(inventory: "Inventory", path: Path) -> None:
     from thinkblox.exporters.usd import write_usd
 
     write_usd(inventory, path)
+
+
+def _write_glb(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.glb import write_glb
+
+    write_glb(inventory, path)
+
+
+def _write_urdf(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.urdf import write_urdf
+
+    write_urdf(inventory, path)
+
+
+def _write_sdf(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.sdf import write_sdf
+
+    write_sdf(inventory, path)
 
 
 _FORMATS = {
@@ -82,7 +112,16 @@ _FORMATS = {
     "mjcf-single": ExportFormat(
         "mjcf-single", ".single.xml", _write_single_mjcf, "the same in one file: hulls as points, textures as colours"
     ),
+    "mjcf-robosuite": ExportFormat(
+        "mjcf-robosuite", ".robosuite.xml", _write_robosuite, "the same with robosuite's groups and sites"
+    ),
+    "mjcf-mjx": ExportFormat("mjcf-mjx", ".mjx.xml", _write_mjx, "the same of pairs that MJX can collide"),
     "usd": ExportFormat("usd", ".usda", _write_usd, "the same bodies, masses, colliders and joints as UsdPhysics"),
+    "usdc": ExportFormat("usdc", ".usdc", _write_usd, "the same stage in USD's binary format"),
+    "usdz": ExportFormat("usdz", ".usdz", _write_usd, "the same stage with all that it needs in one file"),
+    "glb": ExportFormat("glb", ".glb", _write_glb, "what is seen as glTF: nodes for objects and links, materials"),
+    "urdf": ExportFormat("urdf", ".urdf", _write_urdf, "the room as URDF, and one URDF for each object in models"),
+    "sdf": ExportFormat("sdf", ".sdf", _write_sdf, "the room as a world of SDF, for Gazebo and Drake"),
 }
 
 
@@ -100,6 +139,37 @@ def register(format: ExportFormat, *, replace: bool = False) -> None:
 def formats() -> tuple[ExportFormat, ...]:
     """All formats, ours first."""
     return tuple(_FORMATS.values())
+
+
+def format_for(path: Path) -> ExportFormat:
+    """The format whose file ends as a path does, the longest such ending.
+
+    Raises:
+        InputError: no format's file ends so.
+    """
+    name = path.name.lower()
+    found = [known for known in _FORMATS.values() if name.endswith(known.suffix)]
+    if not found:
+        if name.endswith(".usd"):
+            return ExportFormat("usd", ".usd", _write_usd, _FORMATS["usd"].says)
+        endings = ", ".join(dict.fromkeys(known.suffix for known in _FORMATS.values()))
+        raise InputError(f"{path}: no format's file ends so; the endings are {endings}")
+    return max(found, key=lambda known: len(known.suffix))
+
+
+def flavored(names: Iterable[str], flavor: str | None) -> tuple[str, ...]:
+    """The names with each format that has such a flavor in its place: "mjcf" as "mjcf-mjx".
+
+    Raises:
+        InputError: none of them has it.
+    """
+    names = tuple(names)
+    if flavor is None:
+        return names
+    found = tuple(f"{name}-{flavor}" if f"{name}-{flavor}" in _FORMATS else name for name in names)
+    if found == names:
+        raise InputError(f"none of {', '.join(names)} has a flavor {flavor!r}; mjcf has robosuite and mjx")
+    return found
 
 
 def formats_named(names: Iterable[str]) -> tuple[ExportFormat, ...]:

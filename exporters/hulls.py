@@ -5,11 +5,16 @@ from functools import lru_cache
 from hashlib import sha256
 
 import numpy as np
+from msgspec import structs
 from numpy.typing import NDArray
 
+from thinkblox.scene.asset import Shape
 from thinkblox.scene.blobs import FOLDER
-from thinkblox.sim.render.tessellate import hull
+from thinkblox.sim.render.tessellate import Mesh, capsule, ellipsoid, hull
 from thinkblox.value import Vec3
+
+_SIDES = 20
+"""Of the prism that stands for a cylinder; MJX warns of faces of more corners."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +43,29 @@ def hull_mesh(points: tuple[Vec3, ...], *, smooth: bool) -> HullMesh:
     faces = index.reshape(-1)[drawn.faces]
     kept = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
     return HullMesh(given[used], faces[kept], drawn.normals[drawn.faces][kept].astype(np.float64))
+
+
+def hull_of(shape: Shape) -> Shape:
+    """The hull that stands for a round shape, in its frame: a ball's, stretched to its extents."""
+    return _hull_round(shape, ellipsoid(shape.size))
+
+
+def rod_of(shape: Shape) -> Shape:
+    """The hull that stands for a capsule, in its frame."""
+    return _hull_round(shape, capsule(shape.size))
+
+
+def drum_of(shape: Shape) -> Shape:
+    """The prism that stands for a cylinder, in its frame; as wide, so that it touches where the cylinder does."""
+    x, y, z = (extent / 2 for extent in shape.size)
+    turns = [2 * np.pi * k / _SIDES for k in range(_SIDES)]
+    points = tuple((float(x * np.cos(t)), float(y * np.sin(t)), h) for t in turns for h in (-z, z))
+    return structs.replace(shape, kind="hull", points=points, smooth=True)
+
+
+def _hull_round(shape: Shape, mesh: Mesh) -> Shape:
+    points = np.unique(np.round(mesh.vertices.astype(np.float64), 6), axis=0)
+    return structs.replace(shape, kind="hull", points=tuple((x, y, z) for x, y, z in points.tolist()), smooth=True)
 
 
 @lru_cache(maxsize=1024)

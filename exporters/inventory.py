@@ -40,7 +40,7 @@ class InventoryGeom:
     """A convex shape, or a mesh to be looked at, in the frame of its body.
 
     Attributes:
-        shape: with its pose in the body's frame; None for a mesh.
+        shape: as it is seen, with its pose in the body's frame; None for a mesh. What collides of it is its `collider`.
         mesh: blob of a `TexturedMesh` in the body's frame; None for a shape.
         look: name of what is seen; None for what is not seen.
         collides: whether it can be touched; a mesh cannot.

@@ -14,9 +14,12 @@ from thinkblox.exporters.beside import write_beside
 from thinkblox.exporters.credits import credits_of
 from thinkblox.exporters.inventory import Inventory
 from thinkblox.exporters.mjcf_bodies import dress_objects
+from thinkblox.exporters.mjcf_flavors import FLAVORS
 from thinkblox.exporters.mjcf_meshes import Stock
 from thinkblox.exporters.mjcf_room import dress_room
 from thinkblox.exporters.room_parts import room_parts
+from thinkblox.exporters.stocktaking import inventory_of
+from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import build_spec, compiled
 from thinkblox.sim.verdict.settle import add_keyframe
 
@@ -30,13 +33,17 @@ _EXACT = {
 """What is written with every digit; the engine writes six."""
 
 
-def write_mjcf(inventory: Inventory, path: Path) -> None:
+_DROWSY = 0.005
+"""What is slower falls asleep [m/s]: a lamp on a small round foot trembles by 2 mm/s in the solver for many seconds."""
+
+
+def write_mjcf(inventory: Inventory, path: Path, *, flavor: str | None = None) -> None:
     """Write a scene as MJCF, with the meshes and textures that it names in `assets` beside it.
 
     Its reference pose is the placements' own; the keyframe "settled" holds every object where it came to rest. The
-    same scene gives the same bytes.
+    same scene gives the same bytes. `flavor` is one of `FLAVORS`.
     """
-    spec = _spec(inventory)
+    spec = spec_of(inventory, flavor=flavor)
     path.write_text(_text(spec, inventory), encoding="utf-8")
     write_beside(path, spec.assets)
 
@@ -48,17 +55,26 @@ def write_single_mjcf(inventory: Inventory, path: Path) -> None:
 
 def mjcf_text(inventory: Inventory) -> str:
     """The text of `write_single_mjcf`."""
-    return _text(_spec(inventory, alone=True), inventory)
+    return _text(spec_of(inventory, alone=True), inventory)
 
 
-def _spec(inventory: Inventory, *, alone: bool = False) -> mujoco.MjSpec:
-    """The very model that was measured, under safe names, with looks, keyframes, views and credits."""
+def spec_of(inventory: Inventory, *, alone: bool = False, flavor: str | None = None) -> mujoco.MjSpec:
+    """The very model that was measured, under safe names, with looks, keyframes, views and credits.
+
+    Args:
+        inventory: of the scene.
+        alone: without files: meshes lie in the spec, textures are left out; they are in the spec's assets otherwise.
+        flavor: one of `FLAVORS`; None for the Menagerie's conventions.
+    """
     spec = build_spec(inventory.scene, physics=inventory.physics)
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
+    spec.option.sleep_tolerance = _DROWSY
     parts = room_parts(inventory.scene)
     stock = Stock(spec, {**inventory.looks, **parts.looks}, parts.pictures, alone=alone)
     dress_room(spec, inventory, parts, stock)
     dress_objects(spec, inventory, stock)
+    if flavor is not None:
+        FLAVORS[flavor](spec, inventory, stock)
     add_keyframe(spec, inventory.state)
     spec.add_key(name="home", qpos=_home(inventory))
     if inventory.objects:
@@ -122,3 +138,16 @@ def _make_exact(element: ElementTree.Element, made: Any) -> None:
 
 def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{float(value):.12g}" for value in values)
+
+
+def to_mjspec(scene: Scene) -> mujoco.MjSpec:
+    """A scene as an MjSpec to build on: the model that is exported, with all files in its assets.
+
+    A robot's spec can be attached to a site or frame of it. Its keyframe "settled" is where everything rests.
+    """
+    return spec_of(inventory_of(scene))
+
+
+def to_mjmodel(scene: Scene) -> mujoco.MjModel:
+    """A scene as a compiled model: that of `to_mjspec`."""
+    return compiled(to_mjspec(scene))

@@ -3,14 +3,16 @@
 import mujoco
 import numpy as np
 
+from thinkblox.exporters.grips import grasp_of, handle_of
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryGeom, InventoryObject
 from thinkblox.exporters.mjcf_meshes import Stock
 from thinkblox.exporters.naming import Names
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.sim.build import COLLISION_GROUP, FREE_SUFFIX, GEOM_TYPES, VISUAL, half_size
+from thinkblox.sim.geometry.collider import collider
 
 SITE_GROUP = 4
-"""The group of the sites on surfaces that carry things."""
+"""The group of the sites on surfaces that carry things, and of those where a hand takes hold."""
 
 
 def dress_objects(spec: mujoco.MjSpec, inventory: Inventory, stock: Stock) -> None:
@@ -56,7 +58,7 @@ def _parts(
     if there is not None:
         there.pos = geom.shape.position
         if geom.shape.kind == "hull":
-            there.meshname = stock.hull(geom.shape)
+            there.meshname = stock.hull(collider(geom.shape))
     if geom.look is None:
         if there is not None:
             there.group = COLLISION_GROUP
@@ -84,9 +86,17 @@ def _shape(geom: mujoco.MjsGeom, shape: Shape, stock: Stock) -> None:
 
 
 def _add_sites(spec: mujoco.MjSpec, item: InventoryObject, asset: Asset, names: Names) -> None:
-    """A flat site on every surface that carries things, as large as it is."""
+    """A flat site on every surface that carries things, as large as it is, and points where a hand takes hold."""
     body = spec.body(item.name)
     for surface in asset.surfaces:
         kind = mujoco.mjtGeom.mjGEOM_ELLIPSOID if surface.round else mujoco.mjtGeom.mjGEOM_BOX
         site = body.add_site(name=names.give(f"{item.name}_{surface.name}"), type=kind, group=SITE_GROUP)
         site.pos, site.size = surface.position, (surface.size[0] / 2, surface.size[1] / 2, 0.0005)
+    for part in item.bodies:
+        handle = handle_of(part)
+        if handle is not None:
+            spec.body(part.name).add_site(name=names.give(f"{part.name}_handle"), pos=handle, group=SITE_GROUP)
+    grasp = grasp_of(asset)
+    if grasp is not None:
+        site = body.add_site(name=names.give(f"{item.name}_grasp"), group=SITE_GROUP)
+        site.pos, site.quat = grasp

@@ -65,7 +65,7 @@ def save_scene(
         from thinkblox.exporters.stocktaking import inventory_of
 
         inventory = inventory_of(scene)
-        writing = _Writing(room)
+        writing = FolderWriting(room)
         writing.add("scene.json", to_json(scene), "scene", "the room, every placement and every asset")
         for name, data in beside.items():
             writing.add(name, data, "asset")
@@ -189,7 +189,7 @@ def _drawn(scene: Scene, settled: "SettledState", size: int = 1024) -> dict[str,
     return drawn
 
 
-class _Writing:
+class FolderWriting:
     """A folder being filled, and what its manifest will say of it."""
 
     def __init__(self, room: Path) -> None:

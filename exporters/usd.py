@@ -1,25 +1,33 @@
 """A scene as a UsdPhysics stage: what its inventory says, in USD's terms."""
 
 import math
+import os
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import mujoco
-from pxr import Gf, Kind, Sdf
+from pxr import Gf, Kind, Sdf, UsdUtils
 
+from thinkblox.errors import InputError
 from thinkblox.exporters.beside import texture_files, write_beside
 from thinkblox.exporters.cameras import cameras_of, lights_of
 from thinkblox.exporters.inventory import Inventory
 from thinkblox.exporters.room_parts import room_parts
-from thinkblox.exporters.usd_assets import Shelf
+from thinkblox.exporters.usd_assets import AssetLayers, Shelf
 from thinkblox.exporters.usd_looks import Looks
 from thinkblox.exporters.usd_objects import add_object
-from thinkblox.exporters.usd_prims import Prim, T, vector
+from thinkblox.exporters.usd_prims import Prim, T, put_units, vector
 from thinkblox.exporters.usd_room import add_room
+from thinkblox.exporters.usd_verified import check_written
 from thinkblox.scene.room import Room
 from thinkblox.sim.build import package_version
 from thinkblox.sim.settings import Physics
 
+MANY = 20
+"""With more objects than these a stage is binary where its name leaves it open."""
+_THEN = 946_684_800
+"""When what is packed was made, as far as the package says: always, so that a scene has always the same bytes."""
 _LAMP, _SHINE, _WARM = 0.1, 30000.0, (1.0, 0.98, 0.95)
 """Of the lights under the ceiling: radius [m], intensity and colour."""
 _WIDE = 20.955
@@ -27,17 +35,61 @@ _WIDE = 20.955
 
 
 def write_usd(inventory: Inventory, path: Path) -> None:
-    """Write a scene as one ASCII stage that PhysX, Isaac, Newton, Genesis and Blender read, its textures beside it.
+    """Write a scene as a stage that PhysX, Isaac, Newton, Genesis and Blender read, by the ending of `path`.
 
-    Z up, metres, kilograms. Objects stand where MuJoCo let them come to rest, as in keyframe "settled" of the MJCF;
-    their masses and inertias are those of the compiled model. Fixed objects are colliders without a body.
+    ".usda" is text and ".usdc" binary, each with a layer for each asset and the textures beside it; ".usd" is binary
+    from MANY objects on. ".usdz" is one file with all in it. Z up, metres, kilograms. Objects stand where MuJoCo let
+    them come to rest, as in keyframe "settled" of the MJCF; their masses and inertias are those of the compiled model.
+    Fixed objects are colliders without a body. What was written is read again and checked.
     """
-    path.write_text(usd_text(inventory), encoding="utf-8")
+    if path.suffix == ".usdz":
+        _write_package(inventory, path)
+    else:
+        _write_layers(inventory, path)
+    check_written(path, inventory)
+
+
+def _write_layers(inventory: Inventory, path: Path) -> None:
+    layers = AssetLayers(inventory)
+    layer, binary = _layer(inventory, layers), path.suffix == ".usdc"
+    if path.suffix == ".usd":
+        binary = len(inventory.objects) > MANY
+    if binary:
+        _export(layer, path)
+    else:
+        path.write_text(layer.ExportToString(), encoding="utf-8")
+    write_beside(path, layers.files)
     write_beside(path, texture_files(inventory, room_parts(inventory.scene).pictures))
 
 
 def usd_text(inventory: Inventory) -> str:
-    """The text of `write_usd`."""
+    """A scene as one text that needs no file but the textures."""
+    return str(_layer(inventory).ExportToString())
+
+
+def _write_package(inventory: Inventory, path: Path) -> None:
+    """One flat binary layer with its textures, packed: viewers show nothing of payloads in a package."""
+    with TemporaryDirectory() as folder:
+        stage = Path(folder) / "scene.usdc"
+        _export(_layer(inventory), stage)
+        write_beside(stage, texture_files(inventory, room_parts(inventory.scene).pictures))
+        for file in Path(folder).rglob("*"):
+            os.utime(file, (_THEN, _THEN))
+        packed = Path(folder) / "scene.usdz"
+        if not UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(stage)), str(packed)):
+            raise InputError(f"{path}: USD cannot pack the scene")
+        path.write_bytes(packed.read_bytes())
+
+
+def _export(layer: Any, path: Path) -> None:
+    """Write a layer in binary; raises OSError, as whoever writes a file does."""
+    with TemporaryDirectory() as folder:
+        made = Path(folder) / "stage.usdc"
+        layer.Export(str(made))
+        path.write_bytes(made.read_bytes())
+
+
+def _layer(inventory: Inventory, layers: AssetLayers | None = None) -> Any:
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
         world, parts = _stage(layer, inventory), room_parts(inventory.scene)
@@ -45,19 +97,17 @@ def usd_text(inventory: Inventory) -> str:
         _add_physics(world, inventory.physics)
         _add_lights(world, inventory.scene.room)
         _add_cameras(world, inventory)
-        add_room(world, inventory, parts, looks)
+        add_room(world, inventory, parts, looks, layers)
         objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
-        shelf = Shelf(layer, inventory.looks, looks)
+        shelf = Shelf(layer, inventory.looks, looks, layers)
         for item in inventory.objects:
             add_object(objects, item, shelf)
-    return str(layer.ExportToString())
+    return layer
 
 
 def _stage(layer: Any, inventory: Inventory) -> Prim:
     layer.documentation = "A furnished room at rest. Poses are those of the settled state."
-    root = layer.pseudoRoot
-    for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
-        root.SetInfo(key, value)
+    put_units(layer)
     layer.customLayerData = {
         "creator": f"thinkblox {package_version()}",
         "mujoco": mujoco.__version__,

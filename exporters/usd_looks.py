@@ -7,7 +7,7 @@ from pxr import Gf, Sdf
 
 from thinkblox.exporters.inventory import InventoryLook
 from thinkblox.exporters.usd_prims import Prim, T
-from thinkblox.scene.blobs import blob_name
+from thinkblox.scene.blobs import FOLDER
 from thinkblox.sim.render.materials import linear
 
 BINDING = "MaterialBindingAPI"
@@ -17,16 +17,22 @@ UV = "st"
 
 
 class Looks:
-    """The materials under one scope, each made when first asked for."""
+    """The materials under one scope, each made when first asked for.
 
-    def __init__(self, scope: Prim, looks: Mapping[str, InventoryLook]) -> None:
-        self._scope, self._looks = scope, looks
+    Args:
+        scope: where they are put.
+        looks: by name.
+        folder: where the textures lie, relative to the layer.
+    """
+
+    def __init__(self, scope: Prim, looks: Mapping[str, InventoryLook], folder: str = f"./{FOLDER}") -> None:
+        self._scope, self._looks, self._folder = scope, looks, folder
         self._paths: dict[str, Any] = {}
 
     def bind(self, prim: Prim, look: str) -> None:
         """Bind what the prim looks like; it must have the MaterialBindingAPI."""
         if look not in self._paths:
-            self._paths[look] = _surface(self._scope, self._looks[look])
+            self._paths[look] = _surface(self._scope, self._looks[look], self._folder)
         prim.link("material:binding", [self._paths[look]])
 
     def bind_friction(self, prim: Prim, friction: float) -> None:
@@ -37,7 +43,7 @@ class Looks:
         prim.link("material:binding:physics", [self._paths[name]])
 
 
-def _surface(scope: Prim, look: InventoryLook) -> Any:
+def _surface(scope: Prim, look: InventoryLook, folder: str) -> Any:
     base = [round(channel, 5) for channel in linear(look.colour)]
     prim = scope.child(look.name, "Material", apis=[_LABELS])
     prim.put("semantics:labels:material", T.TokenArray, [look.name.partition("_")[0]])
@@ -46,7 +52,7 @@ def _surface(scope: Prim, look: InventoryLook) -> Any:
     if look.texture is None:
         shader.put("inputs:diffuseColor", T.Color3f, Gf.Vec3f(*base))
     else:
-        source = _texture(prim, look.texture, base)
+        source = _texture(prim, f"{folder}/{look.texture}.png", base)
         shader.connect("inputs:diffuseColor", T.Color3f, source.path.AppendProperty("outputs:rgb"))
     shader.put("inputs:roughness", T.Float, look.roughness)
     shader.put("inputs:metallic", T.Float, look.metallic)
@@ -59,12 +65,12 @@ def _surface(scope: Prim, look: InventoryLook) -> Any:
     return prim.path
 
 
-def _texture(material: Prim, blob: str, base: list[float]) -> Prim:
-    """The shaders that look a texture up; its file is named relative to the stage's."""
+def _texture(material: Prim, file: str, base: list[float]) -> Prim:
+    """The shaders that look a texture up; its file is named relative to the layer's."""
     place = material.child("Place", "Shader").put("info:id", T.Token, "UsdPrimvarReader_float2", uniform=True)
     place.put("inputs:varname", T.String, UV).declare("outputs:result", T.Float2)
     prim = material.child("Texture", "Shader").put("info:id", T.Token, "UsdUVTexture", uniform=True)
-    prim.put("inputs:file", T.Asset, Sdf.AssetPath(f"./{blob_name(blob, 'png')}"))
+    prim.put("inputs:file", T.Asset, Sdf.AssetPath(file))
     prim.put("inputs:sourceColorSpace", T.Token, "sRGB")
     prim.put("inputs:wrapS", T.Token, "repeat").put("inputs:wrapT", T.Token, "repeat")
     prim.put("inputs:scale", T.Float4, Gf.Vec4f(*base, 1.0))

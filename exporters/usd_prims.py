@@ -62,6 +62,13 @@ class Prim:
             self.spec.instanceable = True
         return self
 
+    def load(self, file: str, path: Any, *, instance: bool = False) -> "Prim":
+        """Take on all of a prim of another layer, when asked to; an `instance` cannot be changed below."""
+        self.spec.payloadList.prependedItems = [Sdf.Payload(file, path)]
+        if instance:
+            self.spec.instanceable = True
+        return self
+
     def declare(self, name: str, type: Any) -> "Prim":
         """Author an attribute without a value: an output."""
         Sdf.AttributeSpec(self.spec, name, type)
@@ -85,6 +92,12 @@ class Prim:
     def extent(self, low: Sequence[float], high: Sequence[float]) -> "Prim":
         """Author its extent in its own frame [m]."""
         return self.put("extent", T.Float3Array, Vt.Vec3fArray([Gf.Vec3f(*map(float, v)) for v in (low, high)]))
+
+
+def put_units(layer: Any) -> None:
+    """Say that a layer has z up, metres and kilograms."""
+    for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
+        layer.pseudoRoot.SetInfo(key, value)
 
 
 def vectors(rows: Any, digits: int) -> Any:

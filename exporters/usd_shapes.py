@@ -1,38 +1,24 @@
 """Shapes as USD prims: colliders one by one as they are, looks merged into one mesh for each material."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from pxr import Vt
 
-from thinkblox.exporters.hulls import hull_mesh
+from thinkblox.exporters.hulls import hull_mesh, hull_of
 from thinkblox.exporters.inventory import InventoryGeom
+from thinkblox.exporters.polygons import Polygons, placed
 from thinkblox.exporters.usd_looks import BINDING, UV, Looks
 from thinkblox.exporters.usd_prims import Prim, T, vectors
 from thinkblox.scene.asset import Shape
-from thinkblox.scene.corners import rotation
 from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
-from thinkblox.sim.render.tessellate import Mesh, capsule, cylinder, ellipsoid, hull
-from thinkblox.value import Vec3
+from thinkblox.sim.geometry.collider import collider
 
-Floats = NDArray[np.float64]
 _COLLIDER = "PhysicsCollisionAPI"
-_CUBE = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
-_SIDES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-"""Corners of each side of the cube, counter-clockwise seen from outside: -x, x, -y, y, -z, z."""
-
-
-@dataclass(frozen=True)
-class Polygons:
-    """Flat or curved polygons with a normal a vertex, in the frame of their prim [m]."""
-
-    points: NDArray[Any]
-    normals: NDArray[Any]
-    counts: list[int]
-    indices: list[int]
+_NO_AREA = 1e-11
+"""Twice the area of a face that is left out [m2]."""
 
 
 def add_colliders(scope: Prim, geoms: Sequence[InventoryGeom]) -> None:
@@ -59,11 +45,8 @@ def _add_collider(scope: Prim, shape: Shape) -> None:
 
 
 def _add_hull(scope: Prim, shape: Shape) -> None:
-    points, smooth = shape.points, shape.smooth
-    if shape.kind != "hull":
-        rounded = np.unique(np.round(_rounded(shape).vertices.astype(np.float64), 6), axis=0)
-        points, smooth = tuple((x, y, z) for x, y, z in rounded.tolist()), True
-    mesh = hull_mesh(points, smooth=smooth)
+    solid = collider(shape if shape.kind == "hull" else hull_of(shape))
+    mesh = hull_mesh(solid.points, smooth=solid.smooth)
     prim = scope.child(shape.kind, "Mesh", apis=[_COLLIDER, "PhysicsMeshCollisionAPI"])
     prim.put("physics:approximation", T.Token, "convexHull", uniform=True)
     _put_mesh(prim, mesh.points, [3] * len(mesh.faces), mesh.faces.ravel().tolist())
@@ -87,51 +70,55 @@ def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> N
 def add_textured(parent: Prim, name: str, mesh: TexturedMesh, looks: Looks, look: str) -> Prim:
     """Add one visible mesh, with the places of its vertices in a texture where they have any."""
     parts = [Polygons(mesh.vertices, mesh.normals, [3] * len(mesh.faces), mesh.faces.ravel().tolist())]
-    prim = add_mesh(parent, name, parts, looks, look)
-    if not mesh.uv.any():
-        return prim
-    places = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(mesh.uv, np.float32))
-    return prim.put(f"primvars:{UV}", T.TexCoord2fArray, places, interpolation="vertex")
+    return add_mesh(parent, name, parts, looks, look, uv=mesh.uv if mesh.uv.any() else None)
 
 
-def add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:
-    """Add one visible mesh made of all parts."""
+def add_mesh(
+    parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str, *, uv: NDArray[Any] | None = None
+) -> Prim:
+    """Add one visible mesh made of all parts: each point once, with a normal a corner, and no face without an area."""
     prim = parent.child(name, "Mesh", apis=[BINDING])
-    starts = np.cumsum([0] + [len(part.points) for part in parts]).tolist()
-    indices = [index + start for part, start in zip(parts, starts, strict=False) for index in part.indices]
-    points = np.vstack([part.points for part in parts])
-    _put_mesh(prim, points, [count for part in parts for count in part.counts], indices)
-    normals = np.vstack([part.normals for part in parts])
-    prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="vertex")
+    starts = np.cumsum([0] + [len(part.points) for part in parts])
+    corners = np.concatenate([np.asarray(part.indices) + start for part, start in zip(parts, starts, strict=False)])
+    points, same = np.unique(np.round(np.vstack([part.points for part in parts]), 6) + 0.0, axis=0, return_inverse=True)
+    counts = np.concatenate([np.asarray(part.counts) for part in parts])
+    kept = np.repeat(_with_area(points, same.reshape(-1)[corners], counts), counts)
+    counts, corners = counts[_first_of(kept, counts)], corners[kept]
+    used, index = np.unique(same.reshape(-1)[corners], return_inverse=True)
+    _put_mesh(prim, points[used], counts.tolist(), index.reshape(-1).tolist())
+    normals = np.vstack([part.normals for part in parts])[corners]
+    prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="faceVarying")
+    if uv is not None:
+        _put_uv(prim, np.asarray(uv, np.float32)[corners])
     looks.bind(prim, look)
     return prim
 
 
+def _with_area(points: NDArray[Any], corners: NDArray[Any], counts: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which faces have an area, by their first three corners, and a fourth where there is one."""
+    first = np.cumsum(counts) - counts
+    a, b, c, last = (points[corners[first + step]] for step in (0, 1, 2, counts - 1))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1) + np.linalg.norm(np.cross(c - a, last - a), axis=1)
+    kept: NDArray[np.bool_] = area > _NO_AREA
+    return kept
+
+
+def _first_of(kept: NDArray[np.bool_], counts: NDArray[Any]) -> NDArray[np.bool_]:
+    """Of corners that are kept face by face, the faces."""
+    found: NDArray[np.bool_] = kept[np.cumsum(counts) - counts]
+    return found
+
+
+def _put_uv(prim: Prim, places: NDArray[np.float32]) -> None:
+    values, index = np.unique(places, axis=0, return_inverse=True)
+    array = Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values))
+    prim.put(f"primvars:{UV}", T.TexCoord2fArray, array, interpolation="faceVarying")
+    prim.put(f"primvars:{UV}:indices", T.IntArray, Vt.IntArray(index.reshape(-1).tolist()))
+
+
 def _put_mesh(prim: Prim, points: NDArray[Any], counts: list[int], indices: list[int]) -> None:
+    stored = np.round(np.asarray(points, np.float64), 6).astype(np.float32)
     prim.put("points", T.Point3fArray, vectors(points, 6)).put("faceVertexCounts", T.IntArray, Vt.IntArray(counts))
     prim.put("faceVertexIndices", T.IntArray, Vt.IntArray(indices))
     prim.put("subdivisionScheme", T.Token, "none", uniform=True)
-    prim.extent(np.round(points.min(axis=0), 6).tolist(), np.round(points.max(axis=0), 6).tolist())
-
-
-def _box_polygons(size: Vec3, centre: Vec3, turn: Floats) -> Polygons:
-    """Six quadrilaterals; `turn` is the 3x3 matrix of the box's orientation."""
-    corners = (_CUBE * size) @ turn.T + centre
-    outward = np.vstack([sign * turn[:, axis] for axis in range(3) for sign in (-1.0, 1.0)])
-    return Polygons(corners[np.ravel(_SIDES)], np.repeat(outward, 4, axis=0), [4] * 6, list(range(24)))
-
-
-def placed(shape: Shape) -> Polygons:
-    """A shape in the frame that its pose is given in; boxes are made of quadrilaterals."""
-    turn = rotation(shape.quat_wxyz)
-    if shape.kind == "box":
-        return _box_polygons(shape.size, shape.position, turn)
-    mesh = _rounded(shape)
-    points = mesh.vertices.astype(np.float64) @ turn.T + shape.position
-    return Polygons(points, mesh.normals @ turn.T, [3] * len(mesh.faces), mesh.faces.ravel().tolist())
-
-
-def _rounded(shape: Shape) -> Mesh:
-    if shape.kind == "hull":
-        return hull(shape.points, smooth=shape.smooth)
-    return {"cylinder": cylinder, "capsule": capsule}.get(shape.kind, ellipsoid)(shape.size)
+    prim.extent(stored.min(axis=0).tolist(), stored.max(axis=0).tolist())

@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
 from thinkblox.scene.asset import Asset, Joint, Link, Shape
+from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
 from thinkblox.sim.settings import Physics
@@ -207,7 +209,7 @@ def add_geom(spec: mujoco.MjSpec, body: mujoco.MjsBody, shape: Shape) -> mujoco.
     if shape.collide:
         geom.condim = 6 if shape.kind in ROLLING else 3
     if shape.kind == "hull":
-        geom.meshname = _mesh(spec, shape)
+        geom.meshname = _mesh(spec, collider(shape))
     else:
         geom.size = half_size(shape)
     return geom
@@ -225,18 +227,24 @@ def half_size(shape: Shape) -> tuple[float, float, float]:
 
 def hull_name(shape: Shape) -> str:
     """The name of a hull's mesh, by all that it depends on."""
+    return _hull_file(shape)[0]
+
+
+@kept
+def _hull_file(shape: Shape) -> tuple[str, bytes]:
+    """The name of a hull's mesh, and its file."""
     points = np.asarray(shape.points, dtype=np.float64)
-    return f"hull_{hashlib.sha256(points.tobytes() + bytes([shape.smooth])).hexdigest()}"
+    return f"hull_{hashlib.sha256(points.tobytes() + bytes([shape.smooth])).hexdigest()}", _msh(points)
 
 
 def _mesh(spec: mujoco.MjSpec, shape: Shape) -> str:
-    name = hull_name(shape)
+    name, data = _hull_file(shape)
     if spec.mesh(name) is None:
         mesh = spec.add_mesh(name=name)
         mesh.inertia, mesh.smoothnormal = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX, shape.smooth
         # The engine keeps meshes by the names of their files, so the name must hold all that the mesh depends on.
         mesh.file = f"{name}.msh"
-        spec.assets[mesh.file] = _msh(np.asarray(shape.points, dtype=np.float64))
+        spec.assets[mesh.file] = data
     return name
 
 

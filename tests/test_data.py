@@ -1,6 +1,5 @@
 """A dataset of demonstrations: what is in it, what is kept out, and that it is made once, whatever happens."""
 
-import re
 import signal
 import subprocess
 import sys
@@ -15,8 +14,10 @@ from msgspec import structs
 from thinkblox import InputError
 from thinkblox.chat import Chat
 from thinkblox.episode import Episode, episode_of
+from thinkblox.free_places import free_places
 from thinkblox.generate import generate_room
 from thinkblox.observe import Observation, Sight
+from thinkblox.phrases import planned_constraints
 from thinkblox.placing import Effort
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.steps import Step, parse, write_step
@@ -191,24 +192,24 @@ def test_filters_refuse_what_is_not_good(episode: Episode) -> None:
     assert refused == dict.fromkeys(refused, seen)
 
 
-def test_sums_are_right(episode: Episode) -> None:
-    """Where a coordinate is worked out, its terms add up to it."""
-    worked = 0
-    for made, _ in demonstrations(episode, Filters(), worked=True, refused=Counter()):
+def test_what_is_worked_out_leads_to_the_answer(episode: Episode) -> None:
+    """The last line of reasoning has the pose of the answer, and the free line that is named holds it."""
+    named = 0
+    for made, decision in demonstrations(episode, Filters(), worked=True, refused=Counter()):
         step = parse(made.text)
         assert isinstance(step, Step)
         assert step.position is not None
-        sums = step.think.splitlines()[-1].partition(". ")[2].rstrip(".").split(", ")
-        for axis, said in enumerate(sums):
-            letter, *terms = said.split(" = ")
-            assert letter == "xyz"[axis]
-            assert float(terms[-1]) == pytest.approx(step.position[axis])
-            if len(terms) > 1:
-                worked += 1
-                assert sum(
-                    float(term) for term in re.findall(r"[+-]?\d+\.\d+", terms[0].replace(" ", ""))
-                ) == pytest.approx(step.position[axis], abs=1e-6)
-    assert worked >= 6
+        said = {constraint.kind: constraint.values for constraint in planned_constraints(step)}
+        assert said["at"] == step.position[:2]
+        assert said["turned"] == (step.yaw,)
+        free = step.think.splitlines()[1]
+        seen = decision.observation
+        by = {f"Free {stretch.by}" for stretch in free_places(seen.layout, seen.target, seen.asset)}
+        if free.partition(". ")[2].partition(":")[0] in by:
+            named += 1
+        else:
+            assert free.endswith("None of the free lines is taken.")
+    assert named >= 4
 
 
 def test_a_bad_row_is_named(dataset: Path) -> None:

@@ -42,6 +42,7 @@ def write_two(inventory: Inventory, path: Path) -> None:
     path.with_name("beside.two").write_text("second")
 
 
+OURS = [known.name for known in formats()]
 LIST = ExportFormat(name="list", suffix=".txt", write=write_list, says="the names of all objects")
 
 
@@ -52,7 +53,9 @@ def save(out: Path, *names: str, **options: object) -> Path:
 
 def test_ours_are_there() -> None:
     assert [(known.name, known.file) for known in formats()] == [
-        ("mjcf", "scene.xml"), ("mjcf-single", "scene.single.xml"), ("usd", "scene.usda"),
+        ("mjcf", "scene.xml"), ("mjcf-single", "scene.single.xml"), ("mjcf-robosuite", "scene.robosuite.xml"),
+        ("mjcf-mjx", "scene.mjx.xml"), ("usd", "scene.usda"), ("usdc", "scene.usdc"), ("usdz", "scene.usdz"),
+        ("glb", "scene.glb"), ("urdf", "scene.urdf"), ("sdf", "scene.sdf"),
     ]  # fmt: skip
     assert all(known.says for known in formats())
 
@@ -72,7 +75,7 @@ def test_a_user_registers_a_format(tmp_path: Path) -> None:
 
 
 def test_unknown_names_list_what_there_is(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"no format 'step'; there are mjcf, mjcf-single, usd$"):
+    with pytest.raises(InputError, match=r"no format 'step'; there are mjcf, .*, urdf, sdf$"):
         save(tmp_path / "room", "mjcf", "step")
     assert list(tmp_path.iterdir()) == []
 
@@ -82,7 +85,7 @@ def test_names_are_taken_once() -> None:
     with pytest.raises(InputError, match="already"):
         register(LIST)
     register(LIST, replace=True)
-    assert [known.name for known in formats()] == ["mjcf", "mjcf-single", "usd", "list"]
+    assert [known.name for known in formats()] == [*OURS, "list"]
 
 
 @pytest.mark.parametrize("name", ["", "My Format", "../x", "x" * 50, "1st"])

@@ -10,8 +10,10 @@ from thinkblox.assets import kind_of
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
+from thinkblox.furnishing import Progress
 from thinkblox.knowledge.dressing import dressing
 from thinkblox.knowledge.rooms import read_usual
+from thinkblox.placing import Effort
 from thinkblox.planning.dressing import Dresser
 from thinkblox.reading import read_brief
 from thinkblox.scene.relations import measure
@@ -124,3 +126,13 @@ def test_what_belongs_to_a_wall_is_there_or_left_out(lived_in: Generation) -> No
 def test_what_a_person_would_expect_is_assumed(prompt: str, assumed: dict[str, int]) -> None:
     found = {request.category: request.count for request in read_brief(prompt).requests if not request.asked}
     assert {category: found.get(category, 0) for category in assumed} == assumed
+
+
+def test_progress_counts_what_is_still_to_come():
+    told: list[Progress] = []
+    generate_room("A small study", fill="lived-in", effort=Effort(restarts=0), on_object=told.append)
+    numbers = [progress.number for progress in told]
+    assert numbers == list(range(1, len(told) + 1))
+    assert told[-1].number == told[-1].total
+    added = [progress for progress in told if progress.number > len(told) // 2]
+    assert sum(progress.number == progress.total for progress in added) <= 2

@@ -273,8 +273,8 @@ def test_an_adapter_is_taken_into_the_weights(tiny, tiny_folder, tmp_path):
 
 
 def test_an_adapter_for_another_model_is_refused(tiny_folder, tmp_path):
-    for name, size in (("wide", {"hidden": 128}), ("deep", {"layers": 4}), ("flat", {"layers": 2})):
-        other = build_tiny(tmp_path / name, size=TinySize(**size), texts=["a chair"])
+    for name, size in (("wide", TinySize(hidden=128)), ("deep", TinySize(layers=4)), ("flat", TinySize(layers=2))):
+        other = build_tiny(tmp_path / name, size=size, texts=["a chair"])
         adapter(other, tmp_path / f"{name} adapter")
         with pytest.raises(InputError, match="not an adapter for"):
             HfModel(tiny_folder, tmp_path / f"{name} adapter", device="cpu")

@@ -16,7 +16,7 @@ from thinkblox.scene.scene import load_scene
 pytestmark = pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="sees when a process heeds stops")
 KILLS = int(os.environ.get("THINKBLOX_KILLS", "40"))
 """How often each command is killed, half of it where there is something to replace."""
-OLD, NEW = "A room with a chair.", "A room with a stool."
+OLD, NEW, MORE = "A room with a chair.", "A room with a stool.", "Add a stool."
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 
@@ -58,41 +58,62 @@ def check_status(number: int, status: int, errors: str) -> None:
     assert status in expected, errors
 
 
-def prompts_in(out: Path) -> str:
+def things_in(out: Path) -> str:
     check_folder(out, overwrite=True)  # whole, and nothing else in it
-    return load_scene(out).prompt
+    return " ".join(placement.id for placement in load_scene(out).placements)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("overwrite", [False, True], ids=["new", "overwrite"])
 def test_a_killed_generate_leaves_the_old_or_the_new_room(tmp_path: Path, overwrite: bool) -> None:
-    out, rng = tmp_path / "home" / "room", random.Random(overwrite)
-    (tmp_path / "home").mkdir()
-    options = ["--no-pictures", *(["--overwrite"] if overwrite else [])]
-    done("generate", OLD, "--out", tmp_path / "old", "--no-pictures")
-    whole = seconds_of(command("generate", NEW, "--out", tmp_path / "new", "--no-pictures"))
-    seen: dict[str, int] = {}
+    old, out = tmp_path / "old", tmp_path / "home" / "room"
+    done("generate", OLD, "--out", old, "--no-pictures")
+    arguments = ["generate", NEW, "--no-pictures"]
+    whole = seconds_of(command(*arguments, "--out", tmp_path / "new"))
+    the_old_or_the_new(command(*arguments, "--out", out), whole, out, old if overwrite else None, "stool_1")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("overwrite", [False, True], ids=["new", "itself"])
+def test_a_killed_edit_leaves_the_room_as_it_was_or_as_asked(tmp_path: Path, overwrite: bool) -> None:
+    old, out = tmp_path / "old", tmp_path / "home" / "room"
+    done("generate", OLD, "--out", old, "--no-pictures")
+    whole = seconds_of(command("edit", old, MORE, "--no-pictures", "--out", tmp_path / "new"))
+    arguments = command("edit", out if overwrite else old, MORE, "--no-pictures", "--out", out)
+    the_old_or_the_new(arguments, whole, out, old if overwrite else None, "chair_1 stool_1")
+    assert things_in(old) == "chair_1"
+
+
+def the_old_or_the_new(arguments: list[str], whole: float, out: Path, old: Path | None, new: str) -> None:
+    """Kill a command that takes `whole` seconds again and again; it replaces the room `old`, if any, with other things.
+
+    At the end it is left in peace, and nothing is there but its room.
+    """
+    rng = random.Random(old is None)
+    out.parent.mkdir()
+    arguments, was = [*arguments, *(["--overwrite"] if old else [])], things_in(old) if old else "nothing"
     for kill in range(KILLS // 2):
-        if overwrite and not out.exists():
-            subprocess.run(["cp", "-r", tmp_path / "old", out], check=True)
+        if old:
+            subprocess.run(["cp", "-r", old, out], check=True)
         there = {path.name for path in out.parent.iterdir()}  # with what those left behind that were killed
         number = SIGNALS[kill % len(SIGNALS)]
         # The end, where a room is put in place, is what most of them are to hit.
         after = whole * (rng.random() if kill % 2 else rng.uniform(0.7, 1.0))
-        status, errors = killed(command("generate", NEW, "--out", out, *options), number, after)
+        status, errors = killed(arguments, number, after)
         check_status(number, status, errors)
-        found = prompts_in(out) if out.exists() else "nothing"
-        assert found in ({OLD, NEW} if overwrite else {"nothing", NEW})
+        found = things_in(out) if out.exists() else "nothing"
+        assert found in (was, new)
         if status == 130:
-            assert ("nothing was written" in errors) == (found != NEW), errors
+            assert ("nothing was written" in errors) == (found != new), errors
         if number != signal.SIGKILL:
             assert {path.name for path in out.parent.iterdir()} <= {*there, "room"}
         whole *= 0.97 if status == 0 else 1.01  # the machine is not always as fast
-        seen[f"{status} {found}"] = seen.get(f"{status} {found}", 0) + 1
         subprocess.run(["rm", "-rf", out], check=True)
-    print(seen)
-    done("generate", NEW, "--out", out, *options)
+    if old:
+        subprocess.run(["cp", "-r", old, out], check=True)
+    subprocess.run(arguments, check=True, capture_output=True)
     assert [path.name for path in out.parent.iterdir()] == ["room"]
+    assert things_in(out) == new
 
 
 @pytest.mark.slow

@@ -364,7 +364,7 @@ def test_a_trace_that_was_broken_off_says_where_it_ends(tmp_path):
 @pytest.mark.parametrize(
     ("spec", "why"),
     [
-        ("gpt-5", "names nobody; give expert, hf:"),
+        ("gpt-5", "names nobody; give expert, learned"),
         ("", "names nobody"),
         ("openai", "names nobody"),
         ("openai:", "not the URL of a server"),
@@ -377,6 +377,8 @@ def test_a_trace_that_was_broken_off_says_where_it_ends(tmp_path):
         ("replay:", "which trace"),
         ("replay:/gone/trace.jsonl", "gone"),
         ("expert:fast", "names nobody"),
+        ("learnedly", "names nobody"),
+        ("learned:/gone", "no model in /gone; train one on a CPU: thinkblox data build --config"),
     ],
 )
 def test_a_specification_that_is_none_says_what_there_is(spec, why):

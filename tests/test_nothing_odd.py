@@ -6,15 +6,17 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from shapely import Point
+from shapely.ops import unary_union
 
-from thinkblox.assets import kind_of, make_asset
+from thinkblox.assets import facts_of, kind_of, make_asset
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.repaint import SAME_COLOUR, faces
 from thinkblox.assets.showing import realised
 from thinkblox.brief import Brief
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
-from thinkblox.planning import ExpertPlanner, plan_brief
+from thinkblox.planning import ExpertPlanner, plan_brief, varied
 from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Asset, Material
 from thinkblox.scene.placement import Placement
@@ -203,3 +205,122 @@ def test_a_chair_that_finds_no_room_at_its_desk_is_not_left_astray():
     for target in room.plan.targets:
         if target.ties and target.ties[0].kind == "at":
             assert measure(room.scene, "at", target.id, target.ties[0].anchors).holds
+
+
+def back_gap(room: Generation, thing: Placement) -> float:
+    """From the middle of a thing's back to the nearest wall [m]."""
+    back = Point(thing.to_room((-thing.size[0] / 2, 0.0)))
+    return float(room.scene.room.polygon.exterior.distance(back))
+
+
+def wall_gap(room: Generation, thing: Placement) -> float:
+    """From a thing to the nearest wall [m]."""
+    return float(room.scene.room.polygon.exterior.distance(thing.footprint))
+
+
+@pytest.mark.parametrize(
+    "prompt", ["A hospital ward with four beds in a row", "A field hospital with six beds", "A dormitory"]
+)
+def test_several_beds_stand_in_line_with_their_heads_to_the_walls(prompt):
+    room = made(prompt)
+    beds = [p for p in room.scene.placements if "bed" in p.category.split("_")]
+    assert room.report.valid
+    assert len(beds) >= 4
+    assert all(wall_gap(room, bed) < 0.1 for bed in beds)
+    assert len({round(bed.yaw) % 180 for bed in beds}) == 1
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A kitchen with an island and four bar stools",
+        "A narrow kitchen, 2.2 m by 4 m, with a fridge, an oven and a dishwasher",
+        "A kitchen with a fridge, a stove, a sink and a small table with two chairs",
+        "A laundry room with two washing machines, a dryer and a sink",
+    ],
+)
+def test_cabinets_and_appliances_stand_in_one_line(prompt):
+    room = made(prompt)
+    run = [p for p in room.scene.placements if facts_of(p.category).is_in("built_in_line")]
+    assert room.report.valid
+    assert len({round(p.yaw) for p in run}) == 1
+    line = unary_union([p.footprint.buffer(0.03, cap_style="square") for p in run])
+    assert line.geom_type == "Polygon"
+
+
+def test_a_fridge_stands_at_the_end_of_its_run():
+    room = made("A narrow kitchen, 2.2 m by 4 m, with a fridge, an oven and a dishwasher")
+    run = [p for p in room.scene.placements if facts_of(p.category).is_in("built_in_line")]
+    beside = [p for p in run if 0.0 < p.footprint.distance(placed(room, "fridge")[0].footprint) < 0.1]
+    assert len(beside) == 1
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counter"),
+    [
+        ("A pub with a bar, six stools and a fireplace", "bar_counter"),
+        ("A bakery with a display counter and shelves", "counter"),
+        ("A cafe with four tables and a counter with an espresso machine", "counter"),
+        ("A reception with a reception desk and two armchairs", "reception_desk"),
+    ],
+)
+def test_who_serves_has_room_behind_the_counter(prompt, counter):
+    room = made(prompt)
+    assert room.report.valid
+    assert all(back_gap(room, each) > 0.6 for each in placed(room, counter))
+
+
+def test_a_counter_that_is_asked_to_be_against_the_wall_is():
+    room = made("A cafe with a counter against the wall and two tables")
+    assert back_gap(room, placed(room, "counter")[0]) < 0.1
+
+
+def test_visitors_sit_across_the_desk_from_who_works_there():
+    room = made("A manager's office with a desk and two visitor chairs")
+    desk = placed(room, "desk")[0]
+    across = [desk.to_local((p.position[0], p.position[1]))[0] for p in placed(room, "visitor_chair")]
+    at_work = [desk.to_local((p.position[0], p.position[1]))[0] for p in placed(room, "office_chair")]
+    assert all(x < 0 for x in across)
+    assert at_work[0] > 0
+    assert len(across) == 2
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seat", "number"),
+    [
+        ("An office with four desks and a meeting table", "office_chair", 10),
+        ("A doctor's office with a desk and two chairs for visitors", "office_chair", 1),
+        ("A waiting room with ten chairs and a reception desk", "office_chair", 0),
+        ("A classroom for twenty pupils with a teacher's desk", "chair", 21),
+    ],
+)
+def test_every_desk_and_table_has_its_own_seats(prompt, seat, number):
+    assert sum(request.count for request in read_brief(prompt).requests if request.category == seat) == number
+
+
+def test_those_who_wait_do_not_sit_at_the_reception():
+    brief = read_brief("A waiting room with ten chairs and a reception desk")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert not any("reception_desk_1" in tie.anchors for t in plan.targets if t.category == "chair" for tie in t.ties)
+
+
+def test_stools_are_at_the_benches_of_a_laboratory():
+    brief = read_brief("A chemistry lab with two lab benches and six stools")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    stools = [t for t in plan.targets if t.category == "stool"]
+    assert [t.ties[0].kind for t in stools] == ["at"] * 6
+    assert {t.ties[0].anchors for t in stools} == {("lab_bench_1",), ("lab_bench_2",)}
+
+
+def test_nothing_stands_where_darts_are_thrown():
+    room = made("A pub with a bar, six stools, a dart board and a fireplace")
+    board = placed(room, "dart_board")[0]
+    for thing in room.scene.placements:
+        if thing.support == "floor":
+            ahead, aside = board.to_local((thing.position[0], thing.position[1]))
+            assert ahead > 1.5 or abs(aside) > 0.4
+
+
+def test_a_kitchen_table_keeps_its_chairs_whatever_the_seed():
+    briefs = [varied(read_brief("A kitchen"), seed) for seed in range(12)]
+    assert all(any(r.category == "chair" for r in brief.requests) for brief in briefs)

@@ -83,7 +83,7 @@ def test_a_bare_tree_has_no_known_version(tmp_path):
     assert done.stdout.strip() == "0+unknown"
 
 
-MODELS = "'torch', 'transformers', 'peft', 'trl', 'datasets', 'llguidance', 'openai', 'mcp'"
+MODELS = "'torch', 'transformers', 'peft', 'trl', 'datasets', 'llguidance', 'openai', 'mcp', 'dm_control'"
 
 
 def test_importing_the_package_loads_nothing_heavy():

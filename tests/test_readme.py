@@ -8,10 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from tests.bench.gallery import kinds
+
 ROOT = Path(__file__).parent.parent
+RUN = ("guide", "extending", "models", "editing", "mcp", "environment")
 BLOCKS = [
     pytest.param(block, id=f"{name}-{number}", marks=[pytest.mark.slow] if "models" in name else [])
-    for name in ("README.md", *(f"docs/{page}.md" for page in ("guide", "extending", "models", "editing", "mcp")))
+    for name in ("README.md", *(f"docs/{page}.md" for page in RUN))
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]
 
@@ -69,7 +72,7 @@ def test_the_commands_of_the_readme_run(tmp_path):
 
 
 def test_links_point_at_files():
-    pages = ("guide", "extending", "models", "editing", "mcp", "training", "evaluation", "benchmarks")
+    pages = (*RUN, "rooms", "training", "evaluation", "benchmarks")
     for name in ("README.md", *(f"docs/{page}.md" for page in pages)):
         for link in re.findall(r"\]\(([^)#:]+)\)", (ROOT / name).read_text()):
             assert (ROOT / name).parent.joinpath(link).exists(), (name, link)
@@ -88,3 +91,12 @@ def test_the_tree_of_the_readme_names_what_exists():
     tree = (ROOT / "README.md").read_text().split("## The tree")[1].split("##")[0]
     for line in re.findall(r"^    (\S.*?)  ", tree, re.MULTILINE):
         assert all((ROOT / word).exists() for word in line.split()), line
+
+
+def test_every_contact_sheet_is_shown_with_its_prompts():
+    text = (ROOT / "docs/rooms.md").read_text(encoding="utf-8")
+    for kind, rooms in kinds().items():
+        assert f"(pictures/{kind}.jpg)" in text
+        assert (ROOT / f"docs/pictures/{kind}.jpg").stat().st_size < 400_000
+        assert len(rooms) == 6
+        assert all(f"{room.prompt} (seed {room.seed}, {room.fill})" in text for room in rooms)

@@ -118,6 +118,19 @@ def test_a_file_that_is_not_there_or_not_json_is_named(tmp_path):
         load_scene(tmp_path)
 
 
+def test_a_file_whose_things_rest_on_nothing_that_is_there_is_refused(box_asset, tmp_path):
+    scene = Scene(room=rectangle(4.0, 3.0)).with_placement(at(box_asset), box_asset)
+    scene = scene.with_placement(at(box_asset, "box_2", x=3.0), box_asset)
+    text = to_json(scene).decode()
+    for support in ("nobody", "box_3", "Floor"):
+        (tmp_path / "scene.json").write_text(text.replace('"support": "floor"', f'"support": "{support}"', 1))
+        with pytest.raises(InputError, match=rf"scene\.json: .*'box_1' rests on '{support}'.*floor.*south_wall.*box_2"):
+            load_scene(tmp_path)
+    for support in ("", "ceiling", "west_wall", "box_2"):
+        (tmp_path / "scene.json").write_text(text.replace('"support": "floor"', f'"support": "{support}"', 1))
+        assert load_scene(tmp_path) == scene
+
+
 def test_walls_are_named_by_the_side_they_bound():
     assert [w.name for w in rectangle(4.0, 3.0).walls] == ["south_wall", "east_wall", "north_wall", "west_wall"]
     names = [w.name for w in Room(floor=L_SHAPE).walls]

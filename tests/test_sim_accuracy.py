@@ -15,7 +15,7 @@ from thinkblox.scene.corners import rotation
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room, rectangle
 from thinkblox.scene.scene import Scene
-from thinkblox.sim.geometry.solid import pose
+from thinkblox.sim.geometry.solid import pose, solid_of
 from thinkblox.sim.verdict.world import World
 from thinkblox.value import Quat
 from thinkblox.verdict import Verdict
@@ -241,8 +241,7 @@ def test_shares_of_a_table_on_three_legs_with_a_load(load: tuple[float, float]) 
     legs = [box((0.02, 0.02, 0.4), (x, y, 0.2)) for x, y in feet]
     weight = box((0.3, 0.3, 0.3), (*load, 0.57))
     table = asset("table", (1.0, 0.9, 0.72), top, *legs, weight, mass=30.0)
-    volumes = [0.018, *[0.00016] * 3, 0.027]
-    middle = np.average([(0.0, 0.0), *feet, load], axis=0, weights=volumes)
+    middle = np.average([(0.0, 0.0), *feet, load], axis=0, weights=solid_of(table).masses[0])
     stands: list[tuple[Placement, Asset]] = []
     for number, (x, y) in enumerate(feet):
         stand = asset("stand", (0.2, 0.2, 0.3), mass=20.0)

@@ -28,20 +28,19 @@ def every_kind() -> Scene:
     return scene(None, (put(totem, 1.234567, 2.0, yaw=33.0), totem))
 
 
-def test_mass_is_the_assets_and_spread_by_volume() -> None:
+def test_mass_is_the_assets_and_spread_by_what_parts_are_of() -> None:
     model = build_spec(every_kind()).compile()
     assert model.body("totem_1").subtreemass[0] == pytest.approx(7.0)
-    mass = {int(kind): 0.0 for kind in model.geom_type}
-    volumes = {
-        mujoco.mjtGeom.mjGEOM_BOX: 0.008,
-        mujoco.mjtGeom.mjGEOM_CYLINDER: np.pi * 0.01 * 0.2,
-        mujoco.mjtGeom.mjGEOM_SPHERE: np.pi / 6 * 0.008,
-    }
-    spec = build_spec(every_kind())
-    for geom in spec.body("totem_1").geoms:
-        mass[int(geom.type)] = geom.mass
-    densities = [mass[int(kind)] / volume for kind, volume in volumes.items()]
-    assert densities == pytest.approx([densities[0]] * 3)
+    blocks = [
+        Shape(kind="box", size=(0.03, 0.3, 0.3), position=(0.0, 0.0, 0.15)),
+        Shape(kind="box", size=(0.03, 0.6, 0.3), position=(0.0, 0.0, 0.45)),
+        Shape(kind="box", size=(0.002, 0.3, 0.3), position=(0.0, 0.0, 0.75), material="metal"),
+    ]
+    sign = asset("sign", (0.03, 0.6, 0.9), *blocks, mass=5.0)
+    board, wide, plate = build_spec(scene(None, (put(sign, 2.0, 2.0), sign))).body("sign_1").geoms
+    assert wide.mass == pytest.approx(2 * board.mass)
+    assert plate.mass / board.mass == pytest.approx(0.002 * 7800 / (0.03 * 650), rel=0.2)
+    assert board.mass + wide.mass + plate.mass == pytest.approx(5.0)
 
 
 def test_equal_hulls_share_one_mesh() -> None:

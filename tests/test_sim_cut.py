@@ -46,8 +46,14 @@ def agree(cut: Verdict, whole: Verdict) -> bool:
     tolerance = FALLING if moving or wobbles else AT_REST
     same = (cut.id, cut.reasons, cut.settled, cut.blocked) == (whole.id, whole.reasons, whole.settled, whole.blocked)
     static = (cut.collisions, cut.boundary, cut.swings) == (whole.collisions, whole.boundary, whole.swings)
-    fallen = min(cut.drop, whole.drop) > GIVEN_UP
+    fallen = _given_up(cut) and _given_up(whole)
     return same and static and (fallen or np.allclose(lengths, angles, atol=tolerance, rtol=0.0))
+
+
+def _given_up(verdict: Verdict) -> bool:
+    """Whether its settle was ended because it fell: how far it got, and how it struck, says when that was noticed."""
+    limits = Physics()
+    return max(verdict.drift, verdict.drop) > limits.lost or verdict.tilt > limits.toppled
 
 
 def _numbers(verdict: Verdict) -> list[float]:
@@ -68,8 +74,6 @@ SHELF = asset("shelf", (0.3, 0.8, 0.02), box((0.3, 0.8, 0.02), (0.0, 0.0, 0.01))
 BALL = asset("ball", (0.2, 0.2, 0.2), Shape(kind="sphere", size=(0.2, 0.2, 0.2), position=(0.0, 0.0, 0.1)), mass=0.5)
 CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 POST = asset("post", (0.06, 0.06, 1.2), mass=3.0)
-GIVEN_UP = 0.1
-"""What falls further than this is given up: how far it fell and how it struck depends on when that is noticed [m]."""
 FLUNG = 0.05
 """What is deeper than this in another thing or a wall is flung out, and hits what is metres away [m]."""
 MOST_CALM = 3

@@ -123,3 +123,18 @@ def test_other_tools_in_the_process_read_it_without_torchvision(tiny_folder):
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "thinkblox.policies.processors"
+
+
+def test_numbers_can_be_one_token_each(tmp_path):
+    """With the space before them, whatever else is in the text; what is read is what was said."""
+    size = TinySize(hidden=16, layers=1, heads=2, vocabulary=320, vision_hidden=16, vision_layers=1, numbers=True)
+    read = load_pretrained(build_tiny(tmp_path, size=size, texts=TEXTS), device="cpu")
+    tokenizer = read.processor.tokenizer
+    for said in (" 1.25", " 0.0", " 9.9", " 90.0", " 270.0"):
+        assert len(tokenizer.encode(f"at ({said},")) == len(tokenizer.encode("at (,")) + 1
+    text = '"position": [ 1.25, 0.05, 12.345], at (3.1, -0.07) 180.0 and 7/12'
+    assert tokenizer.decode(tokenizer.encode(text)) == text
+    weight = read.model.get_input_embeddings().weight
+    near, far = (weight[tokenizer.encode(said)[-1]] for said in (" 2.01", " 7.4"))
+    here = weight[tokenizer.encode(" 2.0")[-1]]
+    assert (here - near).norm() < (here - far).norm()

@@ -181,3 +181,25 @@ def test_advantages_that_differ_move_the_model(data: str, tmp_path: Path) -> Non
     assert len(advantages) == 8
     assert sum(advantages) == pytest.approx(0.0, abs=1e-5)
     assert advantages[0] < 0.0 < advantages[1]
+
+
+def test_a_model_learns_to_read_before_it_answers(data: str, tmp_path: Path) -> None:
+    """The loss is on all that is said for as many updates as are asked for, and then on the answer alone."""
+    from thinkblox.training.models import starting_model
+    from thinkblox.training.running import run
+    from thinkblox.training.sft import sft_trainer
+
+    config = sft(data, tmp_path / "sft", steps=4, reading=2)
+    start = starting_model(config)
+    trainer = sft_trainer(config, start.model, start.processor, rows_of(data, "train"))
+    taken = []
+    step = trainer.training_step
+
+    def training_step(model: Any, inputs: Any, *more: Any) -> Any:
+        taken.append(float((inputs["labels"] != -100).sum() / inputs["attention_mask"].sum()))
+        return step(model, inputs, *more)
+
+    trainer.training_step = training_step
+    run(trainer, config)
+    assert taken[:2] == [1.0, 1.0]
+    assert max(taken[2:]) < 0.8

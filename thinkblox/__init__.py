@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from thinkblox.editing import Edit, edit_room, undo_edit
     from thinkblox.episode import Episode, read_episode
     from thinkblox.errors import InputError, ThinkBloxError
+    from thinkblox.exporters.exporting import export_scene
+    from thinkblox.exporters.mjcf import to_mjmodel, to_mjspec
     from thinkblox.exporters.saving import save_scene
     from thinkblox.furnishing import Generation
     from thinkblox.generate import generate_room
@@ -71,6 +73,7 @@ _HOME = {
     "VerifyOptions": "thinkblox.checking",
     "World": "thinkblox.sim.verdict.world",
     "edit_room": "thinkblox.editing",
+    "export_scene": "thinkblox.exporters.exporting",
     "generate_room": "thinkblox.generate",
     "judge": "thinkblox.judging",
     "judge_all": "thinkblox.judging",
@@ -80,6 +83,8 @@ _HOME = {
     "save_room": "thinkblox.saving",
     "save_scene": "thinkblox.exporters.saving",
     "score": "thinkblox.scoring",
+    "to_mjmodel": "thinkblox.exporters.mjcf",
+    "to_mjspec": "thinkblox.exporters.mjcf",
     "undo_edit": "thinkblox.editing",
     "verify": "thinkblox.sim.verdict.verify",
     "verify_file": "thinkblox.checking",
@@ -116,6 +121,7 @@ __all__ = [
     "VerifyOptions",
     "World",
     "edit_room",
+    "export_scene",
     "generate_room",
     "judge",
     "judge_all",
@@ -125,6 +131,8 @@ __all__ = [
     "save_room",
     "save_scene",
     "score",
+    "to_mjmodel",
+    "to_mjspec",
     "undo_edit",
     "verify",
     "verify_file",

@@ -22,8 +22,9 @@ if TYPE_CHECKING:
 OURS = "thinkblox"
 """The format of our own scene.json."""
 DEMANDS = "What the prompt asks for is not looked at here; of our own rooms, the report of `generate` says it."
-MODELS = ("mjcf", "urdf")
-MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf")
+MODELS = ("mjcf", "urdf", "usd")
+USD_SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
+MODEL_SUFFIXES = (".xml", ".mjcf", ".urdf", *USD_SUFFIXES)
 LAYOUT_OPTIONS = ("assets", "height", "room", "short_side", "sizes", "room_size")
 """Attributes of VerifyOptions that say what a layout of another generator leaves open."""
 RANGES = {"height": (1.5, 50.0), "short_side": (0.5, 100.0), "max_move": (0.0, 100.0)}
@@ -91,7 +92,7 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
     written is written by this one, whole or not at all.
 
     Args:
-        path: a scene.json or the folder that holds one, an MJCF or URDF file, or a layout.
+        path: a scene.json or the folder that holds one, an MJCF, URDF or USD file, or a layout.
         reading: how it is read, and what is made of it.
         timeout: how long it may take [s], without the start of the process.
 
@@ -183,7 +184,9 @@ def _check_numbers(reading: VerifyOptions, timeout: object) -> None:
 def _check_purpose(path: Path, kind: str, reading: VerifyOptions) -> None:
     """Refuse options that a file of this kind has no use for."""
     if kind not in MODELS and (reading.root or reading.fixed_base or reading.exclude or reading.robot):
-        raise InputError(f"{path}: --root, --fixed-base, --exclude and --robot are for models, which are MJCF or URDF")
+        raise InputError(
+            f"{path}: --root, --fixed-base, --exclude and --robot are for models, which are MJCF, URDF or USD"
+        )
     if kind not in (OURS, *MODELS):
         return
     useless = [f"--{name.replace('_', '-')}" for name in LAYOUT_OPTIONS if getattr(reading, name) is not None]
@@ -207,7 +210,7 @@ def _format_of(path: Path, wanted: str | None) -> str:
     if not path.exists():
         raise InputError(f"{path}: there is no such file")
     if path.suffix.lower() in MODEL_SUFFIXES:
-        return "mjcf"
+        return "usd" if path.suffix.lower() in USD_SUFFIXES else "mjcf"
     if path.suffix.lower() == ".json":
         return OURS if _is_ours(path) else "layout"
     raise InputError(

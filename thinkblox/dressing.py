@@ -23,6 +23,8 @@ from thinkblox.verdict import Absence
 
 _CANDIDATES = 4
 """Poses proposed for one of the many things that nobody asked for; where none will do, it is left out."""
+_BY_WALL = 0.4
+"""What is no further from a wall is not amid the room [m]."""
 _SALT = 1_000_003
 """Keeps these random choices apart from those of the furniture."""
 
@@ -38,14 +40,15 @@ class Dressed:
     absent: list[Absence] = field(default_factory=list)
 
 
-def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target, bool], None]) -> Dressed:
+def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target, bool, int], None]) -> Dressed:
     """Add what makes a room look lived in: furniture and pictures first, then what lies on everything that carries.
 
     Args:
         world: the furnished room.
         loop: what it was furnished with.
         attempt: which attempt at the room it is.
-        on_object: called with each target, and whether it was placed.
+        on_object: called with each target, whether it was placed, and how many are to be added as far as is known: what
+            lies about is planned when the furniture stands.
     """
     effort = replace(
         loop.effort, candidates=min(_CANDIDATES, loop.effort.candidates), rounds=1, repairs=0, revisions=0, resort=False
@@ -53,14 +56,17 @@ def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target
     seed = world.scene.seed
     dresser = Dresser(loop.plan, np.random.default_rng((seed, _SALT)))
     done = Dressed(world, replace(loop, effort=effort, tells=False))
+    planned = 0
     for stage in (dresser.furniture, dresser.things):
         targets = stage(done.world.scene)
         done.loop = replace(done.loop, plan=dresser.plan)
-        for target in _makeable(done, targets):
+        makeable = _makeable(done, targets)
+        planned += len(makeable)
+        for target in makeable:
             why = done.loop.over or _place(done, target, attempt)
             if why:
                 done.absent.append(_absence(target, why))
-            on_object(target, not why)
+            on_object(target, not why, planned)
     return done
 
 
@@ -120,7 +126,15 @@ def _astray(scene: Scene, target: Target) -> str:
                 return f"there was no room left for it on {tie.anchors[0]}"
         elif tie.kind == "against_wall" and not measure(scene, tie.kind, target.id, tie.anchors).holds:
             return "there was no room left for it at a wall"
+        elif tie.kind == "in_corner" and _amid(scene, target.id):
+            return "there was no room left for it in a corner or at a wall"
     return ""
+
+
+def _amid(scene: Scene, id: str) -> bool:
+    """Whether it stands on the floor away from every wall."""
+    placement = scene[id]
+    return placement.support == "floor" and bool(scene.room.polygon.exterior.distance(placement.footprint) > _BY_WALL)
 
 
 def _absence(target: Target, why: str) -> Absence:

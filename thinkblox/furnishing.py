@@ -224,10 +224,10 @@ class _Attempt:
         """Add what makes it look lived in, as far as everything stays valid; returns the plan with that."""
         before, count = len(loop.plan.targets), 0
 
-        def told(target: Target, placed: bool) -> None:
+        def told(target: Target, placed: bool, planned: int) -> None:
             nonlocal count
             count += 1
-            on_object(Progress(target, placed, before + count, before + count, last))
+            on_object(Progress(target, placed, before + count, before + planned, last))
 
         done = dress(self.world, loop, attempt=self.number, on_object=told)
         valid = self.report.valid

@@ -173,7 +173,7 @@ _FORMS: tuple[_Form, ...] = (
     ),
     _Form(
         "at",
-        re.compile(rf"at \({_NUM}, {_NUM}\)"),
+        re.compile(rf"at \( ?{_NUM}, {_NUM}\)"),
         lambda c: f"at ({c.values[0]:.3f}, {c.values[1]:.3f})",
         lambda g: Constraint(kind="at", values=(float(g[0]), float(g[1]))),
     ),

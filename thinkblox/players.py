@@ -1,4 +1,4 @@
-"""Who plays which role, said in a word: "expert", "hf:PATH", "openai:URL#MODEL" or "replay:TRACE"."""
+"""Who plays which role, said in a word: "expert", "learned", "hf:PATH", "openai:URL#MODEL" or "replay:TRACE"."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,9 +23,13 @@ from thinkblox.replaying import Replay
 if TYPE_CHECKING:
     from thinkblox.policies.openai_server import Asking, OpenAiModel
 
-EXPERT = "expert"
-FORMS = "expert, hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
+EXPERT, LEARNED = "expert", "learned"
+FORMS = "expert, learned[:FOLDER], hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
 """What there is, for help and errors."""
+LEARNED_FOLDER = Path("out/small/gdpo/model")
+"""Where `learned` is looked for: there `thinkblox train gdpo --config training/configs/small.yaml` writes it."""
+LEARNED_TOKENS = 200
+"""Longest answer of it."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +62,8 @@ def players(
     """Those who play the roles that are named.
 
     Args:
-        policy: who proposes places. The specification of a model gives it the other roles as well.
+        policy: who proposes places. The specification of a model gives it the other roles as well, but "learned", which
+            can do nothing else.
         briefer: who understands the prompt; who is named as the policy, or else the grammar, where it is left out.
         planner: who decides on the room and the order; likewise, or else the embedded expert.
         mode: whether a model is asked for one object after the other, or once for all of them.
@@ -75,7 +80,7 @@ def players(
         raise InputError(f"mode is {mode!r}; it must be one of {', '.join(MODES)}")
     if fill not in FILLS:
         raise InputError(f"fill is {fill!r}; it must be one of {', '.join(FILLS)}")
-    said = policy if isinstance(policy, str) else EXPERT
+    said = policy if isinstance(policy, str) and not is_learned(policy) else EXPERT
     made: dict[str, ChatModel | Replay | None] = {}
 
     def who(spec: str) -> ChatModel | Replay | None:
@@ -124,6 +129,8 @@ def _player(spec: str) -> ChatModel | Replay | None:
     """Who a specification names; None for the expert."""
     if spec == EXPERT:
         return None
+    if is_learned(spec):
+        return _learned(spec)
     kind, colon, rest = spec.partition(":")
     if colon and kind in _MADE:
         return _MADE[kind](rest.strip())
@@ -147,6 +154,31 @@ def _hf(rest: str) -> ChatModel:
     from thinkblox.policies.hf import HfModel
 
     return HfModel(path or adapter, adapter if plus else None)
+
+
+def is_learned(spec: str) -> bool:
+    """Whether a specification names the learned policy."""
+    return spec == LEARNED or spec.startswith(f"{LEARNED}:")
+
+
+def learned_folder(spec: str) -> Path:
+    """Where the learned policy is that a specification names; raises InputError where there is none."""
+    rest = spec.partition(":")[2].strip()
+    folder = Path(rest) if rest else LEARNED_FOLDER
+    if not (folder / "config.json").is_file():
+        config = "--config training/configs/small.yaml"
+        raise InputError(
+            f"learned: there is no model in {folder}; train one on a CPU: thinkblox data build {config} --out"
+            f" out/small/data, thinkblox train sft {config}, thinkblox train gdpo {config}; or give learned:FOLDER"
+        )
+    return folder
+
+
+def _learned(spec: str) -> ChatModel:
+    folder = learned_folder(spec)
+    from thinkblox.policies.hf import HfModel
+
+    return HfModel(folder, max_new_tokens=LEARNED_TOKENS)
 
 
 def _replay(rest: str) -> Replay:

@@ -63,10 +63,15 @@ def read_json(path: Path, kind: type[V]) -> V:
     Raises:
         InputError: it is missing, unreadable, too large or wrong, or an object in it has a key twice; names the file.
     """
+    return read_json_and_text(path, kind)[0]
+
+
+def read_json_and_text(path: Path, kind: type[V]) -> tuple[V, bytes]:
+    """Read `kind` from a JSON file, as `read_json`, and return its text as well."""
     data = read_regular(path).removeprefix(BOM_UTF8)
     value = from_json(data, kind, where=str(path))
     refuse_double_keys(data, str(path))
-    return value
+    return value, data
 
 
 def refuse_double_keys(data: bytes, where: str) -> None:

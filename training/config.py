@@ -68,9 +68,12 @@ class SftConfig(Training, frozen=True, kw_only=True):
     """Supervised fine-tuning: the model learns to say what the demonstrations say.
 
     Attributes:
+        reading: updates at the start in which the loss is on all that is said; after them it is on the completion
+            alone. A model that is made anew has to learn to read before it can answer.
         weight_decay: of all weights.
     """
 
+    reading: Annotated[int, Meta(ge=0)] = 0
     weight_decay: Annotated[float, Meta(ge=0)] = 0.0
 
 

@@ -55,7 +55,7 @@ def demonstrations(
             continue
         text, step = tried.text, parse(tried.text)
         if worked and isinstance(step, Step) and tried.placement is not None:
-            text = worked_out(scene, step, tried.placement)
+            text = worked_out(decision.observation, step, tried.placement)
         yield (
             Demonstration(
                 decision=number,

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from thinkblox.free_places import free_places
+from thinkblox.observe import Layout
 from thinkblox.policies.pretrained import Pretrained
 from thinkblox.sim.workers.pool import VerdictPool
 from thinkblox.steps import Step, parse, write_step
@@ -158,6 +160,28 @@ class UsualPoses:
             x, y, z = (median(pose[axis] for pose in seen) for axis in range(3))
             yaws = [round(pose[3] / 90) % 4 * 90 for pose in seen]
             yield _said(case, x * width, y * depth, z, float(max(set(yaws), key=yaws.count)))
+
+
+class FirstFree:
+    """Puts everything in the middle of the first line that is told to be free (`thinkblox.free_places`).
+
+    What a policy knows that is shown these lines, and heeds nothing else.
+    """
+
+    def __init__(self, episodes: Episodes) -> None:
+        self._episodes = episodes
+
+    def __call__(self, rows: Sequence[dict[str, Any]]) -> list[str]:
+        """A text for each row."""
+        return [self._answer(self._episodes.case(row["at"])) for row in rows]
+
+    def _answer(self, case: Asked) -> str:
+        width, depth = case.scene.room.extent
+        found = free_places(Layout.of(case.scene), case.target, case.asset.card)
+        if not found:
+            return _said(case, width / 2, depth / 2, _height(case), 0.0)
+        x, y, z = ((a + b) / 2 for a, b in zip(found[0].start, found[0].end, strict=True))
+        return _said(case, x, y, z, found[0].yaw)
 
 
 class ModelAnswers:

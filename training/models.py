@@ -25,14 +25,16 @@ def starting_model(config: Training) -> Pretrained:
         InputError: it is not there, or cannot be made.
     """
     import torch
+    from accelerate import PartialState
 
     name = config.model
     if name is None:
         if config.size is None:
             raise InputError("the configuration names neither a model nor the size of a new one; give model or size")
-        name = str(
-            build_tiny(Path(config.out) / START, size=config.size, seed=config.seed, texts=texts_of(config.data))
-        )
+        name, state = str(Path(config.out) / START), PartialState()
+        if state.is_main_process:
+            build_tiny(name, size=config.size, seed=config.seed, texts=texts_of(config.data))
+        state.wait_for_everyone()
     read = load_pretrained(name)
     if config.lora is None:
         read.model.to(torch.float32)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from thinkblox.assets.source import AssetSource
+from thinkblox.compact import named
 from thinkblox.judging import Proposal, Try, measured_all, tries_of, understand
 from thinkblox.phrases import planned_constraints
 from thinkblox.plan import Target, Tie, is_object
@@ -88,7 +89,11 @@ class Rollout(NamedTuple):
 def outcomes(
     pool: VerdictPool, asked: Sequence[tuple[Asked, Sequence[object]]], *, source: AssetSource | None = None
 ) -> list[list[Rollout]]:
-    """What becomes of the texts that answer each case, measured by the workers of a pool."""
+    """What becomes of the texts that answer each case, measured by the workers of a pool.
+
+    Answers to compact words may call the object as these do.
+    """
+    asked = [(case, [named(text, case.target.id) for text in texts]) for case, texts in asked]
     read = [
         [understand(case.scene, case.target, text, asset=case.asset, source=source) for text in texts]
         for case, texts in asked

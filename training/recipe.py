@@ -23,7 +23,7 @@ class Recipe(Value, frozen=True, kw_only=True):
         order: in which the objects of a room are placed.
         least: objects that a room must have, at least.
         sight: what the policy is shown.
-        worked: whether the sums that lead from the reasoning to the answer are written out, in whole centimetres.
+        worked: whether the reasoning names the free line and the place on it, in numbers as the answer has them.
         filters: what a demonstration must pass.
         held_out: shares of the rooms for validation and for the test.
         block: rooms in one shard: what is done at once, and done again after an interruption.

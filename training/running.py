@@ -57,7 +57,7 @@ def resuming(trainer_class: Any) -> Any:
 
 
 def run(trainer: Any, config: Training) -> None:
-    """Train to the end, from the last checkpoint of the same configuration where there is one.
+    """Train to the end, from the last checkpoint of the same configuration where there is one; keep the log.
 
     Raises:
         InputError: the folder holds a run of another configuration.
@@ -73,3 +73,4 @@ def run(trainer: Any, config: Training) -> None:
         out.mkdir(parents=True, exist_ok=True)
         write_whole(file, said)
     trainer.train(resume_from_checkpoint=last)
+    trainer.save_state()

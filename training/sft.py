@@ -21,12 +21,13 @@ def train_sft(config: SftConfig) -> Path:
     """
     rows = rows_of(config.data, "train")
     start = starting_model(config)
-    trainer = _trainer(config, start.model, start.processor, rows)
+    trainer = sft_trainer(config, start.model, start.processor, rows)
     run(trainer, config)
     return save_trained(trainer.accelerator.unwrap_model(trainer.model), start.processor, config)
 
 
-def _trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:
+def sft_trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:
+    """An SFTTrainer of TRL for rows of a dataset."""
     from trl import SFTConfig, SFTTrainer
 
     arguments = SFTConfig(
@@ -34,14 +35,42 @@ def _trainer(config: SftConfig, model: Any, processor: Any, rows: Any) -> Any:
         weight_decay=config.weight_decay,
         max_length=None,
         completion_only_loss=True,
+        train_sampling_strategy="group_by_length",
     )
-    return resuming(SFTTrainer)(
+    trainer = resuming(SFTTrainer)(
         model=model,
         args=arguments,
-        train_dataset=rows.select_columns(["prompt", "completion", "images"]),
+        train_dataset=_with_lengths(rows.select_columns(["prompt", "completion", "images"])),
         processing_class=processor,
         peft_config=adapter_for(config.lora),
     )
+    if config.reading:
+        trainer.add_callback(_reading_first(trainer.data_collator, config.reading))
+    return trainer
+
+
+def _reading_first(collator: Any, steps: int) -> Any:
+    """Sets what the loss is on by the number of updates that are done."""
+    from transformers import TrainerCallback
+
+    class ReadingFirst(TrainerCallback):  # type: ignore[misc]
+        def on_train_begin(self, args: Any, state: Any, control: Any, **_: Any) -> None:
+            collator.completion_only_loss = state.global_step >= steps
+
+        def on_step_end(self, args: Any, state: Any, control: Any, **_: Any) -> None:
+            # The batch of the next update is made already.
+            collator.completion_only_loss = state.global_step >= steps - 1
+
+    return ReadingFirst()
+
+
+def _with_lengths(rows: Any) -> Any:
+    """Rows with how long each is in characters: those of one batch are about as long, so that little is padded."""
+    lengths = [
+        sum(len(block["text"] or "") for message in (*prompt, *completion) for block in message["content"])
+        for prompt, completion in zip(rows["prompt"], rows["completion"], strict=True)
+    ]
+    return rows.add_column("length", lengths)
 
 
 if __name__ == "__main__":

@@ -64,7 +64,9 @@ KEEPING: Mapping[str, Keeping] = {
     "machine": _standing("against_wall wall", clearance=0.7, large=True),
     "storage": _standing("against_wall wall", groups=("storage", "surfaces", "cases"), clearance=0.6, large=True),
     "tables": _standing("in_centre centre", groups=("tables", "surfaces"), clearance=0.4, large=True),
-    "benches": _standing("against_wall wall", groups=("worktops", "surfaces"), clearance=0.7, large=True),
+    "benches": _standing(
+        "against_wall wall", groups=("worktops", "worked_at", "long_sides", "surfaces"), clearance=0.7, large=True
+    ),
     "seats": _standing("against_wall wall", groups=("seats", "seating"), clearance=0.4),
     "beds": _standing("against_wall wall", groups=("lain_on",), clearance=0.5, large=True),
     "wall": _hung(1.5),

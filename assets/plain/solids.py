@@ -269,11 +269,11 @@ def tool(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def ring(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a ring, lying or upright, with an accent at its front or top."""
+    """Return a ring, lying, or upright on one of its flat sides, with an accent at its front or top."""
     x, y, z = spec.size
     upright = z > x
     across, depth = (z, x) if upright else (x, z)
-    count, wall = 14, 0.17
+    count, wall = 12, 0.17
     body: list[Part] = []
     for k in range(count):
         angles = [2 * pi * (k + step) / count for step in (-0.5, 0.5)]

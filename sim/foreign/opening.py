@@ -1,4 +1,4 @@
-"""Any MJCF or URDF as a Subject: looked through, compiled with its own options, and divided into things."""
+"""Any MJCF, URDF or USD as a Subject: looked through, compiled with its own options, and divided into things."""
 
 import warnings
 from collections.abc import Callable, Sequence
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
-from thinkblox.sim.engine_errors import ENGINE_ERRORS
+from thinkblox.sim.engine_errors import ENGINE_ERRORS, said
 from thinkblox.sim.foreign.aside import set_aside
 from thinkblox.sim.foreign.floors import add_floor, floor_height
 from thinkblox.sim.foreign.mjcf import mjcf_spec, plain_note, refusal
@@ -36,6 +36,8 @@ _FINITE = (
 NAMES = {"mujoco": "mjcf", "robot": "urdf"}
 """Root elements of the files that are read, and what they are called."""
 
+USD_SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
+
 
 class _FoundError(Exception):
     """Ends the reading of a file at its first element."""
@@ -58,7 +60,7 @@ def open_model(
     exclude: Sequence[str] = (),
     robots: Sequence[str] = (),
 ) -> Subject:
-    """Read an MJCF or URDF file as something to be measured; which of the two it is, its root element says.
+    """Read an MJCF, URDF or USD file as something to be measured.
 
     The model keeps its own options. Its things are the children of the world with all that hangs on them; a child
     without joint and geoms is looked through to its own children, and one with nothing in it is left out. It starts
@@ -89,7 +91,7 @@ def open_model(
         raise InputError(f"{path}: is not in the folder {folder}, so nothing that it names would be read.")
     with quiet_engine(), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        read = _mjcf(path, folder) if kind == "mjcf" else _urdf(path, folder, fixed_base)
+        read = _usd(path, folder) if kind == "usd" else _xml(path, kind, folder, fixed_base)
         model = _compiled(read)
         _check_model(path, model)
         try:
@@ -119,7 +121,9 @@ def open_model(
 
 
 def kind_of(path: Path) -> str:
-    """What a file is by its root element: "mjcf" or "urdf"; raises InputError when it is neither, or no XML."""
+    """What a file is: "usd" by its ending, "mjcf" or "urdf" by its root element; raises InputError when it is none."""
+    if path.suffix.lower() in USD_SUFFIXES:
+        return "usd"
     roots: list[Element] = []
 
     def first(element: Element) -> None:
@@ -145,6 +149,16 @@ def start_of(model: mujoco.MjModel) -> tuple[NDArray[np.float64], int | None]:
     else:
         return np.array(model.qpos0), None
     return np.array(model.key_qpos[key]), key
+
+
+def _usd(path: Path, folder: Path | None) -> _Read:
+    from thinkblox.sim.foreign.usd import usd_spec
+
+    return _Read(usd_spec(path, folder=folder), (), lambda error: f"{path}: MuJoCo cannot read it: {said(error)}")
+
+
+def _xml(path: Path, kind: str, folder: Path | None, fixed_base: bool) -> _Read:
+    return _mjcf(path, folder) if kind == "mjcf" else _urdf(path, folder, fixed_base)
 
 
 def _urdf(path: Path, folder: Path | None, fixed_base: bool) -> _Read:

@@ -1,7 +1,8 @@
 """The walkable way: where somebody who comes in by a door can stand, and what that person can reach."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import shapely
@@ -22,7 +23,7 @@ from thinkblox.verdict import Access
 ROUNDNESS = 2
 """Segments of a quarter circle where an outline is widened."""
 BRIM = 0.02
-"""Width of the brim round an obstacle on which one can walk round it [m]."""
+"""What is nearer to an obstacle than this is beside it [m]."""
 SPECK = 1e-4
 """Free floor smaller than this is none [m2]."""
 
@@ -42,11 +43,11 @@ class FreeFloor:
     def of(cls, scene: Scene, walking: Walking) -> "FreeFloor":
         """The free floor of a scene."""
         empty = cls(scene.room, walking)
-        return empty._with([(p, solid_of(scene.asset_of(p))) for p in scene.placements])
+        return empty._with_objects([(p, solid_of(scene.asset_of(p))) for p in scene.placements])
 
     def with_object(self, placement: Placement, solid: Solid) -> "FreeFloor":
         """This floor with one object more on it."""
-        return self._with([(placement, solid)])
+        return self._with_objects([(placement, solid)])
 
     def access(self) -> Access:
         """How much hangs together with a door, and what does not; without doors, with the largest free part."""
@@ -59,50 +60,61 @@ class FreeFloor:
         large, bars = is_large(placement, solid, self._walking), bars_way(placement, solid, self._walking)
         if not (large or bars):
             return ()
-        if self._main is not None and self._goes_round(self._main, placement, solid, large=large, bars=bars):
+        goals = {placement.id: _outlines([(placement, solid)])[0]} if large else {}
+        obstacles = _obstacles([(placement, solid)], self._walking) if bars else _NOTHING
+        if self._main is not None and self._goes_round(self._main, goals, obstacles):
             return ()
-        after = self.with_object(placement, solid)._unreachable
+        after = self._with(goals, obstacles)._unreachable
         return tuple(id for id in after if id not in self._unreachable)
 
-    def _goes_round(self, main: BaseGeometry, placement: Placement, solid: Solid, *, large: bool, bars: bool) -> bool:
-        """Whether it is plain from the surroundings that nothing is cut off.
+    def _goes_round(
+        self, main: BaseGeometry, goals: Mapping[str, BaseGeometry], obstacles: NDArray[np.object_]
+    ) -> bool:
+        """Whether it is plain from the surroundings of the parts of an object that nothing is cut off.
 
-        If the free floor right round an obstacle hangs together, every way through where it stands can lead round it.
-        Then only what lies near can have lost the place from which it was reached.
+        If the free floor beside an obstacle hangs together without leaving its surroundings, every way through where it
+        stands can lead round it. Then only what lies near can have lost the place from which it was reached.
         """
-        goal, reach = _outlines([(placement, solid)])[0], self._walking.reach
-        if not bars:
-            return bool(shapely.dwithin(main, goal, reach))
-        parts = _obstacles([(placement, solid)], self._walking)
-        if len(parts) != 1:
+        reach = self._walking.reach
+        if not len(obstacles):
+            return all(bool(shapely.dwithin(main, goal, reach)) for goal in goals.values())
+        if len(obstacles) != 1:
             return False
-        obstacle = parts[0]
-        x0, y0, x1, y1 = shapely.bounds(obstacle)
+        obstacle = obstacles[0]
+        x0, y0, x1, y1 = shapely.bounds(obstacle).tolist()
         wide = reach + 2 * BRIM
         window = (x0 - wide, y0 - wide, x1 + wide, y1 + wide)
-        left = shapely.difference(shapely.intersection(main, shapely.box(*window)), obstacle)
-        brim = shapely.intersection(left, shapely.buffer(obstacle, BRIM, quad_segs=ROUNDNESS))
-        if shapely.area(brim) < SPECK or _count(brim) != 1:
+        left = shapely.difference(_clipped(main, window), obstacle)
+        parts = shapely.get_parts(left)
+        beside = parts[shapely.dwithin(parts, obstacle, BRIM)]
+        if len(beside) != 1 or shapely.area(beside[0]) < SPECK:
             return False
-        if large and not shapely.dwithin(left, goal, reach):
+        if not all(bool(shapely.dwithin(left, goal, reach)) for goal in goals.values()):
             return False
         near = [id for id, meets in zip(self._goals, _meet(self._goal_bounds, window), strict=True) if meets]
         return all(self._within_reach(left, id) or not self._within_reach(main, id) for id in near)
 
-    def _with(self, objects: Sequence[tuple[Placement, Solid]]) -> "FreeFloor":
+    def _with_objects(self, objects: Sequence[tuple[Placement, Solid]]) -> "FreeFloor":
+        large = [(p, s) for p, s in objects if is_large(p, s, self._walking)]
+        bars = [(p, s) for p, s in objects if bars_way(p, s, self._walking)]
+        goals = dict(zip((p.id for p, _ in large), _outlines(large), strict=True))
+        return self._with(goals, _obstacles(bars, self._walking))
+
+    def _with(self, goals: Mapping[str, BaseGeometry], obstacles: NDArray[np.object_]) -> "FreeFloor":
+        """This floor with more that must be reached, and more in the way."""
         more = FreeFloor.__new__(FreeFloor)
         more._walking, more._doors, more._free = self._walking, self._doors, self._free
-        walking = self._walking
-        large = [(p, s) for p, s in objects if is_large(p, s, walking)]
-        more._goals = {**self._goals, **dict(zip((p.id for p, _ in large), _outlines(large), strict=True))}
-        bars = [(p, s) for p, s in objects if bars_way(p, s, walking)]
-        if bars:
-            more._free = shapely.difference(self._free, shapely.disjoint_subset_union_all(_obstacles(bars, walking)))
+        more._goals = {**self._goals, **goals}
+        if len(obstacles):
+            taken = obstacles[0] if len(obstacles) == 1 else shapely.disjoint_subset_union_all(obstacles)
+            more._free = shapely.difference(self._free, taken)
         return more
 
     @cached_property
     def _parts(self) -> list[BaseGeometry]:
-        return [part for part in shapely.get_parts(self._free) if part.area > SPECK]
+        parts = shapely.get_parts(self._free)
+        found: list[BaseGeometry] = parts[shapely.area(parts) > SPECK].tolist()
+        return found
 
     @cached_property
     def _main(self) -> BaseGeometry | None:
@@ -167,20 +179,30 @@ def _outlines(objects: Sequence[tuple[Placement, Solid]]) -> NDArray[np.object_]
     return _placed([(p, _hull(solid)) for p, solid in objects])
 
 
+_NOTHING = np.array([], dtype=object)
+
+
 def _placed(rings: Sequence[tuple[Placement, NDArray[np.float64]]]) -> NDArray[np.object_]:
     """Polygons of rings (n, 2) that are given in the frames of placements."""
     if not rings:
-        return np.array([], dtype=object)
-    which = np.repeat(np.arange(len(rings)), [len(ring) for _, ring in rings])
-    turn = np.radians([placement.yaw for placement, _ in rings])[which]
-    place = np.array([placement.position[:2] for placement, _ in rings])[which]
-    x, y = np.vstack([ring for _, ring in rings]).T
-    c, s = np.cos(turn), np.sin(turn)
-    placed = np.column_stack([c * x - s * y, s * x + c * y]) + place
+        return _NOTHING
     if len(rings) == 1:
-        return np.array([shapely.polygons(placed)], dtype=object)
+        ((placement, ring),) = rings
+        return np.array([shapely.polygons(_turned(ring, *placement.front) + placement.position[:2])], dtype=object)
+    which = np.repeat(np.arange(len(rings)), [len(ring) for _, ring in rings])
+    c, s = np.array([placement.front for placement, _ in rings])[which].T
+    place = np.array([placement.position[:2] for placement, _ in rings])[which]
+    placed = _turned(np.vstack([ring for _, ring in rings]), c, s) + place
     polygons: NDArray[np.object_] = shapely.polygons(shapely.linearrings(placed, indices=which))
     return polygons
+
+
+def _turned(ring: NDArray[np.float64], c: Any, s: Any) -> NDArray[np.float64]:
+    """Points (n, 2) turned by angles of such cosines and sines, all by one or each by its own."""
+    x, y = ring[:, 0], ring[:, 1]
+    turned = np.empty_like(ring)
+    turned[:, 0], turned[:, 1] = c * x - s * y, s * x + c * y
+    return turned
 
 
 @kept
@@ -200,8 +222,10 @@ def _widened(solid: Solid, base: float, walking: Walking) -> tuple[NDArray[np.fl
     return tuple(shapely.get_coordinates(shapely.simplify(part.exterior, 0.01)) for part in parts)
 
 
-def _count(area: BaseGeometry) -> int:
-    return sum(part.area > SPECK / 10 for part in shapely.get_parts(area))
+def _clipped(area: BaseGeometry, window: tuple[float, float, float, float]) -> BaseGeometry:
+    """The part of an area in a window; the quick way may give what is not valid."""
+    clipped: BaseGeometry = shapely.clip_by_rect(area, *window)
+    return clipped if shapely.is_valid(clipped) else shapely.intersection(area, shapely.box(*window))
 
 
 def _meet(bounds: NDArray[np.float64], window: tuple[float, float, float, float]) -> list[bool]:

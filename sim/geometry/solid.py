@@ -16,6 +16,8 @@ from thinkblox.scene.asset import Asset, Link, Shape
 from thinkblox.scene.corners import rotation
 from thinkblox.scene.derived import kept_by_content
 from thinkblox.scene.placement import Placement
+from thinkblox.sim.geometry.collider import collider
+from thinkblox.sim.geometry.materials import usual_weight
 
 Array = NDArray[np.float64]
 SEGMENTS = 48
@@ -27,9 +29,9 @@ _CUBE = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (
 
 def pose(placement: Placement) -> Array:
     """The 3x4 matrix from the asset's frame to the room's."""
-    (fx, fy), (lx, ly) = placement.front, placement.left
+    fx, fy = placement.front
     x, y, z = placement.position
-    return np.array([[fx, lx, 0.0, x], [fy, ly, 0.0, y], [0.0, 0.0, 1.0, z]])
+    return np.array([[fx, -fy, 0.0, x], [fy, fx, 0.0, y], [0.0, 0.0, 1.0, z]])
 
 
 def shape_points(shape: Shape) -> Array:
@@ -45,7 +47,7 @@ def _placed(shape: Shape, local: Array) -> Array:
 def _local_points(shape: Shape, segments: int) -> Array:
     half = np.asarray(shape.size) / 2
     if shape.kind == "hull":
-        return np.asarray(shape.points, dtype=np.float64)
+        return np.asarray(collider(shape).points, dtype=np.float64)
     if shape.kind == "box":
         return _CUBE * half
     if shape.kind == "cylinder":
@@ -83,6 +85,21 @@ def shape_volume(shape: Shape) -> float:
     if shape.kind == "hull":
         return float(Manifold.hull_points(np.asarray(shape.points)).volume())
     return math.pi / 6 * x * y * z
+
+
+def shape_area(shape: Shape) -> float:
+    """Surface of a shape [m2]; of an ellipsoid by Thomsen's formula, to a hundredth."""
+    x, y, z = shape.size
+    if shape.kind == "box":
+        return 2 * (x * y + y * z + z * x)
+    if shape.kind == "cylinder":
+        return math.pi * (x * y / 2 + (x + y) / 2 * z)
+    if shape.kind == "capsule":
+        return math.pi * x * z
+    if shape.kind == "hull":
+        return float(Manifold.hull_points(np.asarray(shape.points)).surface_area())
+    a, b, c = ((extent / 2) ** 1.6075 for extent in (x, y, z))
+    return float(4 * math.pi * ((a * b + b * c + c * a) / 3) ** (1 / 1.6075))
 
 
 def weighing(link: Link) -> tuple[Shape, ...]:
@@ -141,10 +158,10 @@ class Solid:
 
     @cached_property
     def masses(self) -> tuple[tuple[float, ...], ...]:
-        """For each link the mass of each of its `weighing` shapes [kg], in proportion to volume."""
-        volumes = [[shape_volume(shape) for shape in weighing(link)] for link in self.asset.links]
-        density = self.asset.mass / sum(map(sum, volumes))
-        return tuple(tuple(volume * density for volume in link) for link in volumes)
+        """For each link the mass of each of its `weighing` shapes [kg]: its share of the asset's, by what it is of."""
+        weights = [[_weight(shape) for shape in weighing(link)] for link in self.asset.links]
+        share = self.asset.mass / sum(map(sum, weights))
+        return tuple(tuple(weight * share for weight in link) for link in weights)
 
     @property
     def manifold(self) -> Manifold:
@@ -180,6 +197,10 @@ class Solid:
             reaching = [p for p in self._points if p[:, 2].min() < below and p[:, 2].max() > above]
             self._outlines[key] = _union([MultiPoint(points[:, :2]).convex_hull for points in reaching])
         return self._outlines[key]
+
+
+def _weight(shape: Shape) -> float:
+    return usual_weight(shape.material, shape_volume(shape), shape_area(shape))
 
 
 def _union(hulls: list[BaseGeometry]) -> BaseGeometry:

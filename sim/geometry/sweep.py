@@ -11,6 +11,7 @@ from manifold3d import Manifold
 from thinkblox.scene.asset import Asset, Joint, Link, Shape
 from thinkblox.scene.corners import rotation
 from thinkblox.scene.derived import kept
+from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.geometry.solid import Array, Solid, shape_points
 
 STEP = 0.015
@@ -119,7 +120,7 @@ def body_of(shape: Shape, *, less: float = 0.0) -> Piece:
     drawn = np.maximum(half - less, half / 10)
     turn, shift, points = rotation(shape.quat_wxyz), np.asarray(shape.position), shape_points(shape)
     if shape.kind == "hull":
-        local = np.asarray(shape.points)
+        local = np.asarray(collider(shape).points)
         middle = (local.min(axis=0) + local.max(axis=0)) / 2
         geometry = _convex((local - middle) * (drawn / half))
         shift = shift + turn @ middle

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import fcl
 import numpy as np
@@ -57,22 +57,29 @@ class Surroundings:
         self._shell = _shell(room)
         self._standing: tuple[tuple[Placement, Asset], ...] = ()
         self._rests_on: dict[str, str] = {}
-        self._boxes, self._reaches = np.empty((0, 2, 3)), np.empty((0, 2, 3))
+        self._opens = False
         self._objects: dict[int, _Object] = {}
         self._free: dict[tuple[str, str], list[float]] = {}
 
     def with_objects(self, objects: Iterable[tuple[Placement, Asset]]) -> "Surroundings":
         """These surroundings with more objects in them."""
-        more = Surroundings.__new__(Surroundings)
-        more.__dict__.update(self.__dict__)
-        added = tuple(objects)
-        placements, assets = [placement for placement, _ in added], [asset for _, asset in added]
-        more._rests_on = self._rests_on | {placement.id: placement.support for placement in placements}
+        more, added = Surroundings.__new__(Surroundings), tuple(objects)
+        more._walking, more._shell = self._walking, self._shell
+        more._rests_on = self._rests_on | {placement.id: placement.support for placement, _ in added}
         more._standing = (*self._standing, *added)
-        more._boxes = np.concatenate([self._boxes, placed_bounds(_bounds(assets), placements)])
-        more._reaches = np.concatenate([self._reaches, placed_bounds(_reaches(assets), placements)])
+        more._opens = self._opens or any(asset.made_of[2] for _, asset in added)
         more._objects, more._free = dict(self._objects), {}
         return more
+
+    @cached_property
+    def _boxes(self) -> Array:
+        """Bounding box of each of those that stand there, shape (n, 2, 3) [m]."""
+        return placed_bounds(_bounds([asset for _, asset in self._standing]), [p for p, _ in self._standing])
+
+    @cached_property
+    def _reaches(self) -> Array:
+        """The same of what their doors and drawers sweep."""
+        return placed_bounds(_reaches([asset for _, asset in self._standing]), [p for p, _ in self._standing])
 
     def swings(self, placement: Placement, asset: Asset) -> tuple[Swing, ...]:
         """The doors and drawers that do not simply open through all of their range because of where an object stands.
@@ -87,6 +94,8 @@ class Surroundings:
             placement: an object of the same id among these is looked past.
             asset: what it places.
         """
+        if not (self._opens or asset.made_of[2]):
+            return ()
         one = self._object(placement, asset)
         own = self._own(one, placement) if one.moving and one.moving.sweeps else ()
         return (*own, *(() if one.yields else self._others(one, placement)))

@@ -68,7 +68,7 @@ def seen_geoms(model: "mujoco.MjModel", geoms: Sequence[int]) -> list[int]:
 
     A geom that collides is left out when others are there for looks only, in a group of their own.
     """
-    shown = [g for g in geoms if model.geom_group[g] < SHOWN_GROUPS and _rgba(model, g)[3] > 0.0]
+    shown = [g for g in geoms if model.geom_group[g] < SHOWN_GROUPS and geom_colour(model, g)[3] > 0.0]
     looks = {int(model.geom_group[g]) for g in shown if not _collides(model, g)}
     if looks:
         shown = [g for g in shown if int(model.geom_group[g]) in looks]
@@ -149,7 +149,7 @@ def _flat(points: NDArray[np.float64], faces: Ints) -> Mesh:
 
 
 def _patch(model: "mujoco.MjModel", data: "mujoco.MjData", geom: int, owner: int, mesh: Mesh) -> Patch:
-    rgba = _rgba(model, geom)
+    rgba = geom_colour(model, geom)
     red, green, blue = (float(np.clip(c, 0.0, 1.0)) for c in rgba[:3])
     colour: Colour = (red, green, blue)
     extent = np.ptp(mesh.vertices, axis=0) if len(mesh.vertices) else np.zeros(3)
@@ -164,7 +164,7 @@ def _patch(model: "mujoco.MjModel", data: "mujoco.MjData", geom: int, owner: int
     )
 
 
-def _rgba(model: "mujoco.MjModel", geom: int) -> NDArray[np.float64]:
+def geom_colour(model: "mujoco.MjModel", geom: int) -> NDArray[np.float64]:
     """A geom's colour, times the mean of its texture where it has one."""
     import mujoco
 

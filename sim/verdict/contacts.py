@@ -35,23 +35,19 @@ class Contacts:
 
     def carriers_of(self, data: mujoco.MjData, id: str) -> dict[str, float]:
         """Upward force that each other thing holds an object up with [N]; loads from above are left out."""
-        forces: dict[str, float] = {}
-        pairs, force, frames = self._pairs(data), np.zeros(6), data.contact.frame
-        for index, other in self._contacts_of(data, id):
-            mujoco.mj_contactForce(self._model, data, index, force)
-            on_second = float(frames[index].reshape(3, 3)[:, 2] @ force[:3])
-            sign = 1.0 if pairs[index, 1] == self._number[id] else -1.0
-            forces[other] = forces.get(other, 0.0) + sign * on_second
-        return {other: up for other, up in forces.items() if up > 0.0}
-
-    def _contacts_of(self, data: mujoco.MjData, id: str) -> list[tuple[int, str]]:
-        """Index of every contact of an object with something else, and with what."""
-        number = self._number.get(id, -1)
         pairs = self._pairs(data)
-        mine = pairs == number
+        mine = pairs == self._number.get(id, -1)
         found = np.flatnonzero(mine[:, 0] != mine[:, 1])
-        others = np.where(mine[found, 0], pairs[found, 1], pairs[found, 0])
-        return [(int(index), self.names[other]) for index, other in zip(found, others, strict=True)]
+        force = np.zeros((len(found), 6))
+        for index, each in zip(found.tolist(), force, strict=True):
+            mujoco.mj_contactForce(self._model, data, index, each)
+        on_second = (data.contact.frame[found, 2::3] * force[:, :3]).sum(axis=1)
+        second = mine[found, 1]
+        others, ups = np.where(second, pairs[found, 0], pairs[found, 1]), np.where(second, on_second, -on_second)
+        forces: dict[str, float] = {}
+        for other, up in zip(others.tolist(), ups.tolist(), strict=True):
+            forces[self.names[other]] = forces.get(self.names[other], 0.0) + up
+        return {other: up for other, up in forces.items() if up > 0.0}
 
     def _pairs(self, data: mujoco.MjData) -> NDArray[np.int64]:
         numbers: NDArray[np.int64] = self._of_geom[data.contact.geom[: data.ncon]]

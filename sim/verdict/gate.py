@@ -35,14 +35,19 @@ class Touch(NamedTuple):
 
 
 class Gate:
-    """Measures contacts between candidate placements of an asset and a scene's objects."""
+    """Measures contacts between candidate placements of an asset and a scene's objects.
+
+    Attributes:
+        boxes: round the pieces of each candidate.
+    """
 
     def __init__(
         self, scene: Scene, neighbours: Neighbours, asset: Asset, candidates: Sequence[Placement], physics: Physics
     ) -> None:
         self._scene, self._asset = scene, asset
         solid = solid_of(asset)
-        meetings = [neighbours.meetings(piece_boxes(solid, candidate), NEAR) for candidate in candidates]
+        self.boxes = {candidate: piece_boxes(solid, candidate) for candidate in candidates}
+        meetings = [neighbours.meetings(self.boxes[candidate], NEAR) for candidate in candidates]
         self._meetings = dict(zip(candidates, meetings, strict=True))
         self._touches: dict[Placement, dict[str, Touch]] = {}
         self._world = _PieceWorld(scene, asset, meetings, physics) if any(meetings) else None

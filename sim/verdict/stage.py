@@ -95,7 +95,7 @@ class Stage:
         self._model.opt.sleep_tolerance = 0.0
         try:
             course = self._run(int(self._model.body(id).id), mine, track, seconds)
-            now, farthest = track.look(), track.farthest.copy()
+            now, farthest = track.look(), track.farthest()
             supports, depths = self._reading(id, course) if not course.motion.unstable else ((), {})
         finally:
             self._model.opt.sleep_tolerance = tolerance
@@ -178,22 +178,28 @@ def _rested(motion: Motion, when: float, pose: NDArray[np.float64]) -> Motion:
 
 
 class _Track:
-    """How far free bodies have come from their start: of each the farthest that any point of it was seen [m]."""
+    """Where free bodies (n) were at the looks so far, (n, 7) each, the first of which is their start."""
 
     def __init__(self, data: mujoco.MjData, poses: NDArray[np.intp], radii: NDArray[np.float64]) -> None:
-        self._data, self._poses, self._radii = data, poses, radii
-        self.start: NDArray[np.float64] = data.qpos[poses]
-        self.farthest = np.zeros(len(poses))
+        self._qpos, self._poses, self._radii = data.qpos, poses, radii
+        self.start: NDArray[np.float64] = self._qpos[poses]
+        self._seen = [self.start]
 
     def look(self) -> NDArray[np.float64]:
-        """The poses now, (n, 7)."""
-        now: NDArray[np.float64] = self._data.qpos[self._poses]
-        moved = now[:, :3] - self.start[:, :3]
-        shift = np.sqrt((moved * moved).sum(axis=1))
-        aligned = np.abs((now[:, 3:] * self.start[:, 3:]).sum(axis=1)).clip(0.0, 1.0)
-        farthest = shift + 2.0 * np.sqrt(1.0 - aligned**2) * self._radii
-        self.farthest = np.fmax(self.farthest, np.where(np.isfinite(farthest), farthest, np.inf))
+        """The poses now."""
+        now: NDArray[np.float64] = self._qpos[self._poses]
+        self._seen.append(now)
         return now
+
+    def farthest(self) -> NDArray[np.float64]:
+        """How far from its start any point of a body was seen at most (n) [m]."""
+        seen = np.array(self._seen)
+        moved = seen[:, :, :3] - self.start[:, :3]
+        shift = np.sqrt((moved * moved).sum(axis=2))
+        aligned = np.abs((seen[:, :, 3:] * self.start[:, 3:]).sum(axis=2)).clip(0.0, 1.0)
+        far = shift + 2.0 * np.sqrt(1.0 - aligned**2) * self._radii
+        farthest: NDArray[np.float64] = np.where(np.isfinite(far), far, np.inf).max(axis=0)
+        return farthest
 
 
 def _radii(model: mujoco.MjModel, data: mujoco.MjData, ids: list[str]) -> NDArray[np.float64]:

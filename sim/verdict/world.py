@@ -245,7 +245,8 @@ class World:
             return structs.replace(fixed, pushed=pushed)
         if static.gated:
             return said(static)
-        settled = self._settled(candidate, asset)
+        boxes = piece_boxes(solid_of(asset), candidate) if gate is None else gate.boxes[candidate]
+        settled = self._settled(candidate, asset, boxes)
         static = with_pressed(static, self._pressed(settled))
         moved = judge_motion(settled.motion, self._tolerances)
         loose = sum(support.share for support in settled.supports) < self._tolerances.carried and not moved
@@ -271,7 +272,7 @@ class World:
             return ()
         return unmet_by(self._requirements, self.scene.with_placement(candidate, asset), candidate)
 
-    def _settled(self, candidate: Placement, asset: Asset) -> Settled:
+    def _settled(self, candidate: Placement, asset: Asset, boxes: Boxes) -> Settled:
         """Let the candidate come to rest in the narrowest part of the room that turns out to be wide enough.
 
         What lies or stands for good soon, and what falls far, is measured among sleepers. What is still undecided then
@@ -279,11 +280,11 @@ class World:
         moves or presses too much, for sleepers do not give way as they do awake, and what has something floating over
         it, for a sleeper does not fall.
         """
-        boxes = piece_boxes(solid_of(asset), candidate)
-        asleep = not self._neighbours.falling_on(boxes, NARROW.gap)
-        settled, there = self._wide_enough(candidate, asset, boxes, awake=not asleep)
+        falling = self._neighbours.falling_on(boxes, NARROW.gap)
+        asleep, near = not falling, self._hanging_together(boxes, NARROW, falling)
+        settled, there = self._wide_enough(candidate, asset, boxes, near, awake=not asleep)
         if asleep and (not settled.decided or self._doubtful(settled)):
-            settled, there = self._wide_enough(candidate, asset, boxes, awake=True)
+            settled, there = self._wide_enough(candidate, asset, boxes, near, awake=True)
         blames = settled.motion.restless or disturbs(settled.motion.pushed, self._tolerances) or self._pressed(settled)
         if not blames:
             return settled
@@ -297,11 +298,11 @@ class World:
         return bool(judge_motion(motion, self._tolerances) or self._pressed(settled))
 
     def _wide_enough(
-        self, candidate: Placement, asset: Asset, boxes: Boxes, *, awake: bool
+        self, candidate: Placement, asset: Asset, boxes: Boxes, there: frozenset[str], *, awake: bool
     ) -> tuple[Settled, frozenset[str]]:
+        """How it settles, and among what, beginning with what a narrow cut holds."""
         cut = NARROW
         seconds = self._physics.settle_time if awake else min(SOON, self._physics.settle_time)
-        there = self._within(boxes, cut)
         settled = self._stage(asset, there, awake).settle(CANDIDATE, candidate, seconds=seconds)
         while cut is not WHOLE and not cut.holds(settled):
             cut = WHOLE if cut is not NARROW else _wider(settled)
@@ -334,7 +335,10 @@ class World:
 
     def _within(self, boxes: Boxes, cut: Cut) -> frozenset[str]:
         """The objects that a cut holds."""
-        near = self._neighbours.meetings(boxes, cut.reach).keys() | self._neighbours.falling_on(boxes, cut.gap)
+        return self._hanging_together(boxes, cut, self._neighbours.falling_on(boxes, cut.gap))
+
+    def _hanging_together(self, boxes: Boxes, cut: Cut, falling: frozenset[str]) -> frozenset[str]:
+        near = self._neighbours.meetings(boxes, cut.reach).keys() | falling
         return self._neighbours.hanging_together(near, cut.gap)
 
     def _stage(self, asset: Asset, there: frozenset[str], awake: bool) -> Stage:

@@ -2,12 +2,14 @@
 
 python -m tests.bench.adversary [--candidates N] [--seed S] [--jobs N] [--only FAMILY[:SEED]]
 
-Exits with 1 when a candidate was called valid that does not stand.
+Exits with 1 when a candidate was called valid that does not stand. Ctrl-C ends the search, and what was found is told.
 """
 
 import argparse
+import contextlib
 import multiprocessing
 import platform
+import signal
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -35,8 +37,12 @@ def run(hunts: Iterable[tuple[str, int]], jobs: int) -> Iterator[Hunt]:
     if jobs == 1:
         yield from (hunt(*one) for one in hunts)
         return
-    with multiprocessing.get_context("spawn").Pool(jobs) as pool:
+    with multiprocessing.get_context("spawn").Pool(jobs, _leave_stops_to_the_parent) as pool:
         yield from pool.imap(_hunt, hunts)
+
+
+def _leave_stops_to_the_parent() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _hunt(one: tuple[str, int]) -> Hunt:
@@ -72,13 +78,14 @@ def main() -> None:
     parser.add_argument("--only", default="", help="one family, or one hunt of it, as FAMILY:SEED")
     arguments = parser.parse_args()
     begun, found, shown = time.perf_counter(), [], Counter[tuple[str, str]]()
-    for one in run(plan(arguments.candidates, arguments.seed, arguments.only), arguments.jobs):
-        found.append(one)
-        for line in one.false:
-            kind = (one.family, line.split(" ", 1)[1].partition(":")[0])
-            shown[kind] += 1
-            if shown[kind] <= SHOWN:
-                print(line, flush=True)
+    with contextlib.suppress(KeyboardInterrupt):
+        for one in run(plan(arguments.candidates, arguments.seed, arguments.only), arguments.jobs):
+            found.append(one)
+            for line in one.false:
+                kind = (one.family, line.split(" ", 1)[1].partition(":")[0])
+                shown[kind] += 1
+                if shown[kind] <= SHOWN:
+                    print(line, flush=True)
     print("\n".join(table(found)))
     print(f"{time.perf_counter() - begun:.0f} s; mujoco {version('mujoco')}, {platform.machine()}")
     raise SystemExit(any(one.counts["false valid"] for one in found))

@@ -1,18 +1,22 @@
 """The pictures of docs/pictures, made anew.
 
-python -m tests.bench.gallery [--out DIR]
+python -m tests.bench.gallery [--out DIR] [--edit | --kinds [NAME ...]]
 """
 
 import argparse
 import sys
+import tomllib
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+from typing import NamedTuple, cast
 
 from PIL import Image
 
+from tests.bench.robots import picture as robot_picture
 from tests.bench.rooms import PROMPTS
 from thinkblox.assets import CATALOGUE, make_asset
 from thinkblox.editing import edit_room
+from thinkblox.fills import Fill
 from thinkblox.generate import generate_room
 from thinkblox.observe import Observation, Sight
 from thinkblox.sim.render import contact_sheet, render_preview, render_top
@@ -27,6 +31,9 @@ INSTRUCTION = (
     " and put a rug under the bed."
 )
 """The room of docs/editing.md, and what is changed in it."""
+KINDS = Path(__file__).with_name("kinds.toml")
+COLUMNS, TILE = 3, 330
+"""Of a contact sheet: rooms side by side, and the side of the picture of each in pixels."""
 ROOMS = (0, 3, 4, 7, 12, 13, 15, 16, 21)
 """Lines of prompts.txt in the overview."""
 
@@ -34,6 +41,45 @@ ROOMS = (0, 3, 4, 7, 12, 13, 15, 16, 21)
 def room(prompt: str) -> Image.Image:
     """A small preview of the room for a prompt."""
     return render_preview(generate_room(prompt).scene, size=400)
+
+
+class Shown(NamedTuple):
+    """A room of a contact sheet."""
+
+    fill: Fill
+    seed: int
+    prompt: str
+
+
+def kinds() -> dict[str, list[Shown]]:
+    """The rooms of each contact sheet, by the kind of room."""
+    table: dict[str, list[str]] = tomllib.loads(KINDS.read_text(encoding="utf-8"))
+    return {kind: [_shown(line) for line in lines] for kind, lines in table.items()}
+
+
+def _shown(line: str) -> Shown:
+    how, _, prompt = line.partition(": ")
+    fill, seed = how.split()
+    return Shown(cast(Fill, fill), int(seed), prompt)
+
+
+def tile(shown: Shown) -> Image.Image:
+    """A preview for a contact sheet."""
+    made = generate_room(shown.prompt, seed=shown.seed, fill=shown.fill)
+    return render_preview(made.scene, size=2 * TILE).convert("RGB").resize((TILE, TILE), Image.Resampling.LANCZOS)
+
+
+def draw_kinds(out: Path, names: list[str]) -> None:
+    """Draw a contact sheet for each kind of room, or for those that are named."""
+    for kind, rooms in kinds().items():
+        if names and kind not in names:
+            continue
+        with ProcessPoolExecutor(2) as pool:
+            tiles = list(pool.map(tile, rooms))
+        sheet = Image.new("RGB", (COLUMNS * TILE, -(-len(tiles) // COLUMNS) * TILE))
+        for number, picture in enumerate(tiles):
+            sheet.paste(picture, (number % COLUMNS * TILE, number // COLUMNS * TILE))
+        sheet.save(out / f"{kind}.jpg", quality=82, optimize=True)
 
 
 def overview() -> Image.Image:
@@ -76,9 +122,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("docs/pictures"))
     parser.add_argument("--edit", action="store_true", help="only the pair of docs/editing.md")
+    parser.add_argument("--kinds", nargs="*", metavar="NAME", help="only the contact sheets of docs/rooms.md")
     arguments = parser.parse_args()
     out = arguments.out
     out.mkdir(parents=True, exist_ok=True)
+    if arguments.kinds is not None:
+        draw_kinds(out, arguments.kinds)
+        return 0
     draw_edit(out)
     if arguments.edit:
         return 0
@@ -89,7 +139,9 @@ def main() -> int:
     steps = [decision.observation for decision in shown.episode.decisions()]
     last = next(o for o in reversed(steps) if o.asset.mount == "floor" and o.asset.front == "one")
     sight(last).save(out / "sight.png", optimize=True)
+    draw_kinds(out, [])
     overview().save(out / "rooms.png", optimize=True)
+    robot_picture().save(out / "robot.png", optimize=True)
     assets = [make_asset(name, seed=2) for name in sorted(CATALOGUE) if not CATALOGUE[name].plain]
     contact_sheet(assets, columns=14, size=110).quantize(256).save(out / "catalogue.png", optimize=True)
     return 0

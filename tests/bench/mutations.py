@@ -51,6 +51,7 @@ class Tally:
     seconds: float = 0.0
     memory: int = 0
     faults: list[str] = field(default_factory=list)
+    late: list[str] = field(default_factory=list)
 
     def count(self, outcome: Outcome) -> None:
         self.ends[outcome.end] += 1
@@ -88,6 +89,8 @@ class Field:
             faults = [*outcome.faults, *self._wrong(subject, mutant, outcome, self.reports[which], plain=not asked)]
             tally = tallies[subject.format]
             tally.count(outcome)
+            if outcome.end == "over the limit":
+                tally.late.append(f"{subject.format} {seed} {subject.file.name} {list(asked)}: over the limit")
             if command:
                 by_command = self._by_command(subject, more, outcome.end)
                 tallies["by command"].count(by_command)
@@ -208,10 +211,11 @@ def main(argv: Sequence[str] | None = None) -> int:
                 tallies[name].seconds = max(tallies[name].seconds, tally.seconds)
                 tallies[name].memory = max(tallies[name].memory, tally.memory)
                 tallies[name].faults += tally.faults
+                tallies[name].late += tally.late
     print("\n".join(table(tallies)))
     faults = [fault for tally in tallies.values() for fault in tally.faults]
     print(f"{len(faults)} faults; {time.monotonic() - begin:.0f} s")
-    print("\n".join(faults))
+    print("\n".join([*faults, *(late for tally in tallies.values() for late in tally.late)]))
     print(
         f"python {platform.python_version()}, mujoco {version('mujoco')}, {platform.machine()}, {os.cpu_count()} cores"
     )

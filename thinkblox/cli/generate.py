@@ -58,7 +58,7 @@ def add_command(commands: "Commands") -> None:
 
 def add_roles(parser: argparse.ArgumentParser) -> None:
     """Add the options that say who plays which role."""
-    who = "expert, hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
+    who = "expert, learned[:FOLDER], hf:PATH_OR_ID[+ADAPTER], openai:BASE_URL#MODEL or replay:TRACE"
     roles = parser.add_argument_group("who furnishes", f"WHO is {who}")
     roles.add_argument("--policy", metavar="WHO", default="expert", help="who says where things go (expert)")
     roles.add_argument("--reader", metavar="WHO", help="who understands the prompt (as --policy)")

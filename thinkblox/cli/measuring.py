@@ -25,7 +25,7 @@ _OF_ANNOTATIONS = ("reading", "rooms", "only", "pictures")
 def add_policies(parser: argparse.ArgumentParser) -> None:
     """Add the options for measuring policies."""
     group = parser.add_argument_group("policies", "with --prompts; each gives one answer for each object")
-    who = "expert, hf:PATH_OR_ID[+ADAPTER] or openai:BASE_URL#MODEL (may be repeated)"
+    who = "expert, learned[:FOLDER], hf:PATH_OR_ID[+ADAPTER] or openai:BASE_URL#MODEL (may be repeated)"
     group.add_argument("--policy", metavar="WHO", action="append", default=[], help=who)
     group.add_argument("--runs", metavar="N", type=_runs, help="how often each prompt is furnished, seeds one up (3)")
     rates = "openai:BASE_URL#MODEL: rates pictures of the rooms, for Pos, Rot and PSA"

@@ -56,6 +56,7 @@ class ObjectBar:
 
         if self._bar is None:
             self._bar = tqdm(total=progress.total, unit="object", file=sys.stderr)
+        self._bar.total = progress.total
         self._bar.set_description_str(f"{progress.target.id} {outcome}")
         self._bar.update()
 

@@ -6,7 +6,7 @@ import traceback
 from collections.abc import Sequence
 from typing import Any
 
-from thinkblox.cli import ablate, assets, data, edit, evaluate, generate, mcp, render, schema, train, verify
+from thinkblox.cli import ablate, assets, data, edit, evaluate, export, generate, mcp, render, schema, train, verify
 from thinkblox.cli.output import UnwrittenError, written_output
 from thinkblox.cli.terminal import complain
 from thinkblox.errors import InputError, ThinkBloxError
@@ -79,7 +79,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action=_ShowVersion, nargs=0, help="print the version and exit")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for command in (generate, edit, verify, evaluate, ablate, data, train, render, mcp, assets, schema):
+    for command in (generate, edit, verify, evaluate, ablate, data, train, export, render, mcp, assets, schema):
         command.add_command(commands)
     return parser
 

@@ -25,7 +25,7 @@ def add_command(commands: "Commands") -> None:
         "scene",
         metavar="PATH",
         type=Path,
-        help="an output folder, or a file: scene.json, MJCF, URDF, or somebody's layout; of a folder with several"
+        help="an output folder, or a file: scene.json, MJCF, URDF, USD, or somebody's layout; of a folder with several"
         " models name the one that is meant",
     )
     suites = f"published criteria, any of {', '.join(SUITES)}; 'all' for all"
@@ -35,7 +35,7 @@ def add_command(commands: "Commands") -> None:
     cap = "how far --fix moves anything at most (0.3); what needs more is listed with the distance"
     parser.add_argument("--max-move", metavar="M", type=length, help=cap)
     parser.add_argument("--out", metavar="FILE", type=Path, help="write the (mended) scene as a scene.json")
-    formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, {', '.join(FORMATS)}"
+    formats = f"of a file that does not tell whose it is: thinkblox, mjcf, urdf, usd, {', '.join(FORMATS)}"
     parser.add_argument("--format", metavar="NAME", help=formats)
     parser.add_argument("--assets", metavar="DIR", type=Path, help="folder with the meshes that a layout names")
     parser.add_argument(
@@ -47,7 +47,7 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--sizes", metavar="FILE", type=Path, help=sizes)
     room_size = "of the room in m, for a scene graph without walls"
     parser.add_argument("--room-size", metavar="X,Y[,Z]", type=lengths, help=room_size)
-    model = parser.add_argument_group("models (MJCF and URDF)")
+    model = parser.add_argument_group("models (MJCF, URDF and USD)")
     model.add_argument(
         "--root",
         metavar="DIR",

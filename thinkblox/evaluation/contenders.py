@@ -11,7 +11,7 @@ from thinkblox.errors import InputError
 from thinkblox.modes import Mode
 from thinkblox.observe import Sight
 from thinkblox.orders import Order
-from thinkblox.players import EXPERT, FORMS, chat_model, model_policy
+from thinkblox.players import EXPERT, FORMS, chat_model, is_learned, learned_folder, model_policy
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.policies.hf import trained_sight
@@ -53,6 +53,8 @@ class Contender(Value, frozen=True, kw_only=True):
             raise InputError(f"{self.name}: a trace plays one room again, and cannot be measured on others")
         if kind == "openai":
             chat_model(self.policy)
+        elif is_learned(self.policy):
+            learned_folder(self.policy)
         elif kind != "hf" and self.policy != EXPERT:
             raise InputError(f"{self.name}: {self.policy[:20]!r} names nobody; give {FORMS}")
         if self.policy != EXPERT:
@@ -61,6 +63,8 @@ class Contender(Value, frozen=True, kw_only=True):
     @property
     def folders(self) -> list[Path]:
         """Where a model on this machine is, and then its adapter."""
+        if is_learned(self.policy):
+            return [learned_folder(self.policy)]
         kind, _, rest = self.policy.partition(":")
         model, _, adapter = (rest, "", "") if Path(rest).is_dir() else rest.rpartition("+")
         return [Path(part) for part in (model, adapter) if kind == "hf" and part and Path(part).is_dir()]

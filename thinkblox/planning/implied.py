@@ -17,6 +17,12 @@ _EXCLUSIVE = ("at", "above", "under", "in_front_of", "at_foot_of", "opposite", "
 _CAPACITY = {"at": 1, "above": 1, "under": 1, "in_front_of": 1, "at_foot_of": 1, "opposite": 1, "in_centre": 1}
 _CAPACITY |= {"next_to": 2, "in_corner": 4, "around": 12, "near": 4}
 _UNLIMITED = 1000
+_VISITORS = 3
+"""So many are received at once across a desk."""
+_MANY_DESKS, _MANY_SEATS = 10, 12
+"""From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
+_LINE = 3
+"""From so many on alike things stand in line."""
 _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 """Relations of things that stand where an anchor with its back to a wall leaves no room."""
 _BESIDE = ("left_of", "right_of", "between")
@@ -32,13 +38,26 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         waiting = [member for member in request if _needs_place(member)]
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
-        if len(waiting) > 1 and len(waiting) == len(request) and _is_sat_about(members, waiting[0]):
+        whole = len(waiting) == len(request)
+        if len(waiting) > 1 and whole and _is_sat_about(members, waiting[0]):
+            waiting = _in_rows(waiting)
+        if len(waiting) >= _LINE and whole and load_habits().is_in(request[0].category, "in_line"):
             waiting = _in_rows(waiting)
         for habit in load_habits().of(request[0].category):
+            if habit.kind == "against_wall" and len(waiting) >= _crowd(request[0].category):
+                waiting = _in_rows(waiting)
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _crowd(category: str) -> int:
+    """From how many on alike things stand in rows rather than along the walls."""
+    habits = load_habits()
+    if habits.is_in(category, "worked_at") and habits.is_in(category, "desks"):
+        return _MANY_DESKS
+    return _MANY_SEATS if habits.is_in(category, "chairs") else _UNLIMITED
 
 
 def _look_ahead(members: Members, request: list[Member]) -> None:
@@ -216,6 +235,8 @@ def _free(members: Members, member: Member, habit: Habit, anchor: str) -> int:
     capacity = _CAPACITY.get(habit.kind, _UNLIMITED)
     if habit.kind == "at" and load_habits().is_in(anchor.rsplit("_", 1)[0], "long_sides"):
         capacity = _UNLIMITED
+    if habit.kind == "in_front_of" and load_habits().is_in(member.category, "visits"):
+        capacity = _VISITORS
     rivals = (m for m in members.all if m.mount == member.mount and m.flat == member.flat)
     if habit.kind not in _EXCLUSIVE:
         rivals = (m for m in rivals if m.category == member.category)

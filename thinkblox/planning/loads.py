@@ -63,6 +63,7 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
         "carries": bool(on_it(member, members)),
         "over": bool(under_it(member, members)),
         "inside": any(tie.kind == "inside" for tie in member.ties),
+        "below": any(m.mount == "wall" for m in _tied(member, members, "above")),
         "under": any(_stands_over(members.by_id.get(a)) for t in member.ties if t.kind == "under" for a in t.anchors),
     }
     forms = facts_of(member.category).forms

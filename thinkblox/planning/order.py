@@ -4,6 +4,7 @@ import heapq
 
 from msgspec.structs import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import counts_as
@@ -22,12 +23,15 @@ from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
 
 _PLACED = ("against_wall", "in_corner", "in_centre", "near", "in_rows")
+_BESIDE = ("next_to", "left_of", "right_of")
 _LATER = 10.0
 """How much later than by its size comes what is only assumed, where what is asked for is arranged [m2]."""
 _NAMED_PLACE_BONUS = 1.0
 """What a place that the prompt names counts for, as footprint, in the order of anchors [m2]."""
 _ASKED_BONUS = 1.0
 """What being asked to stand by something counts for: nothing that is only usual there parts the two [m2]."""
+_COUNTER_BONUS = 2.0
+"""What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
@@ -112,6 +116,11 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
     arranged = any(_is_dependent(m) and m.request.asked and _STAGES[m.mount] == 0 for m in members.all)
     ranks = {member.id: _rank(member, number, arranged=arranged) for number, member in enumerate(members.all)}
+    for run in _runs(members):
+        first = min(ranks[id][:2] for id in run)
+        whole = sum(members.by_id[id].footprint for id in run)
+        stage = 0 if any(members.by_id[id].request.asked for id in run) else first[0]
+        ranks |= {id: (stage, min(first[1], -round(whole, 6)), ranks[id][2]) for id in run}
     queue = list(ranks)
     while queue:
         id = queue.pop()
@@ -120,6 +129,24 @@ def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
                 ranks[anchor] = (*ranks[id][:2], ranks[anchor][2])
                 queue.append(anchor)
     return ranks
+
+
+def _runs(members: Members) -> list[list[str]]:
+    """Ids of what is built in one line, where nothing else is asked to stand by a part of it: one after the other."""
+    runs: dict[str, list[str]] = {}
+    for member in members.all:
+        facts = facts_of(member.category)
+        if facts.is_in("built_in_line") and member.mount == "floor":
+            runs.setdefault(facts.run, []).append(member.id)
+    beside = {
+        anchor
+        for member in members.all
+        if member.mount == "floor" and not facts_of(member.category).is_in("built_in_line")
+        for tie in member.ties
+        if tie.asked and tie.kind in _BESIDE
+        for anchor in tie.anchors
+    }
+    return [run for run in runs.values() if len(run) > 1 and beside.isdisjoint(run)]
 
 
 def _is_dependent(member: Member) -> bool:
@@ -134,6 +161,7 @@ def _rank(member: Member, number: int, *, arranged: bool) -> _Rank:
     shared_out = any(tie.spread for tie in member.ties)
     beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out) + _ASKED_BONUS * beside
+    weight += _COUNTER_BONUS * (stage == 0 and load_habits().is_in(member.category, "served_over"))
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     late = arranged and not member.request.asked
     return (stage + int((dependent or late) and stage == 0), (_LATER if late else 0.0) - round(weight, 6), number)

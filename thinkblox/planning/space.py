@@ -144,6 +144,8 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     drawn_up = [r for r in brief.relations if r.kind in ROUND_TABLES and request.key in r.anchors]
     seats = [brief.request(r.subject) for r in drawn_up]
     about = 2.0 * (max((_size(seat)[0] for seat in seats if _stands(seat)), default=0.0) + BEHIND_SEAT - TUCK)
+    if habits.is_in(name, "served_over"):
+        return 0.6, 2.1
     if habits.is_in(name, "played_around"):
         return 2.2, 2.2
     if habits.is_in(name, "lined_up") or any(r.kind == "in_rows" and r.subject == request.key for r in brief.relations):

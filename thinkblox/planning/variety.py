@@ -18,6 +18,8 @@ _LEAST = 4
 """Kinds of things that are assumed at least where a room is furnished for its name."""
 _OUT, _IN = (0, 1, 2), (1, 2, 3)
 """How many kinds of things are left out, and how many come in."""
+_DRAWN_UP = ("at", "around")
+"""Relations of seats without which nobody sits at a table."""
 _PLACES = frozenset({"wall", "corner", "centre", "window", "door"})
 _SALT = 2_000_003
 
@@ -47,8 +49,9 @@ def varied(brief: Brief, seed: int) -> Brief:
 
 
 def _is_loose(brief: Brief, request: Request) -> bool:
-    """Whether nothing else stands to it, and no such room must have it."""
+    """Whether nothing else stands to it, nobody sits on it at a table, and no such room must have it."""
     needed = any(request.key in relation.anchors for relation in brief.relations)
+    needed |= any(r.kind in _DRAWN_UP and r.subject == request.key for r in brief.relations)
     essential = any(are_alike(usual.category, request.category) for usual in room_type(brief.room_type).expected)
     first = room_type(brief.room_type).usual[0].category
     return not needed and not essential and not are_alike(first, request.category)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from thinkblox.chat import ChatModel
+from thinkblox.compact import named
 from thinkblox.observe import Observation, Sight
 
 
@@ -20,4 +21,7 @@ class ModelPolicy:
 
     def propose(self, observation: Observation, n: int, rng: np.random.Generator) -> list[str]:
         """Up to `n` texts `<think>...</think><answer>...</answer>`."""
-        return self._model.answer(observation.chat(self._sight), n, rng)
+        texts = self._model.answer(observation.chat(self._sight), n, rng)
+        if self._sight.words == "compact":
+            return [str(named(text, observation.target.id)) for text in texts]
+        return texts

@@ -6,6 +6,8 @@
 It has the architecture, the tokens and the processor of Qwen2.5-VL, and knows nothing.
 """
 
+import math
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Annotated, Any
@@ -48,7 +50,18 @@ _WORDS = (
     r"(?i:'s|'t|'re|'ve|'m|'ll|'d)|[^\r\n\p{L}\p{N}]?\p{L}+|\p{N}| ?[^\s\p{L}\p{N}]+[\r\n]*|\s*[\r\n]+|\s+(?!\S)|\s+"
 )
 """How Qwen's tokenizers cut a text before they join bytes to tokens: each digit stands alone."""
+_NUMBER = r" ?\p{N}{1,3}\.\p{N}{1,2}"
+"""What stands alone before that where numbers are tokens: in metres to the centimetre, or degrees."""
+_SPACE = "\u0120"
+"""What byte-level tokens have for a space."""
 _PATCH = 14
+_WAVES = 20
+_WAVE_LENGTHS = (0.03, 40.0)
+"""By how many waves, and of which lengths [m], the first embeddings of numbers tell how large they are."""
+_NOISE = 0.5
+"""And which part of them is as random as of other tokens."""
+_SPREAD = 5.0
+"""Times the usual size of first embeddings, so that a token that is copied stands out among a thousand numbers."""
 _TEMPLATE = Path(__file__).with_name("chat_template.jinja")
 
 
@@ -57,20 +70,25 @@ class TinySize(Value, frozen=True, kw_only=True):
 
     Attributes:
         hidden, layers, heads: of the language model; `hidden` is a multiple of 4 times `heads`.
+        feed: how many times `hidden` the feed-forward layers are wide.
         vocabulary: most tokens, the special ones included; fewer where the texts give no more.
         vision_hidden, vision_layers: of the vision tower, which has 4 heads.
         context: longest text and images together [tokens].
         pixels: images are shrunk to at most this many pixels.
+        numbers: whether each number below ten of one or two decimals, and each quarter turn, is one token with the
+            space before it, whose embedding is at first near those of numbers of about its size; or each digit is one.
     """
 
     hidden: Annotated[int, Meta(ge=16)] = 96
     layers: Annotated[int, Meta(ge=1)] = 3
     heads: Annotated[int, Meta(ge=2)] = 4
+    feed: Annotated[int, Meta(ge=1)] = 4
     vocabulary: Annotated[int, Meta(ge=300)] = 1024
     vision_hidden: Annotated[int, Meta(ge=16)] = 64
     vision_layers: Annotated[int, Meta(ge=1)] = 2
     context: Annotated[int, Meta(ge=256)] = 32768
     pixels: Annotated[int, Meta(ge=784)] = 336 * 336
+    numbers: bool = False
 
     def __post_init__(self) -> None:
         """Raise InputError for sizes that do not go together."""
@@ -100,6 +118,8 @@ def build_tiny(
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         model = Qwen2_5_VLForConditionalGeneration(_config(size, processor.tokenizer))
+        if size.numbers:
+            _order_numbers(model, processor.tokenizer)
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     with quiet():
@@ -141,7 +161,7 @@ def _processor(texts: Iterable[str], size: TinySize) -> Any:
     learnt = Tokenizer(models.BPE())
     learnt.pre_tokenizer = pre_tokenizers.Sequence(
         [
-            pre_tokenizers.Split(Regex(_WORDS), behavior="isolated"),
+            pre_tokenizers.Split(Regex(f"{_NUMBER}|{_WORDS}" if size.numbers else _WORDS), behavior="isolated"),
             pre_tokenizers.ByteLevel(add_prefix_space=False, use_regex=False),
         ]
     )
@@ -152,7 +172,11 @@ def _processor(texts: Iterable[str], size: TinySize) -> Any:
         initial_alphabet=sorted(pre_tokenizers.ByteLevel.alphabet()),
         show_progress=False,
     )
+    if size.numbers:
+        texts = (re.sub(r"\d+\.\d+", " ", text) for text in texts)
     learnt.train_from_iterator(texts, trainer)
+    if size.numbers:
+        learnt = _with_numbers(learnt)
     tokenizer = PreTrainedTokenizerFast(
         tokenizer_object=learnt,
         eos_token="<|im_end|>",
@@ -165,6 +189,49 @@ def _processor(texts: Iterable[str], size: TinySize) -> Any:
     return make_processor("qwen2_5_vl", tokenizer, images, _TEMPLATE.read_text(encoding="utf-8"))
 
 
+def _with_numbers(learnt: Any) -> Any:
+    """A tokenizer with a token for each number besides, joined from its digits before anything else is joined."""
+    import json
+
+    from tokenizers import Tokenizer
+
+    held = json.loads(learnt.to_str())
+    vocabulary, merges = held["model"]["vocab"], []
+
+    def join(*parts: str) -> None:
+        vocabulary.setdefault("".join(parts), len(vocabulary))
+        merges.append(list(parts))
+
+    for whole in "0123456789":
+        join(_SPACE, whole)
+        join(f"{_SPACE}{whole}", ".")
+        for tenth in "0123456789":
+            join(f"{_SPACE}{whole}.", tenth)
+            for hundredth in "123456789":
+                join(f"{_SPACE}{whole}.{tenth}", hundredth)
+    for quarter in ("90", "180", "270"):
+        for end in range(1, len(quarter) + 2):
+            join(f"{_SPACE}{quarter}.0"[: end + 1], f"{quarter}.0"[end])
+    held["model"]["merges"] = merges + held["model"]["merges"]
+    return Tokenizer.from_str(json.dumps(held))
+
+
+def _order_numbers(model: Any, tokenizer: Any) -> None:
+    """Let the embeddings of numbers begin as waves of many lengths over their value, so that near ones are alike."""
+    import torch
+
+    ids = {token: id for token, id in tokenizer.get_vocab().items() if re.fullmatch(_SPACE + r"\d+\.\d+", token)}
+    weight = model.get_input_embeddings().weight.data
+    weight *= _SPREAD
+    rows = torch.tensor(list(ids.values()))
+    values = torch.tensor([float(token[1:]) for token in ids])
+    lengths = torch.logspace(*(math.log10(length) for length in _WAVE_LENGTHS), _WAVES)
+    phases = 2.0 * math.pi * values[:, None] / lengths
+    waves = torch.cat([phases.sin(), phases.cos()], 1) @ torch.randn(2 * _WAVES, weight.shape[1])
+    waves *= weight[rows].std() / waves.std()
+    weight[rows] = (1.0 - _NOISE**2) ** 0.5 * waves + _NOISE * weight[rows]
+
+
 def _config(size: TinySize, tokenizer: Any) -> Any:
     from transformers import Qwen2_5_VLConfig
 
@@ -175,7 +242,7 @@ def _config(size: TinySize, tokenizer: Any) -> Any:
         text_config={
             "vocab_size": len(tokenizer),
             "hidden_size": size.hidden,
-            "intermediate_size": 4 * size.hidden,
+            "intermediate_size": size.feed * size.hidden,
             "num_hidden_layers": size.layers,
             "num_attention_heads": size.heads,
             "num_key_value_heads": size.heads // 2 if size.heads % 2 == 0 else size.heads,

@@ -15,6 +15,12 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SEATED = ("at", "around", "at_long_side", "at_short_side")
+"""How seats stand to their tables."""
+_DRAWN_UP = (*_SEATED, "behind")
+"""Relations of seats to what one sits at."""
+_ENOUGH_SEATS = 3
+"""Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 6
 """Books are many shapes: more bookcases than this stay empty."""
 
@@ -61,24 +67,47 @@ def stock(draft: Draft) -> None:
 def draw_up(draft: Draft) -> None:
     """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
 
-    As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now.
+    As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now. Visitors'
+    chairs, and what is assumed for another table, are no seats for it.
     """
-    if draft.room in ("", "room") or draft.people:
+    if draft.room in ("", "room"):
         return
-    _share_out(draft)
-    habits = load_habits()
-    seats = [t for t in draft.things if habits.is_in(t.noun, "drawn_aside", "chairs") or _is_stool(t)]
-    for table in [t for t in draft.things if t.asked and not t.seats]:
+    if not draft.people:
+        _share_out(draft)
+    seats = [t for t in draft.things if _is_upright(t)]
+    taken = {id(t) for t in seats if not t.asked and draft.bonds_of(t)}
+    free = [t for t in seats if id(t) not in taken]
+    for table in [t for t in draft.things if t.asked and not t.seats and _is_for_one(draft, t)]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
         if kind == "around" and served:
             continue  # A table beside loungers is theirs.
         count = each * (table.count or 1)
-        drawn = [t for t in seats if any(b.kind in ("at", "around") and table in b.anchors for b in draft.bonds_of(t))]
+        drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not seats and not any(counts_as(seat, noun) for noun in draft.excluded):
+        elif seat and not drawn and not free and not any(counts_as(seat, noun) for noun in draft.excluded):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_for_one(draft: Draft, table: Mention) -> bool:
+    """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
+    if not draft.people:
+        return True
+    place = room_type(draft.room).place
+    return bool(place) and table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
+
+
+def _is_desk(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, "worked_at")
+
+
+def _is_upright(thing: Mention) -> bool:
+    """Whether one sits upright on it at a table."""
+    habits = load_habits()
+    return not habits.is_in(thing.noun, "visits") and (
+        habits.is_in(thing.noun, "drawn_aside", "chairs") or _is_stool(thing)
+    )
 
 
 def _is_stool(thing: Mention) -> bool:
@@ -139,7 +168,7 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
         there = any(_serves(noun, usual) for noun in present) or any(_is_one(n, usual.category) for n in draft.excluded)
-        if there or usual.category in unlikely or _have_tables(draft, usual.category):
+        if there or usual.category in unlikely or _have_places(draft, usual.category):
             continue
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
         if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
@@ -163,9 +192,13 @@ def _serves(noun: str, usual: Usual) -> bool:
     return _is_one(noun, usual.category) and not amid
 
 
-def _have_tables(draft: Draft, category: str) -> bool:
-    """Whether a thing is a place of one's own where the prompt names tables for the people."""
-    return category == room_type(draft.room).place and _has(draft, "meal_tables")
+def _have_places(draft: Draft, category: str) -> bool:
+    """Whether a thing is a place of one's own where the prompt names tables or loungers for the people."""
+    loungers = [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "lounges")]
+    if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _ENOUGH_SEATS:
+        return True
+    named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
+    return category == room_type(draft.room).place and named
 
 
 def _is_one(noun: str, category: str) -> bool:
@@ -205,10 +238,11 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
-        if any(b.kind in ("at", "around") and thing in b.anchors for b in draft.bonds):
+        if any(b.kind in _SEATED and thing in b.anchors for b in draft.bonds):
             continue
         free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:
+            seat.count = thing.seats * (thing.count or 1) if seat.count is None else seat.count
             draft.bonds.append(Bond(_seated(thing), seat, (thing,), asked=False))
         if not free:
             _chairs(draft, thing, thing.seats * (thing.count or 1))
@@ -275,10 +309,17 @@ def _carry(draft: Draft) -> None:
         if _lies_somewhere(draft, thing):
             continue
         carriers = [a for habit in load_habits().of(thing.noun) if habit.kind == "on" for a in habit.anchors]
-        if not any(t.noun in carriers for t in draft.things):
+        if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
                 _add(draft, noun, 1)
+
+
+def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
+    """Whether it is where such a thing is used: who sleeps has no lamp on a bookcase."""
+    habits = load_habits()
+    high = habits.is_in(thing.noun, "lamps") and habits.is_in(carrier.noun, "shelves")
+    return not (high and _has(draft, "beds"))
 
 
 def _build_in(draft: Draft) -> None:

@@ -68,7 +68,7 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
         one_each.each = True
         thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Mention))
     elif thing.count is None:
-        thing.count = _bare(thing, bonds)
+        thing.count = _one_before_each(draft, thing) or _bare(thing, bonds)
     _carriers(draft, thing)
 
 
@@ -82,9 +82,20 @@ def _one_each(thing: Mention, bonds: list[Bond]) -> Bond | None:
     """The bond by which a bare plural is one for each of several: "pendant lamps above the tables"."""
     lamp = load_habits().is_in(thing.noun, "lamps")
     several = (
-        b for b in bonds if b.kind in ("above", "on") and any(isinstance(a, Mention) and a.many for a in b.anchors)
+        b
+        for b in bonds
+        if b.kind in ("above", "on")
+        and (len(b.anchors) > 1 or any(isinstance(a, Mention) and a.many for a in b.anchors))
     )
     return next(several, None) if lamp and thing.plural else None
+
+
+def _one_before_each(draft: Draft, thing: Mention) -> int:
+    """As many of a bare plural on the wall as there are seats before it: "four styling chairs in front of mirrors"."""
+    if not thing.plural or not load_habits().is_in(thing.noun, "wallpieces"):
+        return 0
+    before = (b.subject for b in draft.bonds if b.asked and b.kind == "in_front_of" and thing in b.anchors)
+    return next((s.count for s in before if s.count and load_habits().is_in(s.noun, "seating", "seats")), 0)
 
 
 def _bare(thing: Mention, bonds: list[Bond]) -> int:

@@ -58,7 +58,10 @@ class Mention:
 
 @dataclass(eq=False)
 class Bond:
-    """A relation between things, or of a thing to places of the room (strings)."""
+    """A relation between things, or of a thing to places of the room (strings).
+
+    `told` says that its anchor was not named, but pointed at: "on it", "beside".
+    """
 
     kind: RelationKind
     subject: Mention
@@ -70,6 +73,7 @@ class Bond:
     distributed: bool = False
     negated: bool = False
     spread: int = 0
+    told: bool = False
 
 
 @dataclass(eq=False)

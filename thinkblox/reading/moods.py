@@ -1,6 +1,6 @@
 """What a prompt tells without naming it: its themes, and the emphasis of a word said three times over."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from msgspec.structs import replace
 
@@ -85,11 +85,15 @@ def _account(draft: Draft, start: int, end: int) -> None:
 def _in_names(draft: Draft) -> set[int]:
     """Which words name things: their places in the account."""
     said = [word.text.lower() for word in draft.account]
-    return {at for thing in draft.things for at in _places(said, _words(thing.text))}
+    begins: dict[str, list[int]] = {}
+    for at, word in enumerate(said):
+        begins.setdefault(word, []).append(at)
+    names = {tuple(_words(thing.text)) for thing in draft.things} - {()}
+    return {at for name in names for at in _places(said, list(name), begins)}
 
 
-def _places(said: list[str], name: list[str]) -> Iterator[int]:
-    for start in range(len(said) - len(name) + 1) if name else ():
+def _places(said: list[str], name: list[str], begins: Mapping[str, list[int]]) -> Iterator[int]:
+    for start in begins.get(name[0], ()):
         if said[start : start + len(name)] == name:
             yield from range(start, start + len(name))
 

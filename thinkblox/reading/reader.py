@@ -158,7 +158,7 @@ def _fit_tables(draft: Draft) -> None:
         seats = sum(b.subject.count or 1 for b in draft.bonds if b.kind == "around" and table in b.anchors)
         named = any(attribute.startswith("for-") for attribute in table.attributes)
         if seats and table.count and not named and kind_of(table.noun).seats:
-            table.attributes.append(f"for-{max(1, seats // table.count)}")
+            table.attributes.append(f"for-{table.seats or max(1, seats // table.count)}")
 
 
 def _drop_general(draft: Draft) -> None:

@@ -37,7 +37,7 @@ _MOST = 0.85
 """Share of its sides from which a foot is about all of the outline."""
 
 
-class Shape(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
+class Shape(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, dict=True):
     """One convex primitive of a link, in the asset frame.
 
     Attributes:
@@ -196,7 +196,7 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
     Attributes:
         id: "<category>-<hash of its content>".
         size: full extents (along the front axis, across, up) [m]; the shapes fill this box.
-        mass: of the whole, spread over its shapes by volume [kg].
+        mass: of the whole, spread over its shapes by what they are of [kg].
         friction: sliding coefficient.
         mount: what it is placed on. Wall and ceiling things are fixed to it.
         front: how many ways round look the same: "one" (a sofa), "two" (a rectangular table), "any" (a stool).

@@ -38,12 +38,14 @@ class Placement(CheckedValue, frozen=True, kw_only=True):
     @property
     def front(self) -> Vec2:
         """Unit vector its front faces."""
-        return (math.cos(math.radians(self.yaw)), math.sin(math.radians(self.yaw)))
+        turn = math.radians(self.yaw)
+        return (math.cos(turn), math.sin(turn))
 
     @property
     def left(self) -> Vec2:
         """Unit vector to its own left, seen facing the way it faces."""
-        return (-self.front[1], self.front[0])
+        x, y = self.front
+        return (-y, x)
 
     @property
     def footprint(self) -> Polygon:
@@ -63,13 +65,13 @@ class Placement(CheckedValue, frozen=True, kw_only=True):
 
     def to_room(self, local: Vec2) -> Vec2:
         """A point of its own frame (x to the front, y to the left) in the room's frame [m]."""
-        (fx, fy), (lx, ly) = self.front, self.left
-        return (self.position[0] + fx * local[0] + lx * local[1], self.position[1] + fy * local[0] + ly * local[1])
+        fx, fy = self.front
+        return (self.position[0] + fx * local[0] - fy * local[1], self.position[1] + fy * local[0] + fx * local[1])
 
     def to_local(self, point: Vec2) -> Vec2:
         """A point of the room in its own frame [m]: the inverse of `to_room`."""
-        dx, dy = point[0] - self.position[0], point[1] - self.position[1]
-        return (dx * self.front[0] + dy * self.front[1], dx * self.left[0] + dy * self.left[1])
+        dx, dy, (fx, fy) = point[0] - self.position[0], point[1] - self.position[1], self.front
+        return (dx * fx + dy * fy, dy * fx - dx * fy)
 
 
 def apart(a: Placement, b: Placement) -> float:

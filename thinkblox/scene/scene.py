@@ -1,9 +1,10 @@
 """A room and what stands in it, as a value: every change gives a new scene."""
 
 from collections.abc import Iterable, Sequence
+from importlib import import_module
 from pathlib import Path
 
-from msgspec import structs
+from msgspec import Struct, structs
 
 from thinkblox.errors import InputError
 from thinkblox.scene.actions import Action, check_pose, outcome
@@ -14,11 +15,13 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.support import Supported, supported
 from thinkblox.scene.surfaces import Surfaces, plain_surfaces
-from thinkblox.value import Vec3, read_json
+from thinkblox.value import Vec3, from_json, read_json_and_text
 
 SCENE_VERSION = 1
 MAX_PLACEMENTS = 2000
 """Most objects in a scene."""
+NAMED = 40
+"""Most objects that a message names."""
 MAX_MADE_OF = {"links": 10_000, "shapes": 40_000, "joints": 2_000}
 """Most links, shapes and joints that all objects of a scene have together."""
 
@@ -45,7 +48,7 @@ class Scene(Arrangement, frozen=True, kw_only=True):
             raise InputError(f"scene version {self.version} is not known; this release reads version {SCENE_VERSION}")
         if len(self.placements) > MAX_PLACEMENTS:
             raise InputError(f"the scene has {len(self.placements)} placements; at most {MAX_PLACEMENTS} are read")
-        taken = {"floor", "ceiling"} | {w.name for w in self.room.walls} | {o.id for o in self.room.openings}
+        taken = {"world", "floor", "ceiling"} | {w.name for w in self.room.walls} | {o.id for o in self.room.openings}
         seen: set[str] = set()
         for placement in self.placements:
             if placement.id in taken:
@@ -119,6 +122,16 @@ class Scene(Arrangement, frozen=True, kw_only=True):
         new = structs.replace(old, position=place, yaw=old.yaw if turn is None else turn)
         return self.with_placements([new])
 
+    def export(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write it as one file in the format that its ending tells: "room.xml", "room.usdz", "room.glb" and so on.
+
+        Raises:
+            InputError: as of `thinkblox.exporters.exporting.export_file`.
+        """
+        # Imports flow towards scenes; what writes them is found when it is asked for.
+        written: Path = import_module("thinkblox.exporters.exporting").export_file(self, path, overwrite=overwrite)
+        return written
+
     def _with(
         self, placements: Sequence[Placement], assets: dict[str, Asset], changed: Sequence[str] | None
     ) -> "Scene":
@@ -140,10 +153,37 @@ def load_scene(path: str | Path) -> Scene:
     """Read a scene from a scene.json or from the output folder that holds one, and find the blobs that it names.
 
     Raises:
-        InputError: it cannot be read; or a mesh or texture of an asset is missing or altered, which names both.
+        InputError: it cannot be read; or a placement rests on what is not there, which names what is; or a mesh or
+            texture of an asset is missing or altered, which names both.
     """
     file = Path(path)
     file = file / "scene.json" if file.is_dir() else file
-    scene = read_json(file, Scene)
+    scene, text = read_json_and_text(file, Scene)
+    _check_supports(scene, from_json(text, _Written).placements, str(file))
     read_asset_files(scene.assets.values(), file.parent)
     return scene
+
+
+class _WrittenPlacement(Struct):
+    id: str
+    support: str = ""
+
+
+class _Written(Struct):
+    """What a file says of supports, which a scene derives."""
+
+    placements: tuple[_WrittenPlacement, ...] = ()
+
+
+def _check_supports(scene: Scene, written: Iterable[_WrittenPlacement], where: str) -> None:
+    """Refuse a support that names nothing: the file is not whole. Another one than the right one is put right."""
+    parts = ["floor", "ceiling", *(wall.name for wall in scene.room.walls)]
+    known = {"", *parts, *(placement.id for placement in scene.placements)}
+    for placement in written:
+        if placement.support not in known:
+            ids = [other.id for other in scene.placements if other.id != placement.id]
+            more = f" and {len(ids) - NAMED} more" if len(ids) > NAMED else ""
+            raise InputError(
+                f"{where}: placement {placement.id!r} rests on {placement.support!r}, which is not there;"
+                f" there are {', '.join([*parts, *ids[:NAMED]])}{more}"
+            )

@@ -14,6 +14,8 @@ END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""
 DARKENS = 0.85
 """What is higher than this does not stand before a window [m]."""
+HIDES, HIDDEN = 0.5, 2.0
+"""How far before a hung thing nothing of its height stands [m], and the cost of what does."""
 IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
@@ -93,15 +95,25 @@ def _wall_behind_taken(situation: Situation, rects: Rects) -> Array:
 
 
 def _wall_below_taken(situation: Situation, rects: Rects) -> Array:
-    """Who writes on a board stands before it: furniture there, with its chair, is in the way."""
-    if not situation.facts.is_in("boards"):
-        return np.zeros(len(rects))
-    return zone_costs(situation, beside(rects, "front", BEFORE_BOARD), weight=3.0)
+    """Who writes on a board or throws darts stands before it: furniture there, with its chair, is in the way."""
+    if situation.facts.is_in("boards"):
+        return zone_costs(situation, beside(rects, "front", BEFORE_BOARD), weight=3.0)
+    costs = np.zeros(len(rects))
+    for use in situation.facts.uses:
+        costs += zone_costs(situation, beside(rects, "front", use.depth), weight=3.0)
+    return costs
+
+
+def _hidden(situation: Situation, rects: Rects) -> Array:
+    """What it costs that something stands right before what hangs: a mirror behind a coat rack."""
+    before = beside(rects, "front", HIDES)
+    seen = Rects(before.centre, before.half, before.yaw, rects.bottom, rects.top)
+    return np.asarray(HIDDEN * (overlap_depth(seen, situation.solids) > 0.01).any(-1))
 
 
 def costs_below(situation: Situation, rects: Rects) -> Array:
-    """Room on the floor below a hung thing for what is to stand under it."""
-    costs = _wall_below_taken(situation, rects)
+    """Room on the floor below a hung thing for what is to stand under it, and that it is seen."""
+    costs = _wall_below_taken(situation, rects) + _hidden(situation, rects)
     for follower in situation.followers:
         if any(tie.kind == "under" and situation.target.id in tie.anchors for tie in follower.ties):
             depth, width, height = situation.kind(follower).size

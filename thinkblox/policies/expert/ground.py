@@ -8,6 +8,14 @@ from thinkblox.policies.expert.ways import in_the_way
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth, separation
 from thinkblox.scene.zones import beside, fewest
 
+TOUCH = 0.001
+"""Overlap that is only contact [m]."""
+WIDE = 0.45
+"""What is narrower than this does not darken a window [m]."""
+NARROW_SHARE, LOW_SHARE = 0.01, 0.016
+"""How much it counts what is narrow, or little higher than the sill, against what hides a window."""
+BARELY = 0.2
+"""How far above the sill a head of a bed may reach before a window, where no wall is free [m]."""
 MOVABLE = 15.0
 """What is lighter than this is moved aside when the floor is needed [kg]."""
 
@@ -47,3 +55,16 @@ def zone_costs(situation: Situation, zone: Rects, *, weight: float) -> Array:
     blocked = overlap_depth(zone, situation.solids).max(-1, initial=0.0)
     blocked = np.maximum(blocked, overlap_depth(zone, situation.door_zones).max(-1, initial=0.0))
     return np.asarray(weight * (blocked + outside(zone, situation.room.polygon) * reach))
+
+
+def darkens(situation: Situation, rects: Rects) -> Array:
+    """How much it speaks against each box that it is before a window: 1 cannot be.
+
+    It is little for what is narrow, or no more than a hand's breadth higher than the sill.
+    """
+    hangs = situation.asset.mount == "wall"
+    covered = overlap_depth(rects, situation.window_zones) > (TOUCH if hangs else 0.02)
+    low = situation.window_zones.bottom[None] + (0.0 if hangs else BARELY) >= rects.top[:, None]
+    narrow = 2.0 * rects.half.max(-1, keepdims=True) <= (0.0 if hangs else WIDE)
+    shares = np.where(narrow, NARROW_SHARE, np.where(low, LOW_SHARE, 1.0))
+    return np.asarray(np.where(covered, shares, 0.0).max(-1, initial=0.0))

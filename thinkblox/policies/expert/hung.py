@@ -27,7 +27,7 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     z = _height(situation)
     if situation.facts.hanging.windows != "no":
         yield from at_windows(situation)
-    watched = is_watched(situation)
+    watched = is_watched(situation) or situation.facts.is_in("boards")
     for wall in named_walls(situation.room, place):
         short_view = 0.5 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
         half = situation.size[1] / 2

@@ -16,6 +16,7 @@ from thinkblox.policies.expert import (
     partners,
     rows,
     rugs,
+    runs,
     sides,
     spreading,
     surfaces,
@@ -39,6 +40,18 @@ TURNED_AWAY = 8.0
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
+BEHIND_IT, IN_USE = 3.0, 6.0
+"""Cost of standing behind or before what has a front, instead of beside it."""
+RECEIVING = -2.5
+"""Cost of a desk that looks into the room where people are received across it."""
+UNSERVED = 2.0
+"""Cost of a counter with no room behind it for who serves."""
+ROUND_CORNER, SEAT_DEPTH = 1.3, 1.0
+"""Depth from which a sofa goes round a corner, and that of its seats without that part [m]."""
+WITHIN_CORNER = 3.0
+"""How much better a low table stands within such a sofa than before all of it, which is not before it as measured."""
+SIDE_BY_SIDE = 4.0
+"""Cost of two alike one behind the other that are to be next to each other."""
 ASKEW = 4.0
 """Cost of turning a thing against what carries it, by whose sides others stand."""
 BY_ANOTHER = 2.0
@@ -66,8 +79,10 @@ def from_ties(situation: Situation) -> list[Idea]:
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
         ties = mutual
     paired = list(partners.partner_ideas(situation))
+    paired += runs.run_ideas(situation) if runs.is_built(situation) else ()
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
+    ideas += _receiving(situation)
     return [*paired, *ideas, *(_dearer(idea, dear) for idea in _before_staff(situation))]
 
 
@@ -90,6 +105,18 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
     yield from walls.off_walls(situation, max(walls.BEHIND if served or not deepest else 0.0, deepest + gaps[0]))
     if deepest and not served:
         yield from walls.off_walls(situation, deepest + gaps[-1])
+
+
+def _receiving(situation: Situation) -> Iterator[Idea]:
+    """A desk across which people are received: who works there has a wall behind and looks into the room."""
+    visits = (
+        tie.kind == "in_front_of" and situation.target.id in tie.anchors and facts_of(later.category).is_in("visits")
+        for later in situation.followers
+        for tie in later.ties
+    )
+    if situation.asset.gaze == "back" and situation.asset.mount == "floor" and any(visits):
+        for idea in walls.off_walls(situation, walls.BEHIND - 0.1, turned_round=True):
+            yield _dearer(idea, RECEIVING)
 
 
 def _is_behind(later: Target, own: str) -> bool:
@@ -125,6 +152,8 @@ def _any_surface(situation: Situation) -> Iterator[Idea]:
     promised = {a for t in later for tie in t.ties if carries(tie) for a in tie.anchors}
     for anchor in situation.solid:
         if anchor.id in promised or situation.scene.asset_of(anchor).mount == "surface":
+            continue
+        if situation.facts.is_in("built_in") and not facts_of(anchor.category).is_in("takes_built_in"):
             continue
         if any(not surface.within for surface in situation.scene.asset_of(anchor).surfaces):
             yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
@@ -178,7 +207,16 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return _turned_to(situation, place)
     if place in ("window", "door"):
         return _near_openings(situation, place)
-    return walls.in_line(situation, place)
+    return _by_wall(situation, tie, place)
+
+
+def _by_wall(situation: Situation, tie: Tie, place: str) -> Iterator[Idea]:
+    """Against the walls that a place means; a counter that is by a wall rather has room behind it for who serves."""
+    served = tie.kind == "near" and situation.facts.is_in("served_over")
+    if served:
+        yield from walls.off_walls(situation)
+    for idea in walls.in_line(situation, place):
+        yield _dearer(idea, UNSERVED if served else 0.0)
 
 
 def _in_corner(situation: Situation, tie: Tie) -> Iterator[Idea]:
@@ -193,7 +231,9 @@ def _turned_to(situation: Situation, place: str) -> Iterator[Idea]:
     """Along the walls and on the floor, whichever way looks at a part of the room."""
     marks = things(situation.scene, place)
     away = 180.0 if situation.asset.gaze == "back" else 0.0
-    for idea in (*walls.along_walls(situation), *walls.off_walls(situation), *open_floor.grid(situation)):
+    along = UNSERVED if situation.facts.is_in("served_over") else 0.0
+    flush = (_dearer(idea, along) for idea in walls.along_walls(situation))
+    for idea in (*flush, *walls.off_walls(situation), *open_floor.grid(situation)):
         x, y, _ = idea.position
         turns = [
             turn_between(idea.yaw + away, math.degrees(math.atan2(m.centre[1] - y, m.centre[0] - x))) for m in marks
@@ -208,7 +248,9 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     before = (wall for o in room.openings if o.kind == kind == "window" for wall in [room.walls[o.wall]])
     walled = situation.facts.is_in("walled")
     off = () if walled else walls.clear_of_windows(situation, before)
-    candidates = [*walls.along_walls(situation), *walls.corners(situation), *off]
+    served = situation.facts.is_in("served_over")
+    flush = (_dearer(idea, UNSERVED if served else 0.0) for idea in walls.along_walls(situation))
+    candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation) if served else ())]
     for idea in candidates:
         if not centres:
             yield idea
@@ -251,9 +293,11 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for rank, side in enumerate(sides):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
-    for side, dear in (("back", 1.5), ("front", 2.5)):
+    used = situation.scene.asset_of(anchor).front == "one"
+    alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
+    for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", IN_USE if used else 2.5)):
         for idea in beside.sides_of(situation, anchor, (side,)):
-            yield _dearer(idea, dear)
+            yield _dearer(idea, dear + alike)
     for other in situation.alike(anchor.id):
         for idea in beside.sides_of(situation, other, sides):
             yield _dearer(idea, BY_ANOTHER)
@@ -268,12 +312,27 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
         yield from open_floor.presenting(situation, anchor)
     gaps = situation.facts.gaps or (0.6, 0.4, 0.9, 0.2)
     why = f"it belongs before {anchor.id}"
+    if situation.facts.is_in("low_tables") and anchor.size[0] > ROUND_CORNER and not tie.asked:
+        yield from _within_corner(situation, anchor, gaps, why)
     if face and facts_of(anchor.category).is_in("counters"):
         gaps = AT_COUNTER
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
     for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
+
+
+def _within_corner(situation: Situation, anchor: Placement, gaps: tuple[float, ...], why: str) -> Iterator[Idea]:
+    """Before the seats of a sofa that goes round a corner, beside its longer part, whichever side that is on."""
+    for rank, gap in enumerate(gaps):
+        for aside in (0.2, -0.2, 0.25, -0.25):
+            local = (-anchor.size[0] / 2 + SEAT_DEPTH + gap + situation.size[0] / 2, aside * anchor.size[1])
+            words = (Constraint(kind="beside", anchors=(anchor.id,), side="front", values=(gap,)),)
+            ignore = (anchor.id,)
+            cost = 0.15 * rank - WITHIN_CORNER
+            yield beside.beside_at(
+                situation, anchor, local, yaw=anchor.yaw, words=words, why=why, cost=cost, ignore=ignore
+            )
 
 
 def _is_worked_at(situation: Situation, desk: Placement) -> bool:

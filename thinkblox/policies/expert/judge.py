@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from thinkblox.observe import Layout
 from thinkblox.plan import Tie, is_object
 from thinkblox.policies.expert.followers import costs_below, follower_costs
-from thinkblox.policies.expert.ground import ground_costs
+from thinkblox.policies.expert.ground import TOUCH, darkens, ground_costs
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation, is_large
 from thinkblox.policies.expert.ways import imbalance, moment
@@ -24,10 +24,6 @@ from thinkblox.scene.support import ON_FLOOR
 from thinkblox.value import Vec3
 
 HOPELESS = 50.0
-TOUCH = 0.001
-"""Overlap that is only contact [m]."""
-WIDE = 0.45
-"""What is narrower than this does not darken a window [m]."""
 MOOD = 0.25
 """How much a seed may prefer one part of the room to another."""
 ZONED = 3.0
@@ -136,7 +132,7 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     swing = overlap_depth(rects, situation.door_zones).max(-1, initial=0.0)
     zones = np.where(swing > TOUCH, HOPELESS + 20.0 * swing, 0.0)
     if situation.facts.hanging.windows == "no":
-        zones += _darkens(situation, rects)
+        zones += HOPELESS * darkens(situation, rects)
     return costs + np.where(_carried(ideas) & (situation.asset.mount == "floor"), 0.0, zones)
 
 
@@ -167,13 +163,6 @@ def _other_rugs(situation: Situation, rects: Rects) -> Array:
     return np.asarray(overlap_depth(rects, Rects.of_placements(rugs)).max(-1, initial=0.0))
 
 
-def _darkens(situation: Situation, rects: Rects) -> Array:
-    hangs = situation.asset.mount == "wall"
-    covered = overlap_depth(rects, situation.window_zones) > (TOUCH if hangs else 0.02)
-    heavy = HOPELESS if hangs or max(situation.size[:2]) > WIDE else 0.5
-    return np.where(covered.any(-1), heavy, 0.0)
-
-
 def _denied(situation: Situation, idea: Idea) -> float:
     """What this idea has and must not have."""
     if not situation.target.denied:
@@ -202,8 +191,8 @@ def _unmet(situation: Situation, idea: Idea) -> float:
         ):
             continue
         if not measure(scene, tie.kind, situation.target.id, tie.anchors, rows=tie.rows).holds:
-            grave = tie.asked and not _holds_with_another(situation, scene, tie)
-            cost += UNMET_ASKED if grave else UNMET_HABIT
+            other = _holds_with_another(situation, scene, tie)
+            cost += UNMET_HABIT * (tie.asked or not other) if other or not tie.asked else UNMET_ASKED
     return cost
 
 

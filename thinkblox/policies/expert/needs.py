@@ -64,7 +64,7 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
         case "in_front_of" | "near" if anchor.is_in("boards") and own.gaze == "back":
             return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case "in_front_of" | "at_foot_of":
-            return Need(("front",), depth + 0.5, width, 1, 4.0)
+            return _before(tie, size, received=anchor.gaze == "back" and own.is_in("visits"))
         case "behind" | "back_to_back":
             return Need(("back",), depth + 0.3, width * tie.count, 1, 4.0)
         case "facing" if anchor.gaze == "back":
@@ -74,3 +74,11 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
             return Need(("front",), apart + depth, min(width, 1.2), 1, 2.0)
         case _:
             return None
+
+
+def _before(tie: Tie, size: Vec3, *, received: bool) -> Need:
+    """Floor before a thing, or across a desk for those who are received there."""
+    depth, width, _ = size
+    if received:
+        return Need(("back",), depth + BEHIND_SEAT + 0.3, width * tie.count, 1, 4.0)
+    return Need(("front",), depth + 0.5, width, 1, 4.0)

@@ -9,15 +9,17 @@ from numpy.typing import NDArray
 
 from thinkblox.knowledge.uses import MAIN_WAY
 from thinkblox.phrases import Constraint
-from thinkblox.plan import Tie
+from thinkblox.plan import Tie, is_object
 from thinkblox.policies.expert import row_layout
 from thinkblox.policies.expert.followers import follower_costs
-from thinkblox.policies.expert.ground import ground_costs
+from thinkblox.policies.expert.ground import darkens, ground_costs
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.row_layout import RowLayout
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.wall_rows import belongs_to_wall, wall_rows
 from thinkblox.policies.expert.ways import imbalance, moment
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.pairs import FACING
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
@@ -33,8 +35,14 @@ REACH = 0.45
 """How far the middle of a block may be from that of the room, as a share of the room's extent."""
 STEPS = 7
 """Places tried on each side of the room's middle."""
+HARD = 20.0
+"""Least cost of a block with a member where none can stand."""
+WORTH = 2.0
+"""What the best block costs at most, where all members can stand in it: rows are not given up for comfort."""
 FINALISTS = 120
 """Blocks of which everything is measured."""
+AWAY_FROM_WALL = 6.0
+"""Cost of a block amid the room of what belongs to a wall."""
 SAME_PLACE = 0.03
 """A member stands in a slot when it is nearer than this [m]."""
 
@@ -79,13 +87,19 @@ def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
         mutual: two rows look at each other.
     """
     layouts = list(row_layout.layouts(situation, tie, facing=facing, mutual=mutual))
-    blocks = _holding(situation, _everywhere(situation, layouts, facing))
+    blocks = _everywhere(situation, layouts, facing)
+    if not facing and not mutual and belongs_to_wall(situation):
+        blocks = _joined(_at_walls(situation, tie), _dearer(blocks, AWAY_FROM_WALL))
+    blocks = _holding(situation, blocks)
     if not len(blocks):
         return
-    costs = _hard_costs(situation, blocks)
+    before = situation.without({p.id for p in situation.siblings})
+    costs = _hard_costs(before, blocks)
     best = np.argsort(costs, kind="stable")[:FINALISTS]
     blocks, costs = blocks.take(best), costs[best]
-    costs = costs + _soft_costs(situation, blocks)
+    costs = costs + _soft_costs(before, blocks)
+    if HARD > costs.min() > WORTH:
+        costs -= costs.min() - WORTH
     for i in np.argsort(costs, kind="stable")[:12]:
         slot = _free_slot(situation, blocks, int(i))
         if slot is not None:
@@ -110,7 +124,45 @@ def _everywhere(situation: Situation, layouts: list[RowLayout], facing: tuple[st
     centre = (slots[:, None] + (middle + shifts)[None, :, None]).reshape(-1, slots.shape[1], 2)
     yaw = np.repeat(np.array([layout.yaws for layout in layouts]), len(shifts), axis=0)
     cost = (np.array([layout.cost for layout in layouts])[:, None] + off[None]).reshape(-1)
-    return Blocks(centre, yaw, cost + _first_row_costs(situation, centre, facing))
+    cost += _first_row_costs(situation, centre, facing) + _place_costs(situation, centre, yaw)
+    return Blocks(centre, yaw, cost)
+
+
+def _place_costs(situation: Situation, centre: Array, yaw: Array) -> Array:
+    """What it costs that some do not look at the part of the room that they are to look at."""
+    ties = (tie for tie in situation.target.ties if tie.kind == "facing")
+    places = [name for tie in ties for name in tie.anchors if not is_object(name)]
+    marks = [part.centre for name in places for part in things(situation.scene, name)]
+    if not marks:
+        return np.zeros(len(centre))
+    to = np.array(marks)[None, None] - centre[:, :, None]
+    bearing = np.degrees(np.arctan2(to[..., 1], to[..., 0]))
+    gaze = yaw + (180.0 if situation.asset.gaze == "back" else 0.0)
+    off = np.abs((bearing - gaze[:, :, None] + 180.0) % 360.0 - 180.0).min(-1)
+    past = off > FACING - 1.0
+    away = np.linalg.norm(to, axis=-1).min(-1).mean(-1)
+    return np.asarray(OFF_SIGHT * past.mean(-1) + ANY_OFF_SIGHT * past.any(-1) + 0.3 * away)
+
+
+def _at_walls(situation: Situation, tie: Tie) -> Blocks:
+    """Every way to line them up with their backs to walls."""
+    found = list(wall_rows(situation, tie))
+    slots, yaws, costs = zip(*found, strict=True) if found else ((), (), ())
+    return Blocks(
+        np.array(slots, dtype=float).reshape(-1, tie.count, 2),
+        np.array(yaws, dtype=float).reshape(-1, tie.count),
+        np.array(costs, dtype=float),
+    )
+
+
+def _joined(one: Blocks, other: Blocks) -> Blocks:
+    parts = zip((one.centre, one.yaw, one.cost), (other.centre, other.yaw, other.cost), strict=True)
+    centre, yaw, cost = (np.concatenate(pair) for pair in parts)
+    return Blocks(centre, yaw, cost)
+
+
+def _dearer(blocks: Blocks, cost: float) -> Blocks:
+    return Blocks(blocks.centre, blocks.yaw, blocks.cost + cost)
 
 
 def _first_row_costs(situation: Situation, centre: Array, facing: tuple[str, ...]) -> Array:
@@ -167,10 +219,11 @@ def _free_slot(situation: Situation, blocks: Blocks, block: int) -> int | None:
 def _hard_costs(situation: Situation, blocks: Blocks) -> Array:
     """The layouts' own costs, and how much of each block is outside, in something, or in a door's swing."""
     rects = blocks.rects(situation)
-    others = [i for i, p in enumerate(situation.solid) if p not in situation.siblings]
-    bad = 40.0 * (outside(rects, situation.room.polygon) > 0.0005)
-    bad += 40.0 * (overlap_depth(rects, situation.solids.take(others)).max(-1, initial=0.0) > 0.001)
-    bad += 20.0 * (overlap_depth(rects, situation.door_zones).max(-1, initial=0.0) > 0.001)
+    bad = 2 * HARD * (outside(rects, situation.room.polygon) > 0.0005)
+    bad += 2 * HARD * (overlap_depth(rects, situation.solids).max(-1, initial=0.0) > 0.001)
+    bad += HARD * (overlap_depth(rects, situation.door_zones).max(-1, initial=0.0) > 0.001)
+    if situation.facts.hanging.windows == "no":
+        bad += HARD * darkens(situation, rects)
     return np.asarray(blocks.cost + bad.reshape(len(blocks), -1).sum(-1))
 
 
@@ -180,5 +233,4 @@ def _soft_costs(situation: Situation, blocks: Blocks) -> Array:
     ground = (ground_costs(situation, rects) + follower_costs(situation, rects)).reshape(len(blocks), count)
     costs = 0.5 * ground.mean(-1) * math.sqrt(count) + ground.max(-1)
     moments = moment(situation.room, rects).reshape(len(blocks), count, 2).sum(1)
-    placed = moment(situation.room, Rects.of_placements(situation.siblings)).sum(0)
-    return np.asarray(costs + imbalance(situation, moments - placed))
+    return np.asarray(costs + imbalance(situation, moments))

@@ -1,9 +1,11 @@
 """The situation in which ideas are had: what stands, what is to come, and the floor that is spoken for."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
+from msgspec import structs
 
 from thinkblox.assets import Facts, facts_of, kind_of, revision
 from thinkblox.assets.sizing import size_for
@@ -32,6 +34,14 @@ class Situation:
     """An observation with what the ideas need worked out once."""
 
     observation: Observation
+
+    def without(self, ids: Collection[str]) -> "Situation":
+        """The situation as it would be had some of what stands not come yet."""
+        layout = self.observation.layout
+        others = tuple(p for p in layout.placements if p.id not in ids)
+        if len(others) == len(layout.placements):
+            return self
+        return Situation(structs.replace(self.observation, layout=structs.replace(layout, placements=others)))
 
     @property
     def scene(self) -> Layout:
@@ -137,7 +147,9 @@ class Situation:
         others = [p for p in self.solid if p.id not in self.relatives]
         boards = Rects.of_placements(tuple(p for p in others if p.position[2] >= 0.5 and is_board(p.category)))
         written_at = beside(boards, "front", BEFORE_BOARD)
-        return joined([written_at, *(self._in_use(p) for p in others if p.position[2] < 0.5)])
+        hung = [(p, use) for p in others if p.position[2] >= 0.5 for use in facts_of(p.category).uses]
+        before = [beside(Rects.of_placements((p,)), "front", use.depth) for p, use in hung]
+        return joined([written_at, *before, *(self._in_use(p) for p in others if p.position[2] < 0.5)])
 
     def _in_use(self, placement: Placement) -> Rects:
         asset, rect = self.scene.asset_of(placement), Rects.of_placements((placement,))

@@ -8,8 +8,9 @@ from typing import NamedTuple
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
 from thinkblox.plan import Target, Tie
+from thinkblox.policies.expert.ground import TOUCH
 from thinkblox.policies.expert.idea import Idea
-from thinkblox.policies.expert.judge import TOUCH, boxes, depth_in_others
+from thinkblox.policies.expert.judge import boxes, depth_in_others
 from thinkblox.policies.expert.place_settings import by_seats
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.sizing import SHRINK, scaled

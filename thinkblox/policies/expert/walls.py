@@ -20,6 +20,8 @@ BESIDE_CORNER = 0.4
 """Left between a seat and its corner for a lamp or a small table [m]."""
 BEHIND = 1.1
 """Left between a counter and the wall for those who sit or serve behind it [m]."""
+ASIDE = 2.0
+"""Cost per metre beside the axis of what is looked at across the room."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -76,15 +78,19 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     yield from along_walls(situation, named_walls(situation.room, place))
 
 
-def off_walls(situation: Situation, behind: float = BEHIND) -> Iterator[Idea]:
-    """Parallel to a wall with room behind for whoever sits or serves there, or for what stands there [m]."""
+def off_walls(situation: Situation, behind: float = BEHIND, *, turned_round: bool = False) -> Iterator[Idea]:
+    """Parallel to a wall with room behind for whoever sits or serves there, or for what stands there [m].
+
+    Turned round, its front is to the wall: that of a desk, over whose back one looks into the room.
+    """
     for wall in situation.room.walls:
         for idea in along_walls(situation, (wall,)):
             (x, y), inward = (idea.position[0], idea.position[1]), wall.inward
             x, y = x + inward[0] * behind, y + inward[1] * behind
-            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(idea.yaw))
-            why = "somebody stands between it and the wall"
-            yield Idea((x, y, 0.0), idea.yaw, words, why, idea.cost)
+            yaw = (idea.yaw + (180.0 if turned_round else 0.0)) % 360.0
+            words = (Constraint(kind="at", values=(round(x, 3), round(y, 3))), turned(yaw))
+            why = "somebody sits between it and the wall" if turned_round else "somebody stands between it and the wall"
+            yield Idea((x, y, 0.0), yaw, words, why, idea.cost)
 
 
 def clear_of_windows(situation: Situation, walls: Iterable[Wall]) -> Iterator[Idea]:
@@ -209,7 +215,7 @@ def opposite(situation: Situation, anchor: Placement) -> Iterator[Idea]:
             place = min(max(along + shift, low), high)
             aside = abs(place - along)
             if aside < 0.5 + inward / 2:
-                cost = aside + (0.0 if facing < -0.5 else 2.0) + _too_far(situation, anchor, inward)
+                cost = ASIDE * aside + (0.0 if facing < -0.5 else 2.0) + _too_far(situation, anchor, inward)
                 idea = at_wall(situation, wall, place, cost=cost, why=f"it faces {anchor.id} across the room")
                 in_line = (Constraint(kind="facing", anchors=(anchor.id,)),) if aside < 0.05 else ()
                 yield replace(idea, words=(*idea.words, *in_line))

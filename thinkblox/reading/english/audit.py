@@ -9,7 +9,7 @@ from thinkblox.assets.stand_ins import stand_in
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.corrections import Corrections
+from thinkblox.reading.english.doubts import Doubts
 
 _SPELLED = 0.93
 """How alike two spellings of one name are at least."""
@@ -17,7 +17,7 @@ _ENDINGS = ("ed", "ing", "ly", "less", "able", "ible", "ous", "ful")
 """How words end that are no names of things, where nobody knows such a thing."""
 
 
-class Audit(Corrections):
+class Audit(Doubts):
     """Looks over what was read."""
 
     def _audit(self) -> None:
@@ -27,6 +27,7 @@ class Audit(Corrections):
                 continue
             if not self.account.is_lost(chunk.start, chunk.end):
                 self._lose(chunk.start, chunk.end)
+        self._doubts()
         for thing in list(self.draft.things):
             self._find_each(thing)
             self._contradicts(thing)
@@ -37,7 +38,8 @@ class Audit(Corrections):
     def _find_each(self, thing: Mention) -> None:
         """Say of "each basin" that no basins were named."""
         noun = self.named_by.get(thing)
-        if noun is not None and noun.det == "each" and noun.count is None and thing not in self.told_later:
+        counted = noun is not None and noun.count is not None and not noun.text.lower().startswith("each of")
+        if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
             self.account.mark(noun.start, noun.end, "not_understood")
             self.draft.unknown.append(f"{noun.text} (none named)")
 

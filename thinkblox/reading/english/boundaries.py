@@ -76,12 +76,16 @@ class Boundaries(State):
         self.verb = ""
         if kind == "stop":
             self.referents.parted = None
-            self.meanings.sided, self.meanings.room_side = None, ""
+            self.meanings.forget_sides()
             self.fresh.clear()
         if self.subject is not None and self.subject.thing is not None:
             self.referents.topics.append(self.subject.thing)
         elif things and not self.excluding:
-            self.referents.topics.append(things[0])
+            listed = len(things) > 1 and not self.existential and not things[-1].many
+            self.referents.topics.append(things[-1] if listed else things[0])
+        if kind in ("stop", "semicolon"):
+            kept = self.referents.centre if kind == "semicolon" else None
+            self.referents.centre, self.spoken_of = self.spoken_of or kept, None
         its = [f for f in self.front if f.used and f.where.noun is not None and f.where.noun.kind == "pronoun"]
         side = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
         if kind == "semicolon" and its and side is not None and side.kind == "part" and side.det == "my":
@@ -130,7 +134,7 @@ class Boundaries(State):
         said, noun = self._before(), self._next_noun()
         thing = self.frontier[-1].thing if self.frontier else None
         several = isinstance(said, Noun) and (said.det in ("each", "all") or said.value in ("each", "all"))
-        if not several or thing is None or noun is None:
+        if not several or thing is None or noun is None or (isinstance(said, Noun) and said.kind == "place"):
             return False
         if noun.kind != "number" and noun.value != "one":
             return False
@@ -159,8 +163,15 @@ class Boundaries(State):
             return False
         self._go_past(noun)
         self._spend(noun)
-        self._lose(link.start, noun.end)
+        self._lose_rest(link.start, noun.end)
         return True
+
+    def _lose_rest(self, start: int, end: int) -> None:
+        """Go past "except the one nearest the door", which is not understood."""
+        while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
+            self.at += 1
+            end = chunk.end
+        self._lose(start, end)
 
     def _is_choice(self) -> bool:
         """Whether "a sofa or a bed" asks for one of two: no list goes on, and nothing is denied."""
@@ -210,4 +221,10 @@ class Boundaries(State):
         if noun is None or noun.kind != "thing" or (bare and (noun.det or noun.count is not None)):
             return False
         after = self.peek(1)
+        if bare and self._is_instead():
+            return False
         return not isinstance(after, Connector) or after.sort == "mark" or after.value in ("or", "and")
+
+    def _is_instead(self) -> bool:
+        """Whether what is barred was to be replaced: "a rail instead of a wardrobe, a kettle"."""
+        return self._is_link(self._before(2), "prepositions", "instead")

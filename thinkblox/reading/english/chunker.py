@@ -32,6 +32,8 @@ _MARKS = {
     "+": "and",
 }
 _QUOTES = ('"', "“", "”", "„", "«", "»")
+_BEFORE_NOUNS = ("on", "on_top", "at", "with", "of", "from", "to", "by", "against", "along", "for")
+"""Prepositions that a noun has to follow."""
 _LINKS = (
     "sequences",
     "mutual",
@@ -62,13 +64,51 @@ class Cutter:
     def chunks(self) -> list[Chunk]:
         """All chunks of the text."""
         while self.at < len(self.tokens):
-            chunk = self._next()
+            chunk = self._told_side() or self._next()
+            if isinstance(chunk, Noun) and self._is_bare_side(chunk):
+                word = "in" if chunk.kind == "place" else "on"
+                self.made.append(Connector("prepositions", word, chunk.start, chunk.start))
             if chunk is not None:
                 self.at = chunk.end
                 self.made.append(chunk)
             else:
                 self.at += 1
         return self.made
+
+    def _told_side(self) -> Noun | None:
+        """Read "one nightstand, right side": between marks, a side and nothing else."""
+        if (label := self._label()) is not None:
+            return label
+        last, before = self.made[-1:], self.made[-2:-1]
+        after_mark = bool(last) and isinstance(last[0], Connector) and last[0].value in ("comma", "dash", "open")
+        if not after_mark or not before or not isinstance(before[0], Noun) or before[0].kind != "thing":
+            return None
+        noun = self._phrases.read(self.at, after_preposition=True)
+        ends = noun is not None and (noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark")
+        if noun is None or noun.kind != "part" or not ends:
+            return None
+        self.made[-1] = Connector("fillers", "words", last[0].start, last[0].end, "")
+        self.made.append(Connector("prepositions", "on", noun.start, noun.start))
+        return noun
+
+    def _label(self) -> Noun | None:
+        """Read the "Front" of "Front: a whiteboard."."""
+        last = self.made[-1] if self.made else None
+        begins = last is None or (isinstance(last, Connector) and last.value in ("stop", "semicolon"))
+        if not begins or self._text_at(self.at + 1) != ":":
+            return None
+        noun = self._phrases.read(self.at, after_preposition=True)
+        side = noun is not None and noun.kind == "part" and noun.value in ("left", "right", "front", "back")
+        return noun if side and noun is not None and noun.end == self.at + 1 else None
+
+    def _is_bare_side(self, noun: Noun) -> bool:
+        """Whether a noun says where something is without a preposition: "nightstands each side of the bed"."""
+        ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
+        if noun.kind == "place" and noun.value == "centre" and ends:
+            return self._after_noun() and not noun.det and self._text_at(noun.end) != ":"
+        if noun.kind != "part" or noun.det not in ("each", "either", "both") or not self.made:
+            return False
+        return isinstance(self.made[-1], Noun) and self.made[-1].kind in ("thing", "number", "pronoun")
 
     def _next(self) -> Chunk | None:
         token = self.tokens[self.at]
@@ -152,7 +192,8 @@ class Cutter:
         """Whether "(a)", "(2)" numbers what is listed."""
         inner = self._text_at(self.at + 1)
         brackets = (self.tokens[self.at].text, self._text_at(self.at + 2)) == ("(", ")")
-        return brackets and len(inner) == 1 and inner.isalnum()
+        counts = inner.isdigit() and self._after_noun()
+        return brackets and len(inner) == 1 and inner.isalnum() and not counts
 
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""
@@ -170,8 +211,8 @@ class Cutter:
         return None
 
     def _words(self) -> Chunk:
-        if (doing := self._after_modal()) is not None:
-            return doing
+        if (said := self._after_modal() or self._described()) is not None:
+            return said
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
@@ -183,6 +224,8 @@ class Cutter:
         if noun is not None and (link is None or self._is_noun(noun, link)):
             return noun
         last = self.made[-1] if self.made else None
+        if link is not None and link.sort == "verbs" and link.value == "other" and self._after_preposition():
+            return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
         state = grammar().at(self.tokens, self.at, "states")
         found = isinstance(last, Connector) and last.value in ("be", "leave") and state is not None
         if found and state is not None and (link is None or state.length >= link.length):
@@ -194,6 +237,12 @@ class Cutter:
         if adjective is not None:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _described(self) -> Adjective | None:
+        """Read what hyphens join after the noun that it describes: "a TV wall-mounted opposite the sofa"."""
+        if not self.tokens[self.at].glued or not self._after_noun() or not self._phrases.is_after_noun(self.at):
+            return None
+        return self._phrases.adjective(self.at)
 
     def _after_modal(self) -> Connector | None:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""
@@ -245,6 +294,9 @@ class Cutter:
         if noun.det or noun.count is not None:
             return noun.kind != "number" or noun.end - noun.start >= link.length
         first = self._phrases.thing_at(self.at)
+        last = self.made[-1] if self.made else None
+        if link.sort == "verbs" and isinstance(last, Connector) and last.sort == "prepositions" and first is not None:
+            return first.length >= link.length and first.entry.plural and last.value in _BEFORE_NOUNS
         if first is not None and first.length > link.length:
             return True
         if noun.kind == "place" and noun.end - noun.start > link.length and link.value == "opposite":

@@ -47,6 +47,8 @@ class Clauses(Audit):
             self.account.mark(stray.start, stray.end, "filler")
         else:
             following = self.peek()
+            if self._is_link(self._before(), "prepositions"):
+                self.pending = None
             self._lose(stray.start, stray.end)
             if isinstance(following, Noun) and self.account.text(stray.start, stray.end).endswith((" than", " as")):
                 self.draft.unknown[-1] = self.account.text(stray.start, following.end)
@@ -237,7 +239,7 @@ class Clauses(Audit):
                     return False
                 if chunk.sort in ("inverses", "participles") and chunk.value not in ("stand", "hang"):
                     return False
-                if chunk.sort == "prepositions" and chunk.value == "with":
+                if chunk.sort == "prepositions" and chunk.value == "with" and not self.predicate:
                     return False
             elif isinstance(chunk, (Measured, Stray)):
                 return False

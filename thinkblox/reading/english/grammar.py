@@ -27,12 +27,14 @@ class Grammar:
         prefixes: what phrases begin with.
         lists: words that are asked for by name, by the key of their list.
         sorts: what phrases can be.
+        begun: what phrases that begin with a word can be.
     """
 
     phrases: dict[tuple[str, ...], list[tuple[str, str]]] = field(default_factory=dict)
     prefixes: set[tuple[str, ...]] = field(default_factory=set)
     lists: dict[str, frozenset[str]] = field(default_factory=dict)
     sorts: set[str] = field(default_factory=set)
+    begun: dict[str, set[str]] = field(default_factory=dict)
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""
@@ -45,6 +47,8 @@ class Grammar:
     def all_at(self, tokens: Sequence[Token], start: int, *sorts: str) -> list[Function]:
         """Everything of these sorts that begins at `start`, the longest first."""
         found: list[Function] = []
+        if start >= len(tokens) or self.begun.get(tokens[start].text, frozenset()).isdisjoint(sorts):
+            return found
         key: tuple[str, ...] = ()
         for index in range(start, len(tokens)):
             key = (*key, tokens[index].text)
@@ -64,6 +68,7 @@ def grammar() -> Grammar:
     for sort, value, phrase in _phrases(data):
         key = tuple(token.text for token in tokenise(phrase))
         made.sorts.add(sort)
+        made.begun.setdefault(key[0], set()).add(sort)
         made.phrases.setdefault(key, []).append((sort, value))
         made.prefixes.update(key[:end] for end in range(1, len(key)))
     return made

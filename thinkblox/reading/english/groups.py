@@ -12,6 +12,9 @@ from thinkblox.reading.english.looks import Descriptions
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import last_word
 
+_PLACING = ("in", "on", "between", "along", "by", "near", "next_to", "around", "at", "behind", "in_front_of")
+"""Prepositions by which something that is no thing has a place: "an aisle in the middle"."""
+
 
 class Groups(Descriptions):
     """Reads "each", and groups of things."""
@@ -26,6 +29,17 @@ class Groups(Descriptions):
         if word in grammar().lists["groups"] and (noun.count or 0) > 1:
             self._take(self._new(replace(noun, value=identifier_of(noun.value))), noun)
             return
+        if word in grammar().lists["gaps"] and self._is_link(self.peek(), "prepositions", "between", "around"):
+            between = self._next_noun(1)
+            if between is not None and between.kind == "pronoun":
+                self._go_past(between)
+                return
+        if self.separator and self.frontier and self._is_link(self.peek(), "prepositions", *_PLACING):
+            after = self._next_noun(1)
+            if after is not None and after.kind in ("place", "part", "thing"):
+                self._lose(noun.start, after.end)
+                self._go_past(after)
+                return
         if not self.clause.members and self.separator != "and":
             self.frontier = [Node()]
 

@@ -43,7 +43,12 @@ class Having(Groups):
         several = head.frame is not None and head.frame.times > 1
         several |= thing in self.multiplied
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
-        frame = Listed(head, kind, each=self.each or head.each or several)
+        self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _pend(self, frame: Listed, head: Node) -> None:
+        """Let what comes next begin a list of what `head` has."""
+        if frame.each:
+            self.referents.shared.update(head.things)
         self.each = False
         if head in self.frontier:
             del self.frontier[self.frontier.index(head) + 1 :]
@@ -88,9 +93,12 @@ class Having(Groups):
             return self.subject if self.subject is not None and self.subject.things else None
         if self.each:
             return next((n for n in nodes if any(t.many for t in n.things)), nodes[0])
-        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1:
+        covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
+        if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not covers:
             outer = [n for n in nodes if n.frame is not None]
             return outer[-1] if outer else nodes[-1]
+        if kind in ("hold", "carry"):
+            nodes = [n for n in nodes if not self.habits.is_in(n.things[-1].noun, "covers")] or nodes
         if noun is not None and noun.kind == "thing":
             for node in nodes[:3]:
                 if node.frame is None and node.known and len(nodes) > 1:
@@ -102,6 +110,8 @@ class Having(Groups):
         if self.subject is None:
             return
         self.pending = Listed(self.subject, kind, each=self.each or self.subject.each)
+        if self.pending.each:
+            self.referents.shared.update(self.subject.things)
         if self.per_group:
             self.pending.each, self.pending.times, self.per_group = False, self.per_group, 0
             self.pending.grouped = True

@@ -54,6 +54,8 @@ class Heads(Modifiers):
             self._known_head(noun, whole)
             noun.within = True
             return
+        if self._is_columns(noun, nouns):
+            return
         named = [unit for unit in nouns if not unit.owner] or [last]
         people = "people" in dict(grammar().phrases.get((last.text.lower(),), ()))
         if people and noun.det in ("the", "my", "") and noun.count is None:
@@ -70,6 +72,14 @@ class Heads(Modifiers):
         noun.kind, noun.named = "thing", False
         noun.plural |= singular(words[-1]) != words[-1]
         noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
+
+    def _is_columns(self, noun: Noun, nouns: list[Unit]) -> bool:
+        """Read "in two columns" as rows."""
+        within = self._text(noun.start - 1, noun.start).lower() == "in" and not noun.det and bool(noun.count)
+        if not within or len(nouns) > 1 or nouns[0].text.lower() not in ("columns", "rows", "lines"):
+            return False
+        noun.kind, noun.rows, noun.count = "number", noun.count or 0, None
+        return True
 
     def _known_head(self, noun: Noun, known: Known) -> None:
         entry = known.entry
@@ -101,13 +111,14 @@ class Heads(Modifiers):
         """Nouns before the head tell what it is for; a word that nobody knows may change it."""
         for unit in units:
             words = unit.text.lower().split()
-            if unit.known is None and not grammar().phrases.get(tuple(words)):
+            if unit.known is None and not grammar().phrases.get(tuple(words)) and not is_purpose(words[-1]):
                 noun.unshown.append(unit.text.lower())
 
     def _kind_of_its_own(self, noun: Noun, units: list[Unit], head: Unit) -> None:
         """Let "a vessel sink" be a thing of that name: its kind is said by a noun that nobody knows."""
         words = [word for unit in units if unit.known is None for word in unit.text.lower().split()]
         types = [word for word in words if not adjective_kinds(word) and not word.endswith(_ADJECTIVAL)]
+        types = [word for word in types if not is_purpose(word)]
         if noun.kind != "thing" or not types or len(types) < len(units):
             return
         last = head.text.lower().split()
@@ -212,3 +223,8 @@ class Heads(Modifiers):
         if noun.every and noun.counted:
             noun.count = None
         return noun
+
+
+def is_purpose(word: str) -> bool:
+    """Whether a word before a noun only says whom or what it is for: "a client chair", "a demonstration bench"."""
+    return is_person(word) or is_abstract(word) or grammar().knows(word, "people", "abstract")

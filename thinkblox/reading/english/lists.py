@@ -14,6 +14,7 @@ class Memberships(Ties):
 
     def _take(self, thing: Mention, noun: Noun) -> None:
         """Take a new thing into the list it belongs to."""
+        self.meant[noun.start] = [thing]
         pending, self.pending = self.pending, None
         frame = pending
         if frame is None:
@@ -47,6 +48,7 @@ class Memberships(Ties):
 
     def _take_known(self, noun: Noun, known: list[Mention]) -> None:
         """Speak again of things named before: as the subject, or as what a list names."""
+        self.meant[noun.start] = known
         for thing in known:
             self.referents.speak(thing)
             thing.attributes += [a for a in noun.attributes if a not in thing.attributes]
@@ -95,6 +97,7 @@ class Memberships(Ties):
             tie = "next_to"
         if tie is None:
             thing.owner = None
+            self.untied.append((thing, head))
             return
         if "shared" in thing.attributes and tie == "next_to" and head.many:
             tie = "between"
@@ -158,6 +161,8 @@ class Memberships(Ties):
                 "around",
             ):
                 continue
+            if front.meaning.loose and not front.used:
+                self._lose_where(front.where)
             front.used = True
             self._relate(things, replace(front.meaning), negated=front.where.negated)
 
@@ -165,6 +170,7 @@ class Memberships(Ties):
         """Go back to things named before."""
         if not things:
             return
+        self.meant[noun.start] = things
         separated = self.separator
         if separated and self.clause.members:
             self._begin()
@@ -175,7 +181,7 @@ class Memberships(Ties):
 
     def _repeat(self) -> bool:
         """Read "a rack on the left and another on the right": one more of what was named last."""
-        node = self.frontier[-1] if self.frontier else None
+        node = next((n for n in reversed(self.frontier) if n.frame is not None), None)
         thing = node.thing if node is not None else None
         if node is None or node.frame is None or thing is None or thing.many:
             return False

@@ -3,10 +3,11 @@
 from dataclasses import replace
 from itertools import pairwise
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
-from thinkblox.reading.english.nodes import Node
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
 
@@ -14,6 +15,8 @@ _OFFSETS = ("in_front_of", "behind", "above", "left_of", "right_of", "to", "outs
 """Prepositions before which a length says how far off something is."""
 _BESIDE, _NEAR = 0.5, 1.5
 """How far things beside, and near, each other are at most [m]."""
+_LEAST_SIDE = 1.5
+"""A room is no narrower than this [m]."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
@@ -79,20 +82,58 @@ class Descriptions(Rooms):
         node = next((n for n in nodes if any(t.many for t in n.things)), None)
         kind = link.value
         things = node.things if node is not None else list(self.clause.members)
+        if node is nodes[0] and node.frame is not None and kind == "next_to" and not self.predicate:
+            things = self._joined_several(node, node.frame)
         if self.predicate and self.subject is not None:
             things = self.subject.things
         if self.negating:
             self._not_mutual(link, things)
         elif kind in ("in_rows", "in_row"):
-            for thing in things[-1:]:
-                bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
+            self._row(kind, list(things), nodes[0])
         elif len(things) > 1:
             for one, other in pairwise(things[-2:]):
                 bind(self.draft, Bond(relation_kind(kind), other, (one,)))
             if nodes[0].frame is not None and nodes[0].things == things[-1:]:
                 nodes[0].things = things[-2:]
-        elif things and things[-1].many and kind != "around":
-            bind(self.draft, Bond(relation_kind(kind), things[-1], (things[-1],)))
+        elif things and things[-1].many:
+            self._mutual_within(link, things[-1])
+
+    def _joined_several(self, node: Node, frame: Listed) -> list[Mention]:
+        """The washers and dryers of "two washers and two dryers side by side"."""
+        two = frame.members[-2:]
+        joined = frame.head is None and len(two) == 2 and node.things == two[1:] and self._is_joined_before(self.at - 1)
+        if not joined or any(not b.implied for b in self.draft.bonds_of(two[0])):
+            return node.things
+        node.things = list(two)
+        self.referents.pairs.append((two[0], two[1]))
+        return node.things
+
+    def _is_joined_before(self, at: int) -> bool:
+        """Whether the noun before the chunk at `at` came right after "and", and that after another noun."""
+        at -= 1
+        while at > 0 and not isinstance(self.chunks[at], Noun):
+            at -= 1
+        joint, first = self.chunks[at - 1 : at], self.chunks[at - 2 : at - 1]
+        joined = bool(joint) and isinstance(joint[0], Connector) and joint[0].text.lower() in ("and", "&", "+")
+        return joined and bool(first) and isinstance(first[0], Noun)
+
+    def _row(self, kind: str, things: list[Mention], node: Node) -> None:
+        """Read "in a row": of several alike, or of single things, which then stand side by side."""
+        if kind == "in_row" and len(things) > 1 and not any(t.many for t in things):
+            for one, other in pairwise(things):
+                bind(self.draft, Bond("next_to", other, (one,)))
+            node.things = things
+            return
+        for thing in things[-1:]:
+            bind(self.draft, Bond("in_rows", thing, rows=1 if kind == "in_row" else 0))
+
+    def _mutual_within(self, link: Connector, thing: Mention) -> None:
+        """Read how the members of one plural thing stand to each other; what we do not know of them is said."""
+        kind = relation_kind(link.value)
+        if kind in ("facing", "next_to"):
+            bind(self.draft, Bond(kind, thing, (thing,)))
+        elif link.value != "around":
+            self._lose(link.start, link.end)
 
     def _not_mutual(self, link: Connector, things: list[Mention]) -> None:
         """Read "not facing each other"; what cannot be denied is not understood."""
@@ -127,6 +168,7 @@ class Descriptions(Rooms):
         thing = self.frontier[-1].thing if self.frontier else None
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
+        roomy |= self._outgrows(measured, thing)
         if roomy and not self.draft.sizes and not told:
             self.draft.sizes.append(size)
         elif self._keeps_off(measured, following, told=told):
@@ -141,6 +183,15 @@ class Descriptions(Rooms):
             thing.size = thing.size or size
         else:
             self.draft.sizes.append(size)
+
+    def _outgrows(self, measured: Measured, thing: Mention | None) -> bool:
+        """Whether a size after a comma can be none of the thing before: "with a washing machine, 2 m by 2.5 m"."""
+        lengths = [length.metres for length in measured.size.lengths]
+        comma = self._is_link(self._before(), "mark", "comma")
+        if thing is None or not comma or len(lengths) < 2 or min(lengths) < _LEAST_SIDE:
+            return False
+        depth, width, _ = kind_of(thing.noun).size_range[1]
+        return min(lengths) > max(depth, width)
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
         """Whether a length says how far off something is: "2 m from it", "2 m in front of it", "1 m apart"."""

@@ -8,7 +8,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
-from thinkblox.reading.english.referents import Referents, is_small
+from thinkblox.reading.english.referents import Referents, fits, is_small
 
 _OPENINGS = ("window", "door")
 _NAMED = {
@@ -20,13 +20,16 @@ _NAMED = {
     "from": "on",
     "on_top": "on",
 }
-_ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
+ROOM_SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
+"""The walls at the sides of a room."""
 _CARRYING = ("top", "middle", "inside", "in_shelf")
 """Parts that carry or hold things."""
-_WHOLE_BY = {"foot": "at_foot_of", "long_side": "at_long_side", "short_side": "at_long_side"}
+_WHOLE_BY = {"head": "at_foot_of", "foot": "at_foot_of", "long_side": "at_long_side", "short_side": "at_long_side"}
 """The relation that tells which thing has such a part."""
 
 
+_TOPS = ("tables", "desks", "counters", "worktops")
+"""What has a top on which things lie in the middle."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -40,6 +43,15 @@ class Meanings:
         self.place: Meaning | None = None
         self.anchor: tuple[str, Mention] | None = None
         self.sided: tuple[str, Mention] | None = None
+        self.room_side = ""
+        self._sides_told = 0
+        self.guessed = False
+
+    def forget_sides(self) -> None:
+        """End a sentence: of what the left side was told is known for one sentence more."""
+        self._sides_told = self._sides_told + 1 if self.sided is not None else 0
+        if self._sides_told > 1:
+            self.sided, self._sides_told = None, 0
         self.room_side = ""
 
     def of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str = "") -> Meaning | None:
@@ -56,12 +68,16 @@ class Meanings:
             meaning = replace(meaning, both=True) if meaning is not None else None
         else:
             meaning = self._of(where, subjects, likely, noun)
-        return meaning if meaning is not None and meaning.anchors else None
+        if meaning is None or not meaning.anchors:
+            return None
+        said = where.whole or where.noun
+        meaning.pointed = said is None or said.kind in ("pronoun", "part", "number")
+        return meaning
 
     def _of(self, where: Where, subjects: list[Mention], likely: list[Mention], noun: str) -> Meaning | None:
         said = where.noun
         if where.word == "halfway":
-            return Meaning("in_centre", ("centre",))
+            return Meaning("in_centre", (said.value if said is not None else "centre",))
         if said is None:
             return self._elided(where.word, subjects, likely, noun)
         match said.kind:
@@ -102,9 +118,11 @@ class Meanings:
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None
 
-    def _single(self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str) -> Mention | None:
+    def _single(
+        self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str, *, one: bool = False
+    ) -> Mention | None:
         subject = subjects[-1] if subjects else None
-        return self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun)
+        return self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun, one=one)
 
     def _pronoun(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -116,13 +134,13 @@ class Meanings:
             if kind == "between":
                 return Meaning(kind, self.referents.several(subjects, kind), told=True)
             if said.value == "one":
-                return self._one_of(kind, subjects)
+                return self._one_of(kind, subjects, noun)
             last = self.referents.last(subjects) if said.text.lower() == "that" else None
-            found = last or self._single(kind, subjects, likely, noun)
+            found = last or self._single(kind, subjects, likely, noun, one=said.value == "it")
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
         if said.value in ("former", "latter"):
-            found = self.referents.of_two(said.value)
+            found = self.referents.of_two(said.value, subjects)
             return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
             return self._other(kind, subjects)
@@ -137,11 +155,24 @@ class Meanings:
         )
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
+        whole = said.value == "each" and not said.attributes and len(anchors) == 1
+        if whole and len(family := self.referents.family(anchors[0])) > 1:
+            anchors = tuple(t for t in family if t not in subjects) or anchors
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
         return self._fitting(meaning, subjects, noun, where.word) if anchors else None
 
-    def _one_of(self, kind: str, subjects: list[Mention]) -> Meaning | None:
-        whole = self.referents.parted or next((t for t in self.referents.plural() if t not in subjects), None)
+    def _one_of(self, kind: str, subjects: list[Mention], noun: str) -> Meaning | None:
+        name = subjects[-1].noun if subjects else noun
+        several = [t for t in self.referents.plural() if t not in subjects]
+        usual = [t for t in several if name and load_habits().tie(name, t.noun) == kind]
+        fit = [t for t in several if fits(t, kind, name) and not (kind == "on" and is_seat(t))]
+        apart = [t for t in self.referents.spoken[::-1] if len(self.referents.family(t)) > 1 and t not in subjects]
+        told = [t for t in apart if name and load_habits().tie(name, t.noun) == kind]
+        if told and not usual and told[0] in self.referents.draft.things:
+            family = self.referents.family(told[0])
+            self.referents.parted = family[-1]
+            return self._fitting(Meaning(kind, (family[0],), told=True), subjects)
+        whole = self.referents.parted or next(iter(usual or fit or several), None)
         if whole is None:
             return None
         return self._fitting(Meaning(kind, (self.referents.part(whole, 1),), told=True), subjects)
@@ -161,16 +192,32 @@ class Meanings:
 
     def _number(self, where: Where, said: Noun, subjects: list[Mention], noun: str) -> Meaning | None:
         """Read "on the left one", "on the third", "on two of them"."""
+        if (wall := self._other_wall(where, said)) is not None:
+            return wall
         found = self.name.some_of(said, besides=subjects)
         if found is None:
             return None
         return self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
+
+    def _other_wall(self, where: Where, said: Noun) -> Meaning | None:
+        """Read "along the right one" after "along the left wall"."""
+        before = self.place.anchors[0] if self.place is not None else ""
+        named = isinstance(before, str) and before.endswith("_wall") and said.text.lower().endswith(" one")
+        if named and "opposite" in said.text.lower():
+            return wall(where.word, Noun("place", "wall", said.start, said.end, said.text), "wall", 0, each=False)
+        if not named or said.side not in ("left", "right"):
+            return None
+        return wall(
+            where.word, Noun("place", "wall", said.start, said.end, said.text), ROOM_SIDES[said.side], 0, each=False
+        )
 
     # --- parts of things
 
     def _part(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
+        if (apart := self._of_several(where, said, subjects)) is not None:
+            return apart
         meaning = self._whole(where, said, subjects, likely, noun)
         if meaning is None or not meaning.anchors:
             return None
@@ -179,10 +226,55 @@ class Meanings:
             return meaning
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
+        loose, self.guessed = self.guessed, False
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
-        return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told)
+        if said.value == "in_shelf":
+            return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
+        if where.word in ("above", "under", "behind") and said.value in ("head", "foot"):
+            kind = where.word
+        lying = is_small(subjects[-1]) if subjects else is_small_name(noun)
+        if where.word == "on" and kind == "next_to" and lying and any(w in said.text.lower() for w in ("edge", "rim")):
+            return Meaning("on", meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
+        if where.word == "on" and self._lies_at_side(said, subjects, noun, whole):
+            return Meaning(
+                "on", meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=True
+            )
+        return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=loose)
+
+    def _of_several(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:
+        """Read "on the other side" after "on its right", and "in the middle of them"."""
+        if said.value == "side" and said.det == "other" and where.whole is None and self.sided is not None:
+            side = {"left": "right", "right": "left"}[self.sided[0]]
+            return Meaning(f"{side}_of", (self.sided[1],), told=True)
+        if said.value == "side" and said.det == "other" and where.whole is not None and where.whole.kind == "thing":
+            return self._beyond_other(where.whole, subjects)
+        them = where.whole is not None and where.whole.kind == "pronoun" and where.whole.value == "them"
+        if said.value == "middle" and them:
+            return Meaning("between", self.referents.several(subjects, "between"), told=True)
+        return None
+
+    def _beyond_other(self, whole: Noun, subjects: list[Mention]) -> Meaning | None:
+        """Read "on the other side of the oven" after something was said to be next to it: one is left, one right."""
+        found, told = self.name.anchors(whole, subjects)
+        anchor = found[0] if found and told else None
+        beside = (b for b in reversed(self.referents.draft.bonds) if b.kind == "next_to" and b.anchors == (anchor,))
+        first = next((b for b in beside if b.subject not in subjects and not b.implied and not b.each), None)
+        if anchor is None or first is None or first.subject.many:
+            return None
+        first.kind = "left_of"
+        return Meaning("right_of", (anchor,), told=True)
+
+    def _lies_at_side(self, said: Noun, subjects: list[Mention], noun: str, whole: Mention) -> bool:
+        """Whether "the left end of the desk" is a place on its top, for what usually lies there."""
+        habits = load_habits()
+        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det in ("my", "other"):
+            return False
+        name = subjects[-1].noun if subjects else noun
+        lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))
+        lies |= name.startswith("any_") and habits.is_in(name, "lamps")
+        return lies and habits.is_in(whole.noun, "tables", "desks", "counters", "worktops")
 
     def _whole(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -193,23 +285,33 @@ class Meanings:
         if said.owner:
             found = self.referents.named(Noun("thing", said.owner, 0, 0, said.owner))
             return Meaning("on", (found,), told=True) if found else None
+        theirs = said.det == "my" and "their" in said.text.lower()
+        if theirs and self.sided is not None and self.sided[1].many and self.sided[1] not in subjects:
+            return Meaning("on", (self.sided[1],), told=True)
         plural = self.referents.several(subjects, "on") if said.det == "my" and "their" in said.text.lower() else ()
         if plural:
-            return Meaning("on", plural[:1], each=plural[0].many, told=True)
+            sides = said.value in ("left", "right", "front", "back")
+            return Meaning("on", plural[:1], each=plural[0].many and not sides, told=True)
         if (other := self._other_side(said, subjects)) is not None:
             return Meaning("on", (other,), told=True)
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
         carried = said.value in _CARRYING
         kind = "on" if carried else _WHOLE_BY.get(said.value, "")
-        found = self._single(kind, subjects, likely, noun)
+        its = said.det == "my" and "their" not in said.text.lower()
+        found = self._single(kind, subjects, likely, noun, one=its)
+        self.guessed = said.det == "the" and said.value in ("left", "right") and found not in likely
+        rivals = [t for t in self.referents.draft.things if t not in (*subjects, found) and not is_small(t)]
+        self.guessed &= len({t.noun for t in rivals}) > 1
         if found is None:
             return self._of_room(said, subjects)
-        return Meaning("on", (found,), each=found.many and carried and found in likely, told=True)
+        return Meaning(
+            "on", (found,), each=found.many and found.count is not None and carried and found in likely, told=True
+        )
 
     def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        if self.sided is None or {self.sided[0], said.value} != {"left", "right"}:
+        if self.sided is None or said.det == "my" or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None
 
@@ -219,6 +321,8 @@ class Meanings:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
         if whole.kind == "place" and whole.value in _OPENINGS:
             return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
+        if said.value == "middle" and whole.kind == "place" and whole.value.endswith("wall"):
+            return Meaning("in_centre", (whole.value,))
         if whole.kind in ("place", "room", "abstract", "people"):
             return self._of_room(said, subjects)
         return self.of(Where("on" if said.value in _CARRYING else "next_to", whole), subjects, likely, noun)
@@ -229,21 +333,37 @@ class Meanings:
         """Whether "the middle", "the left" without a thing are of the room."""
         if said.value in ("front", "back") and where.word in ("at", "in", "to") and said.det == "the":
             return True
-        if said.det == "the" and {said.value, self.room_side} == {"left", "right"}:
+        before = self.place.anchors[0] if self.place is not None else ""
+        walls = {ROOM_SIDES.get(said.value, ""), before} == {"left_wall", "right_wall"}
+        if said.det == "the" and ({said.value, self.room_side} == {"left", "right"} or walls):
             return True
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
         if said.value == "middle" and said.det != "my" and not (alone and likely):
             return True
+        if said.value == "side" and said.det in ("each", "either", "both") and self._is_beside_something(subjects):
+            return False
+        if said.value == "end" and said.count == 1 and subjects and not self._sits_or_lies(subjects[-1]):
+            return True
         if likely or said.det == "my" or said.value not in ("middle", "side", "left", "right", "front", "back", "end"):
             return False
-        here = bool(subjects) and where.word in ("on", "at") and said.value in _ROOM_SIDES
+        here = bool(subjects) and where.word in ("on", "at") and said.value in ROOM_SIDES
         return here or not self.referents.topics or not (subjects or noun)
+
+    def _sits_or_lies(self, thing: Mention) -> bool:
+        """Whether it may be at the end of a thing rather than of the room."""
+        return is_small(thing) or load_habits().is_in(thing.noun, "seats", "tables", "lamps", "plants")
+
+    def _is_beside_something(self, subjects: list[Mention]) -> bool:
+        """Whether something was named that others can flank."""
+        return any(t not in subjects and not is_small(t) for t in self.referents.draft.things)
 
     def _of_room(self, said: Noun, subjects: list[Mention]) -> Meaning | None:
         if said.value == "middle":
             return Meaning("in_centre", ("centre",))
+        if said.value == "end":
+            return Meaning("against_wall", ("short_wall",))
         self.room_side = said.value
-        wall = _ROOM_SIDES.get(said.value)
+        wall = ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):
             return None
         return Meaning("against_wall", (wall,))
@@ -256,33 +376,48 @@ class Meanings:
         name, *walls = said.value.split()
         word = where.word
         if name == "centre":
-            whole = where.whole
-            if said.text.lower().endswith(" of it"):
-                whole = Noun("pronoun", "it", 0, 0, "it")
-            if whole is not None and whole.kind in ("thing", "pronoun"):
-                meaning = self.of(Where("on", whole), subjects, likely, noun)
-                if meaning is not None and isinstance(meaning.anchors[0], Mention):
-                    return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
-            small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
-            if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
-                return Meaning("in_centre", (likely[0],), each=likely[0].many, told=True)
-            return Meaning("in_centre", ("centre",))
+            return self._centre(where, said, subjects, likely, noun)
         each = said.each
         several = said.count if said.count and said.count > 1 else 0
         if name == "corner":
             return corner(word, said, walls, several)
         if name in _OPENINGS:
-            return opening(word, name)
+            return opening(word, name) if said.det != "other" else None
         if name == "ceiling":
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
         return wall(word, said, name, several, each=each)
 
+    def _centre(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        """In the middle of the room, of a wall, of a thing, or of its top."""
+        whole = where.whole
+        if said.text.lower().endswith(" of it"):
+            whole = Noun("pronoun", "it", 0, 0, "it")
+        if whole is not None and whole.kind == "place" and whole.value.endswith("wall"):
+            return Meaning("in_centre", (whole.value,))
+        if whole is not None and whole.kind in ("thing", "pronoun"):
+            meaning = self.of(Where("on", whole), subjects, likely, noun)
+            if meaning is not None and isinstance(meaning.anchors[0], Mention):
+                return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
+        small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
+            return self._middle_of_top(likely)
+        return Meaning("in_centre", ("centre",))
+
+    def _middle_of_top(self, likely: list[Mention]) -> Meaning:
+        """In the middle of what has a top: the likeliest, or what was named last."""
+        named = (*likely, *reversed(self.referents.draft.things))
+        top = next((t for t in named if load_habits().is_in(t.noun, *_TOPS)), likely[0])
+        several = top.many and top.count is not None
+        return Meaning("in_centre", (top,), each=several, told=True, pointed=True)
+
     # --- things
 
     def _thing(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:
-        if where.word in ("of", "as"):
+        if where.word in ("of", "as", "from"):
             return None
         if said.det == "no":
             return None
@@ -342,6 +477,11 @@ class Namer:
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number means."""
         raise NotImplementedError
+
+
+def is_seat(thing: Mention) -> bool:
+    """Whether one sits on it."""
+    return load_habits().is_in(thing.noun, "seats")
 
 
 def _is_open(shelves: Mention) -> bool:

@@ -3,6 +3,7 @@
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.brief import Fate
+from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.chunks import Adjective, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.quantities import Quantities
@@ -56,6 +57,8 @@ class Modifiers(Quantities):
                 noun.attributes.append(entry.value)
             elif entry.sort == "style":
                 noun.styles.append(entry.value)
+                word = self._text(at, at + known.length).lower()
+                noun.unshown += [word] if "pattern" in adjective_kinds(word) else []
 
     def _forget(self, noun: Noun) -> None:
         noun.attributes.clear()

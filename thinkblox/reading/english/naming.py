@@ -6,6 +6,7 @@ from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.several import Several
 from thinkblox.reading.english.state import LOOKAHEAD
 
@@ -77,8 +78,11 @@ class Naming(Several):
         if noun.count is None:
             return found
         exact = [t for t in found if self.referents.total(t) == noun.count]
-        enough = sum(self.referents.total(t) for t in found) >= noun.count
-        return (exact[:1] or found) if enough else []
+        total = sum(self.referents.total(t) for t in found)
+        fewer = [t for t in found if (t.count or 0) > noun.count]
+        if not exact and total > noun.count and fewer and noun.det == "each":
+            return [self.referents.part(fewer[-1], noun.count)]
+        return (exact[:1] or found) if total >= noun.count else []
 
     def _definite(self, noun: Noun) -> list[Mention]:
         """What "the chair", "the two chairs" are."""
@@ -95,7 +99,30 @@ class Naming(Several):
             return [first] if noun.count < total else []
         if noun.count and first.count and noun.count > first.count:
             return []
+        if self._is_one_of_them(noun, first):
+            return [self.referents.part(first, 1)]
         return [first]
+
+    def _is_one_of_them(self, noun: Noun, first: Mention) -> bool:
+        """Whether "the nightstand by the door" is one of several; one that nothing tells from the others is noted."""
+        single = not noun.plural and noun.count in (None, 1) and noun.det in ("the", "my")
+        if not single or self.referents.total(first) < 2 or first in self.referents.shared:
+            return False
+        if last_word(first) != noun.word or self._is_of_each(first):
+            return False
+        if self._is_link(
+            self.peek(), "prepositions", "by", "near", "next_to", "at", "against", "far", "opposite", "behind"
+        ):
+            told = self._next_noun(1)
+            return told is not None and told.kind in ("thing", "place") and told.definite
+        self.unsure.append((noun, first))
+        return False
+
+    def _is_of_each(self, thing: Mention) -> bool:
+        """Whether what the sentence says is said of each of those that have such a thing."""
+        owners = [a for b in self.draft.bonds_of(thing) if b.each for a in b.anchors]
+        spoken = [t for n in self.frontier for t in n.things]
+        return self.each or self.clause.times > 1 or any(t in owners for t in spoken)
 
     def _is_of_somebody(self, noun: Noun) -> bool:
         """Whether it is told from others of its kind by whose it is: "the teacher's desk"."""
@@ -131,8 +158,12 @@ class Naming(Several):
 
     def _is_repeated(self, noun: Noun) -> bool:
         first = self.referents.named(noun)
+        if first is None and noun.value.startswith("wall_"):
+            first = next((t for t in self.draft.things if t.asked and noun.value == f"wall_{t.noun}"), None)
         if first is None or first in self.clause.members or first.many:
             return False
+        if noun.value == f"wall_{first.noun}" and not self.draft.bonds_of(first):
+            first.noun = noun.value
         return first.noun == noun.value and not noun.attributes and not noun.owner and not noun.unshown
 
     def anchors(self, noun: Noun, besides: list[Mention]) -> tuple[tuple[Mention, ...], bool]:
@@ -144,10 +175,12 @@ class Naming(Several):
         if known:
             for thing in known:
                 self.referents.speak(thing)
+            self.meant[noun.start] = known
             return tuple(known), True
         if same := self._same(noun, besides):
             return same, True
         thing = self._new(noun)
+        self.meant[noun.start] = [thing]
         if not noun.definite:
             self.fresh.add(thing)
         return (thing,), False

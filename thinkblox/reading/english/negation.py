@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Awaited, Meaning, Where
@@ -11,6 +12,11 @@ _TELLING = ("face", "stand", "hang", "surround", "flank", "line", "hold", "carry
 """Verbs that tell something of what is there."""
 _NOT_PLACED = ("with", "without", "of", "for", "as", "except", "instead", "from", "to", "in")
 """Prepositions after which it is not said where things are."""
+
+
+def text_is_no(link: Connector) -> bool:
+    """Whether it is "no" and nothing else."""
+    return link.text.lower() in ("no", "nope")
 
 
 class Negation(Positions):
@@ -33,10 +39,11 @@ class Negation(Positions):
         noun = self.peek()
         before = self._before()
         if link.text.lower() == "no" and isinstance(before, Noun) and (noun is None or self._is_link(noun, "mark")):
-            thing = self.frontier[-1].thing if self.frontier else None
-            if thing is not None:
-                self.draft.drop(thing)
-                self.draft.excluded.add(thing.noun)
+            self._take_back()
+            return
+        asked = self.account.text(link.start - 1, link.start) == "?" and isinstance(self._before(2), Noun)
+        if text_is_no(link) and asked and self.draft.things:
+            self._take_back(self.draft.things[-1])
             return
         if isinstance(noun, Noun) and noun.kind == "thing" and not noun.definite:
             self.excluding = True
@@ -51,6 +58,13 @@ class Negation(Positions):
             self.subject = self._whole_subject()
             self.predicate = self.subject is not None
         self.negating = True
+
+    def _take_back(self, thing: Mention | None = None) -> None:
+        """Exclude what was named last: "a bench? No."."""
+        thing = thing or (self.frontier[-1].thing if self.frontier else None)
+        if thing is not None:
+            self.draft.drop(thing)
+            self.draft.excluded.add(thing.noun)
 
     def _gone(self) -> None:
         """Read "The popcorn machine is gone": it must not be there."""

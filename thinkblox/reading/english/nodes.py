@@ -88,6 +88,8 @@ class Meaning:
         both: at both of two sides, so that a number is that of one side where `each` side was said.
         times: how many sides, walls or corners were named with "each".
         told: the anchor was a pronoun, or what was mentioned before.
+        pointed: the anchor was not named: "on it", "beside".
+        loose: it was said more closely where, and that is not kept: "on the left end of the desk".
     """
 
     kind: str
@@ -97,6 +99,8 @@ class Meaning:
     times: int = 1
     spread: int = 0
     told: bool = False
+    pointed: bool = False
+    loose: bool = False
 
 
 @dataclass(eq=False)

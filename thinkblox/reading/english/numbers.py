@@ -150,7 +150,7 @@ class Numbers(Verbs):
         elif noun.det == "other":
             self._look(whole, noun)
             self.referents.parted = None
-            self._resume([whole], noun)
+            self._resume(self._others(whole), noun)
         elif noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
             self.referents.settle(whole)
             self._part_of(whole, max(1, (whole.count or 0) // noun.ordinal), noun)
@@ -216,6 +216,8 @@ class Numbers(Verbs):
             self._except(whole, count)
             return
         times = self._times_next()
+        if noun is not None and (noun.attributes or noun.unshown) and self.referents.total(whole) > (whole.count or 1):
+            self.referents.settle(whole)
         if self._is_more(whole, noun):
             part = self._copy(whole, count * times)
             self._speak_of_part(part, noun)
@@ -258,6 +260,7 @@ class Numbers(Verbs):
 
     def _speak_of_part(self, part: Mention, noun: Noun | None) -> None:
         if noun is not None:
+            self.meant[noun.start] = [part]
             self._look(part, noun)
             part.least = part.least if noun.least is None else noun.least
         self.counted.add(part)

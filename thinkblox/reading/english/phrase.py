@@ -2,10 +2,10 @@
 
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
-from thinkblox.reading.adjectives import degree_of
+from thinkblox.reading.adjectives import adjective_kinds, degree_of
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import Function, grammar
-from thinkblox.reading.english.heads import Heads
+from thinkblox.reading.english.heads import Heads, is_purpose
 from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.english.words import STOPS, Known, Unit, Units
 
@@ -44,6 +44,12 @@ class PhraseReader(Heads):
                 noun.kind = "number"
                 return self._finished(noun)
             noun.of_known, at = True, noun.end
+        return self._named_at(noun, at, after_preposition=after_preposition)
+
+    def _named_at(self, noun: Noun, at: int, *, after_preposition: bool) -> Noun | None:
+        """What the words after determiner and quantity make of the phrase."""
+        if noun.ordinal and noun.det == "a" and self._text(at, at + 1) == "," and self._is_plain_adjective(at + 1):
+            at, noun.ordinal = at + 1, 0
         self.group = noun.det in ("all", "both", "other", "half", "none")
         if self._part(noun, at, after_preposition=after_preposition):
             return self._finished(noun)
@@ -53,6 +59,8 @@ class PhraseReader(Heads):
             return self._headless(noun, at, end, units)
         noun.end = end
         self._head(noun, units)
+        if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
+            return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
         return self._finished(noun)
 
@@ -97,7 +105,31 @@ class PhraseReader(Heads):
             if not length:
                 break
             at += length
+            at += self._comma(noun, at, units)
         return at
+
+    def _comma(self, noun: Noun, at: int, units: Units) -> int:
+        """1 for the comma of "a large, round table"; 0 where it ends the phrase."""
+        described = bool(units.adjectives) and not units.nouns and (bool(noun.det) or noun.count is not None)
+        if not described or at + 2 >= len(self.tokens) or self.tokens[at].text != ",":
+            return 0
+        for after in range(at + 1, min(at + 6, len(self.tokens))):
+            if self.tokens[after].text in (",", "and"):
+                continue
+            thing, looks = self.thing_at(after), self._known(after, "attribute", "style") is not None
+            if thing is not None and (not self._is_plain_adjective(after) or (looks and thing.length > 1)):
+                return int(after > at + 1 or looks)
+            if not self._is_plain_adjective(after):
+                return 0
+        return 0
+
+    def _is_plain_adjective(self, at: int) -> bool:
+        """Whether a word only describes what comes after it."""
+        word = self.tokens[at].text
+        if self.tokens[at].kind != "word" or grammar().at(self.tokens, at, *STOPS) is not None:
+            return False
+        said = self._known(at, "attribute", "style") is not None or bool(adjective_kinds(word) or degree_of(word))
+        return said or grammar().at(self.tokens, at, "evaluative", "states") is not None
 
     def _is_unread(self, at: int) -> bool:
         """Whether words begin that nothing is made of; an animal after other words names a thing: "a porcelain dog"."""
@@ -105,15 +137,14 @@ class PhraseReader(Heads):
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
-        text = self.tokens[at].text
-        if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+        if self._ends_early(noun, at, units):
             return 0
         if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
             units.nouns.append(Unit(self._text(at, at + part.length)))
             return part.length
         if not units.nouns and (length := self._side(noun, at)):
             return length
-        known = self._without_verb(noun, at, self._known(at, "object", "missing", "room", "place"))
+        known = self._parted(noun, at, self._known(at, "object", "missing", "room", "place"))
         unjoined = known is None or not self._covers(at, known.length)
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
@@ -135,7 +166,8 @@ class PhraseReader(Heads):
         unknown = not any(unit.owner for unit in units.nouns)
         built = known.entry.value.split()[0] in _BUILT and unknown
         if known.entry.sort == "place" and units.nouns and not built:
-            if known.entry.value != "centre" or known.length > 1 or noun.det == "the":
+            after_thing = units.nouns[-1].known is not None and units.nouns[-1].known.entry.sort == "object"
+            if known.entry.value != "centre" or known.length > 1 or noun.det == "the" or after_thing:
                 return 0
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
@@ -146,7 +178,7 @@ class PhraseReader(Heads):
     def _is_shape(self, at: int) -> bool:
         """Whether "round" is an adjective: "Centre: round table", not "round the table"."""
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
-        return self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
+        return at < len(self.tokens) and self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
 
     def _is_shade(self, at: int, length: int) -> bool:
         """Whether a word for a thing is the colour or material of what follows: "orange cushions", "a glass table"."""
@@ -159,6 +191,10 @@ class PhraseReader(Heads):
         """Whether a phrase covers all that hyphens join at `at`."""
         return not self.tokens[at + length - 1].glued
 
+    def _parted(self, noun: Noun, at: int, known: Known | None) -> Known | None:
+        """Take from a name what belongs to the words after it."""
+        return self._unglued(at, self._without_verb(noun, at, known))
+
     def _without_verb(self, noun: Noun, at: int, known: Known | None) -> Known | None:
         """Part "a tall plant | stands near the door" from "two plant stands"."""
         if known is None or known.length < 2 or not known.entry.plural:
@@ -166,6 +202,32 @@ class PhraseReader(Heads):
         if noun.count not in (None, 1) or (noun.count is None and noun.det not in ("a", "each", "another")):
             return known
         if grammar().at(self.tokens, at + known.length - 1, "verbs") is None:
+            return known
+        shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
+        entry = shorter.entry("object", "missing", "room", "place")
+        return Known(entry, shorter.length) if entry is not None else known
+
+    def _ends_early(self, noun: Noun, at: int, units: Units) -> bool:
+        """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
+        text = self.tokens[at].text
+        if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+            return True
+        people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
+        stands = text == "stands" and not units.nouns and people
+        return stands or (bool(units.nouns) and self.is_after_noun(at))
+
+    def is_after_noun(self, at: int) -> bool:
+        """Whether words that hyphens join describe the noun before them: "a TV wall-mounted opposite it"."""
+        end = at
+        while end + 1 < len(self.tokens) and self.tokens[end].glued:
+            end += 1
+        return end > at and self.tokens[end].text.endswith("ed") and not self._starts_noun(end + 1)
+
+    def _unglued(self, at: int, known: Known | None) -> Known | None:
+        """Part "a TV | wall-mounted opposite it" from "a TV wall"."""
+        if known is None or known.length < 2 or not self.tokens[at + known.length - 1].glued:
+            return known
+        if self.tokens[at].glued or self.tokens[at + known.length].text not in ("mounted", "hung", "fixed"):
             return known
         shorter = self.lexicon.longest(self.tokens, at, known.length - 1)
         entry = shorter.entry("object", "missing", "room", "place")
@@ -185,11 +247,7 @@ class PhraseReader(Heads):
         if self._is_plural_head(noun, at, stop, units):
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
-        if stop.sort not in ("verbs", "participles") or units.nouns or not (noun.det or noun.count is not None):
-            return 0
-        if noun.det in ("other", "both", "all", "half", "none"):
-            return 0
-        if self.tokens[at - 1].text in ("this", "that", "these", "those"):
+        if units.nouns or not (noun.det or noun.count is not None) or not self._may_be_doing(noun, at, stop):
             return 0
         if stop.sort == "verbs" and grammar().at(self.tokens, at + stop.length, "determiners", "count", "quantifiers"):
             return 0
@@ -204,6 +262,14 @@ class PhraseReader(Heads):
             return 0
         units.nouns.append(Unit(self.tokens[at].shown))
         return 1
+
+    def _may_be_doing(self, noun: Noun, at: int, stop: Function) -> bool:
+        """Whether a verb after what begins a phrase may belong to it: "the facing desks", not "two of them stand"."""
+        facing = self.tokens[at].text == "facing" and noun.det != "" and self._starts_noun(at + 1)
+        before = self.tokens[at - 1].text
+        ends = noun.det in ("other", "both", "all", "half", "none") or before in ("this", "that", "these", "those")
+        ends |= noun.of_known and before in ("them", "which", "whom")
+        return (facing or stop.sort in ("verbs", "participles")) and not ends
 
     def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
         """Whether several of a singular noun have to be of the next: "four repair stands"."""
@@ -236,12 +302,17 @@ class PhraseReader(Heads):
         if units.nouns and self._ends_before(at, units):
             return 0
         adjective = token.text.endswith(_ENDINGS) or token.text in grammar().lists["turned"]
-        if not units.nouns and adjective and self._starts_noun(at + 1) and self._has_noun(at + 1):
-            noun.unshown.append(token.shown.lower())
+        adjective |= bool({"size", "build"} & adjective_kinds(token.text))
+        if not units.nouns and adjective and self._goes_on_to_noun(at + 1):
+            noun.unshown += [] if is_purpose(token.text) else [token.shown.lower()]
             units.adjectives += 1
             return 1
         units.nouns.append(Unit(token.shown))
         return 1
+
+    def _goes_on_to_noun(self, at: int) -> bool:
+        """Whether a noun comes, with or without adjectives before it."""
+        return self._is_shape(at) or (self._starts_noun(at) and self._has_noun(at))
 
     def _is_colour(self, at: int) -> bool:
         """Whether a colour or material comes."""

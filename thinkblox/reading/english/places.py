@@ -3,7 +3,7 @@
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning
 
-_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "behind", "around", "in", "to", "from", "under", "above")
+_AT_WALL = ("against", "along", "at", "by", "next_to", "near", "around", "in", "to", "from", "under", "above")
 _CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
 
 
@@ -14,7 +14,8 @@ def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | N
     if word not in _CORNERED:
         return None
     each = said.each or said.det in ("both", "all")
-    times = several or (2 if said.det == "both" else 4 if each else 1)
+    all_of_them = 2 if said.det == "both" or len(walls) == 1 else 4
+    times = several or (all_of_them if each else 1)
     opposite = "opposite" in said.text.lower() and said.plural
     spread = times if (each or several or opposite) else 0
     if opposite and not several:

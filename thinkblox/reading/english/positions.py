@@ -6,6 +6,7 @@ from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import LOOKAHEAD
@@ -17,6 +18,8 @@ _ON_WALL = ("along", "against", "around", "at", "by", "next_to")
 """Prepositions that say where on a wall things hang."""
 _FRONTS = 20
 """Most relations that wait for their subject."""
+_AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
+"""Prepositions before a pronoun for what the clause before was about."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
@@ -69,11 +72,16 @@ class Positions(Subjects):
 
     def _second(self, first: Noun) -> Noun | None:
         """The other of "between A and B"; goes past it."""
-        if first.kind == "pronoun" or first.many or not self._is_link(self.peek(), "joins", "and"):
+        if first.kind == "pronoun" or not self._is_link(self.peek(), "joins", "and"):
             return None
         second = self._next_noun(1)
+        if first.many and not (second is not None and second.definite and self._ends_after(second)):
+            return None
         if second is None or second.kind not in ("thing", "place", "pronoun"):
             return None
+        if first.kind == "number" and first.ordinal and second.kind == "thing":
+            first.kind, first.value, first.named = "thing", second.value, second.named
+            first.text = f"{first.text} {second.word}"
         self._go_past(second)
         return second
 
@@ -109,9 +117,9 @@ class Positions(Subjects):
 
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""
-        before = self._state_of_reading()
+        before, self.laid = self._state_of_reading(), False
         self._say_where(where)
-        if self._state_of_reading() == before:
+        if self._state_of_reading() == before and not self.laid:
             self._lose_where(where)
 
     def _state_of_reading(self) -> tuple[object, ...]:
@@ -127,6 +135,9 @@ class Positions(Subjects):
         self.negating = False
         if where.noun is None and where.text.lower() in ("in", "into"):
             return
+        self._reword(where)
+        if self._is_side_of_wall(where):
+            return
         if where.word == "turned":
             self._turned_to(where)
             return
@@ -135,8 +146,6 @@ class Positions(Subjects):
         if self._is_side_of_owner(where):
             self._lose_where(where)
             return
-        if where.word == "halfway":
-            where.noun = None
         if (where.noun is not None and self._is_elsewhere(where, where.noun)) or self._is_of_opening(where):
             return
         if self._qualifies_front():
@@ -151,6 +160,32 @@ class Positions(Subjects):
             self._place_node(node, where)
         elif fronted or where.noun is not None:
             self._set_front(where)
+
+    def _is_side_of_wall(self, where: Where) -> bool:
+        """Take "on the wall to the right" for the right wall."""
+        before, noun = self.chunks[self._began - 1] if self._began else None, where.noun
+        wall = (
+            isinstance(before, Noun)
+            and before.kind == "place"
+            and before.value == "wall"
+            and where.word in ("to", "on")
+        )
+        if not wall or noun is None or noun.kind != "part" or where.whole is not None or noun.det == "my":
+            return False
+        side = ROOM_SIDES.get(noun.value, "")
+        bonds = [b for b in self.draft.bonds[-_FRONTS:] if b.anchors == ("wall",) and b.kind in ("on", "against_wall")]
+        if not side or not bonds:
+            return False
+        bonds[-1].anchors = (side,)
+        return True
+
+    def _reword(self, where: Where) -> None:
+        """Take "leaning on the wall" for against it, and "halfway down the room" for in its middle."""
+        place = where.noun is not None and where.noun.kind == "place"
+        if where.word == "on" and place and self._is_leaning():
+            where.word = "against"
+        if where.word == "halfway" and not (place and where.noun is not None and "wall" in where.noun.value):
+            where.noun = None
 
     def _turned_to(self, where: Where) -> None:
         """Say that nobody sees to "parallel to the shelf"; the shelf is asked for all the same."""
@@ -189,7 +224,10 @@ class Positions(Subjects):
         if noun.kind == "number" and noun.rows:
             things = [n for n in reversed(self.frontier) if n.things] or ([self.subject] if self.subject else [])
             if things:
-                bind(self.draft, Bond("in_rows", things[0].things[-1], rows=max(noun.rows, 0)))
+                frame = things[0].frame
+                of_each = frame is not None and frame.each and frame.head is not None and frame.head.things
+                rowed = frame.head if of_each and frame is not None and frame.head is not None else things[0]
+                bind(self.draft, Bond("in_rows", rowed.things[-1], rows=max(noun.rows, 0)))
             else:
                 self._lose_where(where)
             return True
@@ -231,7 +269,7 @@ class Positions(Subjects):
         several = noun is not None and noun.kind == "people" and noun.of_known
         if whole is not None and whole.kind in ("thing", "pronoun") and noun is not None:
             self._lose(where.start, whole.end)
-        elif noun is not None and self.draft.things and (several or self._is_telling(noun)):
+        elif noun is not None and self.draft.things and (several or self._is_telling(noun) or where.word == "between"):
             self._lose(where.start, noun.end)
         if noun is not None and noun.kind == "people" and (noun.each or where.word == "per") and self.draft.people:
             self.frontier, self.subject, self.predicate = [], None, False
@@ -246,13 +284,26 @@ class Positions(Subjects):
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things
-        meaning = self.meanings.of(where, subjects, self._likely(node))
-        if meaning is None:
+        likely = self._likely(node, elided=where.noun is None)
+        hung = likely and self.habits.is_in(likely[0].noun, "wallpieces", "screens")
+        if where.noun is None and where.word == "opposite" and not hung:
+            likely = [m for m in self.clause.members[:1] if m not in subjects and not is_small(m)] + likely
+        meaning = self.meanings.of(where, subjects, likely)
+        if meaning is None or self._is_elsewhere_named(subjects):
             self._lose_where(where)
+        if meaning is None:
             return
         self._relate(subjects, meaning, negated=where.negated)
-        if where.negated:
-            return
+        if meaning.loose:
+            self._lose_where(where)
+        if not where.negated:
+            self._go_on_from(node, where, meaning)
+
+    def _go_on_from(self, node: Node, where: Where, meaning: Meaning) -> None:
+        """Let what comes be about the things just placed, or about what they were placed by."""
+        subjects = node.things
+        if node.frame is None or node.frame.head is None:
+            self._keep_in_mind(where, meaning)
         if where.second is not None and where.second.kind == "place":
             opening = Meaning("next_to", (where.second.value.split()[0],))
             self._relate(subjects, opening)
@@ -264,14 +315,42 @@ class Positions(Subjects):
             self.frontier.append(node)
         if node.frame is not None and node.frame.head is not None:
             node.frame.told |= any(t in meaning.anchors for t in node.frame.head.things)
+        self._go_to_anchors(where, meaning, subjects)
+
+    def _go_to_anchors(self, where: Where, meaning: Meaning, subjects: list[Mention]) -> None:
+        """Let what comes be about the anchors as well; one each of what is told of each of several."""
         anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
-        if anchors and self.each and not meaning.told and where.noun is not None and where.noun.det == "a":
+        if not anchors or where.noun is None:
+            return
+        if self.each and not meaning.told and where.noun.det == "a":
             anchors[0].count = sum(self.referents.total(t) for t in subjects)
             self.each = False
-        if anchors and where.noun is not None and where.noun.kind in ("thing", "number") and not meaning.told:
+        if where.noun.kind in ("thing", "number") and not meaning.told:
             self.frontier.append(Node(anchors, None, known=where.noun.definite))
-        elif anchors and where.noun is not None and where.noun.kind == "thing":
+        elif where.noun.kind == "thing":
             self.frontier.append(Node(anchors, None, known=True, told=True))
+
+    def _is_elsewhere_named(self, subjects: list[Mention]) -> bool:
+        """Whether the words since the last mark name things that have nothing to do with the subjects."""
+        said: list[Mention] = []
+        for chunk in reversed(self.chunks[max(0, self._began - _FRONTS) : self._began]):
+            if self._is_link(chunk, "mark"):
+                break
+            if isinstance(chunk, Noun):
+                said += self.meant.get(chunk.start, [])
+        owners = [o for t in said for o in (t.owner, t.host) if o is not None]
+        owners += [a for t in said for b in self.draft.bonds_of(t) for a in b.anchors if isinstance(a, Mention)]
+        related = {id(k) for t in (*said, *owners) for k in self.referents.family(t)}
+        alike = {t.noun for t in said} & {t.noun for t in subjects}
+        return bool(said) and not alike and not related & {id(k) for t in subjects for k in self.referents.family(t)}
+
+    def _keep_in_mind(self, where: Where, meaning: Meaning) -> None:
+        """Remember what "it" meant: what comes may go on about it."""
+        noun = where.noun
+        its = noun is None or (noun.kind == "pronoun" and noun.value == "it") or noun.det == "my"
+        anchor = meaning.anchors[0]
+        if its and meaning.pointed and isinstance(anchor, Mention) and not is_small(anchor):
+            self.spoken_of = anchor
 
     def _place_carrier(self, subjects: list[Mention], meaning: Meaning) -> None:
         """Read "In the middle a vase on a table": it is the table that stands in the middle."""
@@ -290,11 +369,15 @@ class Positions(Subjects):
     def _set_front(self, where: Where) -> None:
         noun = self._noun_ahead()
         likely = [self.referents.topics[-1]] if self.referents.topics and not self.clause.members else []
+        centre = self.referents.centre
+        if likely and centre is not None and where.word in _AROUND_IT:
+            likely = [centre, *likely]
         if self.frontier and self.frontier[-1].things and not likely:
             outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
             last = next(n for n in reversed(self.frontier) if n.things)
             both_small = noun != "" and self._belongs(noun, "small") and is_small(last.things[-1])
-            likely = [n.things[-1] for n in ([last] if both_small else outer or [last])]
+            lying = [n for n in self.frontier if n.things and is_small(n.things[-1])]
+            likely = [n.things[-1] for n in (lying[:1] if both_small else outer or [last])]
         sides = ("left", "right", "side", "front", "back")
         side = where.noun is not None and where.noun.kind == "part" and where.noun.value in sides
         before = [a for f in self.front for a in f.anchors if isinstance(a, Mention) and f.kind in _SIDEWARD]
@@ -310,6 +393,7 @@ class Positions(Subjects):
             small = noun != "" and self._belongs(noun, "small") and where.word not in ("on", "in", "on_top")
             self.front = [f for f in self.front if f.kind == "on" and small]
         if meaning is not None:
+            self._keep_in_mind(where, meaning)
             self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
         else:
             self._lose_where(where)

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
@@ -11,6 +12,10 @@ from thinkblox.reading.english.referents import is_small, last_word
 
 class Prepositions(Negation):
     """Reads prepositions."""
+
+    def _except(self, whole: Mention, count: int) -> None:
+        """Set so many apart of which something is not so."""
+        raise NotImplementedError
 
     def _preposition(self, link: Connector) -> None:
         if link.value == "among" and self._is_on_walls():
@@ -42,8 +47,22 @@ class Prepositions(Negation):
             self._spend(noun)
         if noun is not None and (known or (told and (noun.count or 1) == 1 and not noun.of_known)):
             self._lose_rest(link.start, noun.end)
-        elif not self._all_but():
+        elif not self._excepted_of_subject(noun) and not self._all_but():
             self.excepting, self.negating, self.excluding = True, False, False
+
+    def _excepted_of_subject(self, noun: Noun | None) -> bool:
+        """Take "every bench has a scale except the last one" for so many of the benches, of which that is not so."""
+        whole = self.subject.thing if self.subject is not None and self.predicate else None
+        if noun is None or whole is None or noun.kind not in ("number", "pronoun") or noun.of_known:
+            return False
+        count = noun.count or 1
+        if (whole.count or 0) <= count:
+            return False
+        self._go_past(noun)
+        self._except(whole, count)
+        if noun.ordinal or noun.side:
+            self.ordinals.setdefault(whole, {})[noun.ordinal] = self.frontier[-1].things[-1]
+        return True
 
     def _bar(self, noun: Noun) -> Noun | None:
         """Exclude a thing; or the phrase as one for things that are there, of which something is denied.
@@ -63,13 +82,6 @@ class Prepositions(Negation):
         self._spend(noun)
         self._lose_rest(noun.start, noun.end)
         return None
-
-    def _lose_rest(self, start: int, end: int) -> None:
-        """Go past "except the one nearest the door", which is not understood."""
-        while (chunk := self.peek()) is not None and not self._is_link(chunk, "mark"):
-            self.at += 1
-            end = chunk.end
-        self._lose(start, end)
 
     def _among(self, link: Connector) -> None:
         """Go past "throughout the room", which nobody sees to."""

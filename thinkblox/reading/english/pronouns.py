@@ -64,7 +64,11 @@ class Pronouns(Numbers):
                 self._resume([whole], noun)
                 self.negating = True
             case "other" if noun.text.lower() == "another":
-                if self.referents.parted is None and self._repeat():
+                last = self.clause.members[-1:]
+                apart = self.referents.parted is None or not (
+                    last and last[0] in self.referents.family(self.referents.parted)
+                )
+                if apart and self._repeat():
                     return
                 said = self.verb
                 self._part_of(whole, 1, noun)
@@ -72,7 +76,7 @@ class Pronouns(Numbers):
             case "other":
                 self.referents.parted = None
                 said = self.said or self.verb
-                self._resume([whole], noun)
+                self._resume(self._others(whole), noun)
                 self._again(said)
             case "half":
                 self._part_of(whole, max(1, (whole.count or 2) // 2))

@@ -6,6 +6,8 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.words import Words
 
 _OF_EVERY = ("out of every", "out of each", "of every", "in every", "of each")
+_STACKS = ("stack", "pile", "heap")
+"""Measures that say how the things lie, besides how many they are."""
 _WHOLES = ("roll", "string", "bundle", "piece")
 """Measures of which one is one thing: "a roll of paper"."""
 
@@ -214,6 +216,10 @@ class Quantities(Words):
             case _ if word.startswith("pair"):
                 words = [token.text for token in self.tokens[at + found.length : at + found.length + 4]]
                 noun.count = (1 if set(words) & grammar().lists["pairs"] else 2) * (outer or 1)
+            case _ if word.rstrip("s") in _STACKS:
+                noun.count, noun.vague = (outer or 1) * 3, True
+                noun.least = 1
+                noun.states.append("stacked")
             case _ if word.rstrip("s") in _WHOLES:
                 noun.count = outer or (None if several else 1)
             case _:

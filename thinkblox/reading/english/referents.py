@@ -16,6 +16,8 @@ _MEMORY = 40
 """How many things back a pronoun can reach."""
 _STANDING = ("behind", "in_front_of", "left_of", "right_of", "next_to", "opposite", "facing")
 """Relations of furniture that are to furniture rather than to what lies on it."""
+_AROUND = (*_STANDING, "near", "far", "above", "under", "")
+"""Relations, and sides, of what a clause was about rather than of what was said to be there."""
 _BY_HABIT = ("on", "above", "under", "at", "around", "opposite")
 """Relations of which one can tell what has them to what."""
 
@@ -30,6 +32,8 @@ class Referents:
         two: the former and the latter, once they were spoken of as that.
         parted: what is left of several of which some were set apart.
         parts: what was set apart from each.
+        shared: several of which something was said of each.
+        centre: what a pronoun of the clause before meant; what comes is about it rather than about what stands there.
     """
 
     def __init__(self, draft: Draft) -> None:
@@ -40,6 +44,8 @@ class Referents:
         self.parted: Mention | None = None
         self.two: list[Mention] = []
         self.parts: dict[Mention, list[Mention]] = {}
+        self.shared: set[Mention] = set()
+        self.centre: Mention | None = None
         self._whole_of: dict[Mention, Mention] = {}
 
     def speak(self, thing: Mention) -> None:
@@ -49,13 +55,13 @@ class Referents:
     def named(self, noun: Noun, besides: Sequence[Mention] = ()) -> Mention | None:
         """The latest thing that "the <noun>" can mean, `besides` some; None when nothing like it was mentioned."""
         recent = [t for t in reversed(self.draft.things[-_REACH:]) if t not in besides or t.many]
-        recent = [t for t in recent if t.asked]
+        recent = [t for t in recent if t.asked and not _is_another_kind(noun, t)]
         word = noun.word
         said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
             lambda t: t.noun == noun.value,
-            lambda t: last_word(t) == word,
+            lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value),
         )
         shades = COLOURS.keys() & set(noun.attributes)
@@ -80,17 +86,24 @@ class Referents:
         return [t for t in same if last_word(t) in (word, last_word(first))] or [first]
 
     def single(
-        self, subject: Mention | None, kind: str, likely: Sequence[Mention] = (), noun: str = ""
+        self, subject: Mention | None, kind: str, likely: Sequence[Mention] = (), noun: str = "", *, one: bool = False
     ) -> Mention | None:
-        """What "it" means as the anchor of a relation; `likely` comes before what was spoken of last."""
+        """What "it" means as the anchor of a relation; `likely` comes before what was spoken of last.
+
+        `one` says that it was a word for a single thing.
+        """
         noun = noun or (subject.noun if subject is not None else "")
         habits = load_habits()
         if kind == "opposite" and habits.is_in(noun, "screens"):
             noun = "tv_stand"
         kept = set(self.draft.things)
-        candidates = list(dict.fromkeys([*likely, *reversed(self.topics[-3:]), *self._recent()]))
+        centre = [self.centre] if self.centre is not None and kind in _AROUND else []
+        candidates = list(dict.fromkeys([*likely, *centre, *reversed(self.topics[-3:]), *self._recent()]))
         others = self.family(subject) if subject is not None else []
         candidates = [t for t in candidates if t not in others and t in kept]
+        if one:
+            candidates = [t for t in candidates if self._may_be_one(t, subject)] or candidates
+            likely = [t for t in likely if t in candidates]
         sound = [t for t in candidates if fits(t, kind, noun)]
         usual = [t for t in sound if kind in _BY_HABIT and noun and habits.tie(noun, t.noun) == kind]
         owner = subject.owner if subject is not None else None
@@ -114,11 +127,18 @@ class Referents:
             sound = [t for t in sound if not is_small(t)] or sound
         return next(iter(sound or candidates), None)
 
+    def _may_be_one(self, thing: Mention, subject: Mention | None) -> bool:
+        """Whether "it" can be said of a thing: of a single one, or of each of several that are spoken of one by one."""
+        if not thing.many or thing in self.shared or thing.rows or thing.groups:
+            return True
+        return subject is not None and any(b.each and thing in b.anchors for b in self.draft.bonds_of(subject))
+
     def several(self, subject: Sequence[Mention], kind: str) -> tuple[Mention, ...]:
         """What "them" means: a plural thing, or two that were just related or joined."""
         for thing in self._recent():
             family = self.family(thing)
-            if len(family) > 1 and kind in ("each", "between") and not set(map(id, family)) & set(map(id, subject)):
+            apart = len(family) > 1 and not set(map(id, family)) & set(map(id, subject))
+            if apart and (kind in ("each", "between") or not any(t.many for t in family)):
                 return tuple(family)
             if thing in subject or any(thing is s.owner or thing.owner is s for s in subject):
                 continue
@@ -150,11 +170,11 @@ class Referents:
                 return tuple(family)
         return ()
 
-    def of_two(self, which: str) -> Mention | None:
-        """The former or the latter of the two things that were spoken of last."""
+    def of_two(self, which: str, besides: Sequence[Mention] = ()) -> Mention | None:
+        """The former or the latter of the two things that were spoken of last, `besides` some."""
         if set(self.two) <= set(self.draft.things) and self.two:
             return self.two[0] if which == "former" else self.two[1]
-        recent = list(dict.fromkeys(reversed(self.spoken[-_MEMORY:])))[:2]
+        recent = [t for t in dict.fromkeys(reversed(self.spoken[-_MEMORY:])) if t not in besides][:2]
         if len(recent) < 2:
             return None
         order = sorted(recent, key=self.draft.things.index) if set(recent) <= set(self.draft.things) else recent[::-1]
@@ -167,6 +187,16 @@ class Referents:
         if whole not in self.parts or thing not in self.draft.things:
             return [thing]
         return [t for t in (*self.parts[whole], whole) if t in self.draft.things]
+
+    def clan(self, thing: Mention) -> list[Mention]:
+        """The same where parts were parted again: everything that was once named together."""
+        while thing in self._whole_of:
+            thing = self._whole_of[thing]
+        found, ahead = [thing], [thing]
+        while ahead:
+            parts = self.parts.get(ahead.pop(), [])
+            found, ahead = found + parts, ahead + parts
+        return [t for t in found if t in self.draft.things]
 
     def last_family(self) -> list[Mention]:
         """The latest things of which some were set apart from others; empty where there are none."""
@@ -248,10 +278,25 @@ def _may_be(thing: Mention, likely: Sequence[Mention], sound: Sequence[Mention],
     habits = load_habits()
     if kind in ("on", "inside") and habits.is_in(thing.noun, *_HANGING) and noun:
         return False
-    furniture = noun != "" and habits.is_in(noun, "seats", "tables", "desks", "storage", "shelves", "beds", "lounges")
-    if furniture and kind in _STANDING and is_small(thing) and thing.noun in habits.known():
+    furniture = noun != "" and habits.is_in(noun, *_FLOOR)
+    if furniture and kind in (*_STANDING, "") and is_small(thing) and thing.noun in habits.known():
+        return False
+    if kind in ("at_foot_of", "at_long_side", "at_short_side") and thing not in sound:
         return False
     return (thing in likely[:1] and not habits.is_in(thing.noun, "lamps")) or thing in sound
+
+
+def _is_another_kind(noun: Noun, thing: Mention) -> bool:
+    """Whether a thing was called by a name of its own that differs: a dining table is not "the coffee table"."""
+    if not noun.named or noun.value == thing.noun or noun.kind != "thing":
+        return False
+    names = [set(text.lower().split()[-2:]) for text in (noun.text, thing.text)]
+    known = load_habits().known()
+    own = all(len(name) == 2 and "_" in value for name, value in zip(names, (noun.value, thing.noun), strict=True))
+    own = own and noun.value in known and thing.noun in known
+    return own and all(
+        set(value.split("_")) <= name for name, value in zip(names, (noun.value, thing.noun), strict=True)
+    )
 
 
 def is_small(thing: Mention) -> bool:
@@ -277,6 +322,8 @@ def fits(thing: Mention, kind: str, noun: str = "") -> bool:
     return True
 
 
+_FLOOR = ("seats", "tables", "desks", "storage", "shelves", "beds", "lounges", "covers")
+"""What stands or lies on the floor."""
 _HANGING = ("lamps", "ceiling", "screens")
 _BARE = ("lamps", "wallpieces", "ceiling", "plants", "small", "screens")
 
@@ -284,6 +331,11 @@ _BARE = ("lamps", "wallpieces", "ceiling", "plants", "small", "screens")
 def parts_of(bond: Bond) -> list[Mention]:
     """The things that a bond is to."""
     return [anchor for anchor in bond.anchors if isinstance(anchor, Mention)]
+
+
+def _head_word(thing: Mention) -> str:
+    """The "rack" of "a rack of dumbbells"."""
+    return singular(thing.text.partition(" of ")[0].rpartition(" ")[2].casefold())
 
 
 def last_word(thing: Mention) -> str:

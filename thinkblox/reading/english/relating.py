@@ -22,9 +22,16 @@ class Relating(Naming):
             if subject in anchors and len(anchors) == 1:
                 continue
             if meaning.kind in ("in_front_of", "next_to", "near") and self._lies_on(subject, anchors):
+                self.laid = True
                 continue
+            if meaning.each:
+                self.referents.shared.update(a for a in anchors if isinstance(a, Mention))
+            before = subject.count
             self._multiply(subject, meaning)
+            if before == 1 and (subject.count or 1) > 1:
+                self._multiply_carried(subject)
             if self._is_laid(subject, meaning, anchors) and not negated:
+                self.laid = True
                 continue
             self._bind_one(subject, meaning, anchors, negated=negated)
 
@@ -37,6 +44,7 @@ class Relating(Naming):
         if kind == "against_wall" and any(isinstance(a, Mention) for a in anchors):
             kind = "next_to"
         bond = Bond(kind, subject, anchors, each=meaning.each, negated=negated, spread=meaning.spread)
+        bond.told = meaning.pointed
         if kind == "in_centre" and isinstance(anchors[0], Mention) and self._belongs(subject.noun, "small"):
             self._share(lying := Bond("on", subject, anchors, each=meaning.each, negated=negated))
             bind(self.draft, lying)
@@ -103,10 +111,17 @@ class Relating(Naming):
             return False
         tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
         if not tables:
+            tables += self._only_table()
+        if not tables:
             return False
         subject.per += [s for s in seats if s not in subject.per]
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
         return True
+
+    def _only_table(self) -> list[Mention]:
+        """The one table or desk that was named, where there is one."""
+        found = [t for t in self.draft.things if self.habits.is_in(t.noun, "tables", "desks")]
+        return found if len(found) == 1 else []
 
     def _multiply(self, subject: Mention, meaning: Meaning) -> None:
         """One "on each side" are two; one "in each corner" four."""
@@ -119,6 +134,13 @@ class Relating(Naming):
                 subject.least *= meaning.times
         elif meaning.spread > 1 and (subject.count in (None, 1) or (subject.vague and subject.count < meaning.spread)):
             subject.count = meaning.spread
+
+    def _multiply_carried(self, carrier: Mention) -> None:
+        """Take "a sculpture on a pedestal in each corner" for one on each pedestal."""
+        for bond in self.draft.bonds:
+            on = bond.kind in ("on", "inside") and bond.anchors == (carrier,) and not bond.negated
+            if on and bond.subject.count == 1 and bond.subject in self.clause.members:
+                bond.each = True
 
     def _share(self, bond: Bond) -> None:
         """Keep the number that "each" gave where the relation to it is told in other words."""

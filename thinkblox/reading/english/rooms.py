@@ -8,7 +8,8 @@ from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Memberships
-from thinkblox.reading.english.nodes import Awaited, Meaning, Where
+from thinkblox.reading.english.meaning import ROOM_SIDES
+from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
 from thinkblox.reading.sizes import Size
 
 
@@ -190,6 +191,13 @@ class Rooms(Memberships):
         if noun.value == "middle" and (self.leaving or self._stays_free()):
             self.at += 0 if self.leaving else 2
             self._free("centre")
+            return
+        wall = ROOM_SIDES.get(noun.value, "")
+        if wall and self._is_link(self.peek(), "mark", "colon"):
+            self.frontier, self.clause = [], Listed()
+            self.front = [
+                Awaited(Where("at", noun, start=noun.start, text=noun.text), Meaning("against_wall", (wall,)))
+            ]
             return
         self.subject = None
         self.frontier = []

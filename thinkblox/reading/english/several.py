@@ -20,9 +20,21 @@ class Several(Boundaries):
             return self.whole
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
         near += self.clause.members[::-1]
-        many = [t for t in near if t.many and t not in besides]
-        found = next(iter(many), None) or next((t for t in self.referents.plural() if t not in besides), None)
+        many = [t for t in near if (t.many or self.referents.total(t) > 1) and t not in besides]
+        alike = [t for t in self.referents.plural() if t not in besides and t.noun in {n.noun for n in near[:1]}]
+        found = (
+            next(iter(many), None)
+            or next(iter(alike), None)
+            or next((t for t in self.referents.plural() if t not in besides), None)
+        )
         return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
+
+    def _others(self, whole: Mention) -> list[Mention]:
+        """All that are left of several of which the first, the second, ... were told."""
+        told = [t for known in self.ordinals.values() for t in known.values()]
+        family = self.referents.clan(whole)
+        rest = [t for t in family if t not in told]
+        return rest if rest and len(rest) < len(family) and any(t in told for t in family) else [whole]
 
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number, "the left one" or "the other" means."""
@@ -86,7 +98,7 @@ class Several(Boundaries):
         """The ninth of "nine chairs: four here, four there and the ninth by the door": the one past those told of."""
         told = [t for t in family if t in self.counted]
         rest = [t for t in family if t not in self.counted]
-        if len(told) < 2 or len(rest) != 1 or self.ordinals.get(family[0]):
+        if not told or len(rest) != 1 or self.ordinals.get(family[0]):
             return None
         past = ordinal - sum(self.referents.total(t) for t in told)
         return rest[0] if past == 1 == rest[0].count else None

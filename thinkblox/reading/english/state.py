@@ -51,6 +51,11 @@ class State(Namer):
         adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last.
+        laid: what was said last lies where it was said to lie before.
+        meant: what the phrase at a token was taken for.
+        unsure: phrases for one thing that several were named by, and these.
+        spoken_of: what a pronoun of this sentence meant.
+        untied: things that others were said to have, and no relation of ours says how, with their owners.
         sequence: on which side each of the things that come is of the one before ("from left to right").
     """
 
@@ -82,6 +87,11 @@ class State(Namer):
         self.front: list[Awaited] = []
         self.held: list[Awaited] = []
         self.barred: Noun | None = None
+        self.laid = False
+        self.spoken_of: Mention | None = None
+        self.meant: dict[int, list[Mention]] = {}
+        self.unsure: list[tuple[Noun, Mention]] = []
+        self.untied: list[tuple[Mention, Mention]] = []
         self.spent: set[tuple[int, int]] = set()
         self._begin()
 
@@ -126,8 +136,8 @@ class State(Namer):
         """Note a relation to a thing or place that could not be made out."""
         nouns = [noun for noun in (where.noun, where.whole, where.second) if noun is not None and noun.start < noun.end]
         kinds = ("thing", "part", "place", "number")
-        other = bool(nouns) and nouns[0].kind == "pronoun"
-        other = other and (where.negated or nouns[0].value in ("other", "all"))
+        other = bool(nouns) and nouns[0].kind == "pronoun" and nouns[0].text.lower() not in ("this", "that")
+        other &= bool(self.draft.things) or where.word != "in"
         if nouns and (nouns[0].kind in kinds or other) and where.text:
             self._lose(where.start, nouns[-1].end)
 

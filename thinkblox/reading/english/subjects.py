@@ -13,6 +13,12 @@ _BY_OWNER = (
     "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
 )  # fmt: skip
 """Relations that are rather about what has a thing than about the thing."""
+_FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
+"""What stands on the floor rather than on what is named after it."""
+_SHARED = (
+    "next_to", "near", "by", "against", "along", "facing", "opposite", "in_front_of", "behind", "left_of", "right_of",
+)  # fmt: skip
+"""Prepositions after two joined things that tell where both are."""
 _JOINED = {"on": "small", "inside": "small", "against_wall": "wallpieces", "above": "wallpieces", "around": "seats"}
 """Relations that all of a list share, and what kind of things then do."""
 
@@ -54,29 +60,66 @@ class Subjects(Having):
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
+        if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
+            return True
         if frame.contents and len(frame.members) == 1:
             return True
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
         if middle and thing.many and not frame.each:
             return True
         if not self._is_pronominal(where):
+            if self._is_beside_whole(thing, frame, head, where):
+                return True
             return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
                 noun is not None and self._is_beside_head(thing, frame, head, where, noun)
             )
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
-            return True
+            return not any(member.many for member in frame.members if member is not thing)
         if where.word not in _BY_OWNER or noun is None or noun.kind != "pronoun":
             return False
         lying = [b for b in self.draft.bonds_of(thing) if b.implied and b.kind in ("on", "inside")]
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         return bool(lying) and (within or self._behind_its_carrier(head, where))
 
+    def _is_at_room_part(self, where: Where) -> bool:
+        """Whether "at the front", "at the other" says where in the room something stands."""
+        noun = where.noun
+        if noun is None or where.word not in ("at", "in", "to"):
+            return False
+        if noun.kind == "part":
+            whole = where.whole is None or where.whole.kind in ("room", "place", "abstract")
+            return whole and noun.det != "my" and noun.value in ("front", "back", "end")
+        return noun.kind in ("pronoun", "number") and "other" in noun.text.lower().split() and not noun.of_known
+
+    def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
+        whole = where.whole
+        if whole is None or whole.kind != "thing" or where.noun is None or where.noun.kind != "part":
+            return False
+        if where.noun.value in ("middle", "top", "inside", "in_shelf"):
+            return False
+        held = self._is_held(thing, frame) and not frame.each
+        return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+
     def _is_place_of_head(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether a place is where the owner stands: "a desk with a chair by the window"."""
         if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
             return False
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
+        on_surface = on_surface and not self._is_held(thing, frame)
         return not on_surface and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
+
+    def _is_within(self, noun: Noun, frame: Listed) -> bool:
+        """Whether it is something of the same list."""
+        return self.referents.named(noun) in frame.members
+
+    def _is_held(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it lies on or in what has it: "a shelf with six toys above the table"."""
+        heads = frame.head.things if frame.head is not None else []
+        held = (
+            b for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside") and (b.implied or frame.kind != "with")
+        )
+        return any(a in heads for bond in held for a in bond.anchors)
 
     def _is_listed(self, noun: Noun, frame: Listed) -> bool:
         """Whether "each chair" is of the list itself: "a table with two chairs and a plate in front of each chair"."""
@@ -84,7 +127,13 @@ class Subjects(Having):
 
     def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
-        if where.word not in _BY_OWNER or noun.kind != "thing" or self._is_head(noun, head):
+        held = self._is_held(thing, frame) and not frame.each
+        held = held and where.word in ("above", "under", "against", "by", "at")
+        if where.word == "on" and self.habits.is_in(noun.value, "covers") and self.habits.is_in(thing.noun, "seats"):
+            return not frame.each
+        if not (where.word in _BY_OWNER or held) or noun.kind != "thing" or self._is_head(noun, head):
+            return False
+        if held and (self.habits.is_in(noun.value, "small") or self._is_within(noun, frame)):
             return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
@@ -115,7 +164,11 @@ class Subjects(Having):
         subject = next((n for n in nodes if n.frame is not None), None) or self.subject
         if subject is None:
             return inner
-        if inner.told or where.negated or (inner.known and not is_small(subject.things[-1])):
+        carries = any(
+            b.kind in ("on", "inside") and inner.things[-1] in b.anchors
+            for b in self.draft.bonds_of(subject.things[-1])
+        )
+        if inner.told or where.negated or (inner.known and not is_small(subject.things[-1]) and not carries):
             return subject
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
@@ -145,6 +198,10 @@ class Subjects(Having):
         )
         group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
+        on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
+        any_kind |= on_thing and not self._is_furniture(thing)
+        if group is None and (pair := self._pair(node, frame, where)) is not None:
+            return pair
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
@@ -158,15 +215,35 @@ class Subjects(Having):
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
 
+    def _pair(self, node: Node, frame: Listed, where: Where) -> Node | None:
+        """Two that are joined and of which nothing was told: "a scale and a chart next to the door"."""
+        alone = self.separator != "and" and self._is_joined_before(self._began)
+        other = frame.members[-2]
+        if not alone or where.word not in _SHARED or any(not b.implied for b in self.draft.bonds_of(other)):
+            return None
+        noun = where.noun
+        if noun is None or noun.kind not in ("thing", "place") or frame.head is not None or noun.value == "centre":
+            return None
+        if other in self.referents.shared or any(other in b.anchors for b in self.draft.bonds):
+            return None
+        anchors = self.referents.named(noun)
+        return None if anchors is other else Node([other, *node.things], frame)
+
+    def _is_furniture(self, thing: Mention) -> bool:
+        """Whether it stands on the floor."""
+        return self.habits.is_in(thing.noun, *_FURNITURE)
+
     def _is_leaning(self) -> bool:
         """Whether they lean where they are: "two brooms and a mop leaning against the wall"."""
         said = self.chunks[self._began - 1] if self._began else None
         return isinstance(said, Connector) and said.text.lower() in grammar().lists["leaning"]
 
-    def _likely(self, node: Node) -> list[Mention]:
-        """What a pronoun means first: the head of the list, then what the clause is about."""
+    def _likely(self, node: Node, *, elided: bool = False) -> list[Mention]:
+        """What a pronoun means first: the head of the list, then what the clause is about; elided, what came before."""
         found: list[Mention] = []
         frame = node.frame
+        if elided and frame is not None and frame.head is None and not self.predicate:
+            found += self._elided_by(node, frame)
         for bond in (b for t in node.things for b in self.draft.bonds_of(t)[-_BONDS:]):
             found += [a for a in bond.anchors if isinstance(a, Mention) and not bond.negated]
         found += [t.host for t in node.things if t.host is not None]
@@ -186,6 +263,12 @@ class Subjects(Having):
         denied = [b for t in node.things for b in self.draft.bonds_of(t)[-_BONDS:] if b.negated]
         found += [a for b in denied for a in b.anchors if isinstance(a, Mention)]
         return list(dict.fromkeys(t for t in found if t not in node.things))
+
+    def _elided_by(self, node: Node, frame: Listed) -> list[Mention]:
+        """What "above" is said of in a list: the thing before, or what that one was placed by with a pronoun."""
+        before = [m for m in frame.members if m not in node.things][-1:]
+        said = [b for m in before for b in self.draft.bonds_of(m) if b.told and not b.negated]
+        return [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention)] + before
 
     def _after_and(self, node: Node) -> bool:
         return node.frame is not None and len(node.frame.members) > 1 and node.frame.head is None

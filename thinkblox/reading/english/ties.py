@@ -4,7 +4,7 @@ from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
-from thinkblox.reading.english.referents import last_word
+from thinkblox.reading.english.referents import is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
@@ -39,24 +39,37 @@ class Ties(Relating):
         return noun is not None and noun.kind == "place"
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
-        head = frame.head.thing if frame.head is not None else None
         told = self._told_of(frame)
+        if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
+            return False
         if told is not None:
             return told
-        if head is None:
-            return frame.times > 1
+        inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
+        if inverse and self.separator == "comma" and self._is_told_next():
+            return False
+        head = frame.head.thing if frame.head is not None else None
+        return frame.times > 1 if head is None else self._fits_in(frame, head, thing)
+
+    def _fits_in(self, frame: Listed, head: Mention, thing: Mention) -> bool:
+        """Whether a thing of which nothing is told may be one more of what the head has."""
         tie = self._tie(thing, frame)
         if frame.closing and self.separator in ("comma", "comma_and"):
+            return frame.each and self.separator == "comma_and" and tie in ("at", "around") and not self._told_apart()
+        if tie is None or (self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each):
             return False
-        if self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each:
-            return False
-        if tie is None or (tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members):
+        pair = frame.each and self.separator == "and" and len(frame.members) == 1 and not self._told_apart()
+        if tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members and not pair:
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
         if frame.told and tie not in _CARRIED:
             return False
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
+
+    def _is_told_by_pronoun(self) -> bool:
+        """Whether "on it", "above them" comes."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        return noun is not None and noun.kind == "pronoun"
 
     def _told_of(self, frame: Listed) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
@@ -153,13 +166,26 @@ class Ties(Relating):
             return "inside"
         if usual:
             return usual
+        if self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
+            return seated
         contains = self._contains(head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
         flat = last_word(head) in grammar().lists["flat"]
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
+        lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
         if lies and carries and thing.noun != "tv":
             return "inside" if contains else "on"
+        if first and lies and is_small(head) and not head.many:
+            return "next_to"
         return "next_to" if frame.each else None
+
+    def _seated(self, head: Mention) -> str:
+        """How seats stand to what one sits at; "" where one does not."""
+        word = last_word(head)
+        if self.habits.is_in(head.noun, "tables") or word == "table":
+            return "around"
+        sat_at = self.habits.is_in(head.noun, "desks", "counters", "worktops") or word in grammar().lists["sat_at"]
+        return "at" if sat_at else ""
 
     def _has_shelves(self, head: Mention) -> bool:
         return self.habits.is_in(head.noun, *[g for g in ("shelves", "containers") if g in self.habits.groups])

@@ -1,6 +1,7 @@
 """What verbs and participles say of their subjects."""
 
 from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.prepositions import Prepositions
 
@@ -8,10 +9,23 @@ _STANDS = {"face": "facing", "surround": "around", "flank": "next_to", "line": "
 """Verbs that say how the subject stands to their object, as the prepositions of the same meaning."""
 
 
+def _held(link: Connector) -> str:
+    """How what is held stands to its holder; what it contains is inside of it."""
+    return "inside" if link.text.lower().startswith("contain") else link.value
+
+
 class Verbs(Prepositions):
     """Reads verbs."""
 
     def _verb(self, link: Connector) -> None:
+        before = self._before()
+        if (
+            link.text.lower() == "stands"
+            and isinstance(before, Connector)
+            and self._is_link(before, "prepositions", "on")
+        ):
+            self._lose(before.start, link.end)
+            return
         match link.value:
             case "put":
                 self._put()
@@ -64,17 +78,27 @@ class Verbs(Prepositions):
             case "have" | "consist":
                 self._have(link.value)
             case "hold" | "carry":
-                self._open_of_subject(link.value)
+                self._open_of_subject(_held(link))
             case verb if verb in _STANDS:
                 self._stand(_STANDS[verb])
             case "share":
                 self._have_shared()
             case "serve":
-                self._as()
+                self._form(link)
             case "seat":
                 self._seat()
             case "hang":
                 self._hang_from()
+
+    def _form(self, link: Connector) -> None:
+        """Go past what things serve as; how they are arranged ("forming a U") is not understood."""
+        noun = self.peek()
+        if isinstance(noun, Noun) and noun.text.lower().split()[-1] in grammar().lists["formations"]:
+            self._go_past(noun)
+            self._spend(noun)
+            self._lose(link.start, noun.end)
+        else:
+            self._as()
 
     def _seat(self) -> None:
         """Read "a table that seats ten"."""
@@ -120,6 +144,8 @@ class Verbs(Prepositions):
                 if said.startswith("on which") and carrier is not None and not self._belongs(carrier.noun, "small"):
                     self.separator = ""
                 self._open(kind)
+            case "inside":
+                self._open("inside")
             case doing if doing in _STANDS:
                 self._stand(_STANDS[doing])
             case "hang":

@@ -1,0 +1,112 @@
+"""Scenes as files of other programs: one file by its ending, or a folder of several formats; whole or not at all."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from thinkblox.errors import InputError
+from thinkblox.exporters.folder import check_folder, made_parents, whole_folder
+from thinkblox.exporters.formats import DEFAULT, flavored, format_for, formats_named
+from thinkblox.exporters.saving import FolderWriting
+from thinkblox.holding import note_placed, signals_held
+from thinkblox.scene.asset_files import asset_files
+from thinkblox.scene.scene import Scene
+from thinkblox.value import to_json
+from thinkblox.whole_file import check_name, check_writable
+from thinkblox.workplace import workplace
+
+
+def export_file(scene: Scene, path: str | Path, *, overwrite: bool = False) -> Path:
+    """Write a scene as one file, in the format that its ending tells; returns its path.
+
+    The meshes and textures that a format needs are put into `assets` beside it, by their content.
+
+    Args:
+        scene: any.
+        path: such as "room.xml", "room.usdz" or "room.glb"; a ".usd" is binary from 21 objects on.
+        overwrite: replace a file that is there.
+
+    Raises:
+        InputError: no format's file ends so; a file is there, without `overwrite`; or it cannot be written, and then
+            nothing is.
+    """
+    path = Path(path)
+    kind = format_for(path)
+    check_name(path)
+    if os.path.lexists(path) and (path.is_symlink() or not path.is_file()):
+        raise InputError(f"{path}: is there and is no file; choose another name")
+    if path.exists() and not overwrite:
+        raise InputError(f"{path}: is there already; choose another name, or ask for it to be overwritten")
+    check_writable(path)
+    from thinkblox.exporters.stocktaking import inventory_of
+
+    try:
+        with made_parents(path), workplace(path) as work:
+            kind.write(inventory_of(scene), work / path.name)
+            _put_in_place(work, path)
+    except OSError as error:
+        raise InputError(f"{error.filename or path}: cannot be written: {error.strerror}") from error
+    return path
+
+
+def _put_in_place(work: Path, path: Path) -> None:
+    """Move what was made to where it belongs, the file itself last; after a failure what came is taken away again."""
+    placed: list[Path] = []
+    made = sorted(file.relative_to(work) for file in work.rglob("*") if file.is_file())
+    if Path(path.name) not in made:
+        raise InputError(f"{path}: the format wrote no file of that name")
+    try:
+        with signals_held():
+            for name in (*(name for name in made if name != Path(path.name)), Path(path.name)):
+                target = path.parent / name
+                target.parent.mkdir(exist_ok=True)
+                if not target.exists():
+                    placed.append(target)
+                elif target != path:
+                    continue  # its name is its content
+                (work / name).replace(target)
+            note_placed(path)
+    except OSError:
+        for target in placed:
+            target.unlink(missing_ok=True)
+        if (path.parent / "assets").is_dir() and not any((path.parent / "assets").iterdir()):
+            (path.parent / "assets").rmdir()
+        raise
+
+
+def export_scene(
+    scene: Scene,
+    out: str | Path,
+    *,
+    formats: Sequence[str] = DEFAULT,
+    flavor: str | None = None,
+    overwrite: bool = False,
+) -> Path:
+    """Write a scene in several formats to the folder `out`, with its scene.json and a manifest; returns its path.
+
+    Nothing is verified again and no pictures are drawn: `save_scene` does both.
+
+    Args:
+        scene: any.
+        out: the folder, made together with its parents.
+        formats: names of export formats.
+        flavor: of those formats that have it: "robosuite" or "mjx", of "mjcf".
+        overwrite: replace a folder that we wrote there earlier.
+
+    Raises:
+        InputError: as of `save_scene`, or a flavor that none of the formats has.
+    """
+    chosen = formats_named(flavored(formats, flavor))
+    check_folder(out, overwrite=overwrite)
+    beside = asset_files(scene.assets.values())
+    with whole_folder(out, overwrite=overwrite) as room:
+        from thinkblox.exporters.stocktaking import inventory_of
+
+        inventory, writing = inventory_of(scene), FolderWriting(room)
+        writing.add("scene.json", to_json(scene), "scene", "the room, every placement and every asset")
+        for name, data in beside.items():
+            writing.add(name, data, "asset")
+        for kind in chosen:
+            writing.export(kind, inventory)
+        writing.finish(inventory, chosen)
+    return Path(out)

@@ -1,0 +1,162 @@
+"""What is wrong with the physics of a USD stage: faults that OpenUSD's validators do not look for, and theirs."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdValidation
+
+MOST_CORNERS = 64
+"""Corners of a convex hull that every engine takes whole."""
+AGREE = 1e-4
+"""How far the two frames of a joint may be apart across its axis [m, and rad]."""
+_SCALE = 1e-5
+_TRIANGLE = 1e-6
+"""By which share the largest moment of inertia may exceed the sum of the others."""
+
+
+def usd_faults(stage: Any) -> list[str]:
+    """The faults of a stage, each in a sentence that begins with the prim's path; none of a sound one."""
+    return [*_own(stage), *_of_openusd(stage)]
+
+
+def _own(stage: Any) -> Iterator[str]:
+    prims = list(stage.Traverse())
+    cache = UsdGeom.XformCache()
+    yield from _scenes(prims)
+    bodies = [prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
+    for prim in bodies:
+        yield from _body(prim, cache)
+    for prim in prims:
+        if prim.HasAPI(UsdPhysics.CollisionAPI):
+            yield from _collider(prim)
+        if prim.IsA(UsdPhysics.Joint):
+            yield from _joint(prim, cache)
+        if prim.HasAPI(UsdPhysics.ArticulationRootAPI) and _above(prim, UsdPhysics.ArticulationRootAPI) is not None:
+            yield f"{prim.GetPath()}: is an articulation within another."
+        if prim.IsA(UsdGeom.Mesh):
+            yield from _mesh(prim)
+
+
+def _of_openusd(stage: Any) -> Iterator[str]:
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    for error in UsdValidation.ValidationContext(validators).Validate(stage):
+        sites = ", ".join(str(site.GetPrim().GetPath()) for site in error.GetSites() if site.IsPrim())
+        yield f"{sites or 'the stage'}: {error.GetName()}: {error.GetMessage()}"
+
+
+def _scenes(prims: list[Any]) -> Iterator[str]:
+    scenes = [UsdPhysics.Scene(prim) for prim in prims if prim.IsA(UsdPhysics.Scene)]
+    if len(scenes) != 1:
+        yield f"the stage: has {len(scenes)} physics scenes; it needs exactly one."
+    for scene in scenes:
+        magnitude = scene.GetGravityMagnitudeAttr()
+        if not magnitude.HasAuthoredValue() or not 0.0 <= magnitude.Get() < np.inf:
+            yield f"{scene.GetPath()}: says no magnitude of gravity."
+
+
+def _body(prim: Any, cache: Any) -> Iterator[str]:
+    path = prim.GetPath()
+    if _above(prim, UsdPhysics.RigidBodyAPI) is not None:
+        yield f"{path}: is a body within a body."
+    matrix = np.array(cache.GetLocalToWorldTransform(prim))[:3, :3]
+    if np.abs(np.linalg.norm(matrix, axis=1) - 1.0).max() > _SCALE:
+        yield f"{path}: is a body with a scale, which its mass and inertia do not follow."
+    if not any(child.HasAPI(UsdPhysics.CollisionAPI) for child in Usd.PrimRange(prim, Usd.TraverseInstanceProxies())):
+        yield f"{path}: is a body that nothing can touch."
+    mass = UsdPhysics.MassAPI(prim) if prim.HasAPI(UsdPhysics.MassAPI) else None
+    if mass is None or not mass.GetMassAttr().HasAuthoredValue() or not 0.0 < mass.GetMassAttr().Get() < np.inf:
+        yield f"{path}: is a body without a mass above 0."
+        return
+    inertia = np.sort(np.array(mass.GetDiagonalInertiaAttr().Get(), np.float64))
+    if not mass.GetDiagonalInertiaAttr().HasAuthoredValue() or not (np.isfinite(inertia).all() and inertia[0] > 0.0):
+        yield f"{path}: has an inertia that is not above 0."
+    elif inertia[2] > (inertia[0] + inertia[1]) * (1.0 + _TRIANGLE):
+        yield f"{path}: has an inertia that no body can have: {inertia[2]:g} is more than the two others together."
+
+
+def _collider(prim: Any) -> Iterator[str]:
+    body = prim if prim.HasAPI(UsdPhysics.RigidBodyAPI) else _above(prim, UsdPhysics.RigidBodyAPI)
+    if not prim.IsA(UsdGeom.Mesh):
+        return
+    approximation = UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() or "none"
+    if body is not None and approximation in ("none", "meshSimplification"):
+        yield f"{prim.GetPath()}: is a mesh of a moving body that collides as triangles ({approximation})."
+    points = UsdGeom.Mesh(prim).GetPointsAttr().Get() or ()
+    if approximation == "convexHull" and len(points) > MOST_CORNERS:
+        yield f"{prim.GetPath()}: is a hull of {len(points)} corners; engines cut off what is beyond {MOST_CORNERS}."
+
+
+def _mesh(prim: Any) -> Iterator[str]:
+    mesh, path = UsdGeom.Mesh(prim), prim.GetPath()
+    points = np.array(mesh.GetPointsAttr().Get() or (), np.float64).reshape(-1, 3)
+    index = np.array(mesh.GetFaceVertexIndicesAttr().Get() or (), np.int64)
+    counts = np.array(mesh.GetFaceVertexCountsAttr().Get() or (), np.int64)
+    if counts.sum() != len(index) or (len(index) and (index.min() < 0 or index.max() >= len(points))):
+        yield f"{path}: names points that do not exist."
+        return
+    extent = mesh.GetExtentAttr().Get()
+    if len(points) and extent:
+        low, high = np.array(extent, np.float64)
+        slack = 1e-5 * max(1.0, float(np.abs(points).max()))
+        if (points.min(axis=0) < low - slack).any() or (points.max(axis=0) > high + slack).any():
+            yield f"{path}: reaches out of its extent."
+
+
+def _joint(prim: Any, cache: Any) -> Iterator[str]:
+    path, joint = prim.GetPath(), UsdPhysics.Joint(prim)
+    hinge, slide = prim.IsA(UsdPhysics.RevoluteJoint), prim.IsA(UsdPhysics.PrismaticJoint)
+    if hinge or slide:
+        limits = (UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint)(prim)
+        lower, upper = limits.GetLowerLimitAttr().Get(), limits.GetUpperLimitAttr().Get()
+        if lower is not None and upper is not None and lower > upper:
+            yield f"{path}: has its lower limit {lower:g} above its upper one, {upper:g}."
+    ends = [rel.GetTargets() for rel in (joint.GetBody0Rel(), joint.GetBody1Rel())]
+    found = [prim.GetStage().GetPrimAtPath(targets[0]) for targets in ends if targets]
+    if not found or not all(found):
+        yield f"{path}: joins what does not exist."
+        return
+    here, there = (joint_frame(joint, end, cache) for end in (0, 1))
+    away = np.linalg.inv(here) @ there
+    shift, turn = away[:3, 3], away[:3, :3]
+    axis = "XYZ".index(str(prim.GetAttribute("physics:axis").Get() or "X")) if hinge or slide else None
+    if slide and axis is not None:
+        shift = np.delete(shift, axis)
+    if np.linalg.norm(shift) > AGREE:
+        yield f"{path}: has its two frames {np.linalg.norm(shift):.4g} m apart."
+    along = np.eye(3)[axis] if hinge and axis is not None else None
+    bent = np.linalg.norm(turn @ along - along) if along is not None else np.linalg.norm(turn - np.eye(3))
+    if bent > AGREE:
+        yield f"{path}: has its two frames turned against each other by {bent:.4g} rad."
+
+
+def joint_frame(joint: Any, end: int, cache: Any) -> NDArray[np.float64]:
+    """The frame of a joint on one of its bodies, in the world (4, 4); an end without a body is on the world."""
+    targets = (joint.GetBody0Rel(), joint.GetBody1Rel())[end].GetTargets()
+    local = local_frame(joint, end)
+    if not targets:
+        return local
+    prim = joint.GetPrim().GetStage().GetPrimAtPath(targets[0])
+    world: NDArray[np.float64] = np.array(cache.GetLocalToWorldTransform(prim)).T @ local
+    return world
+
+
+def local_frame(joint: Any, end: int) -> NDArray[np.float64]:
+    """The same in the body's own frame."""
+    position = (joint.GetLocalPos0Attr(), joint.GetLocalPos1Attr())[end].Get() or Gf.Vec3f(0)
+    turn = (joint.GetLocalRot0Attr(), joint.GetLocalRot1Attr())[end].Get() or Gf.Quatf(1)
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.array(Gf.Matrix3d(Gf.Quatd(turn).GetNormalized())).T
+    matrix[:3, 3] = position
+    return matrix
+
+
+def _above(prim: Any, api: Any) -> Any:
+    """The nearest prim above that has an API; None where there is none."""
+    parent = prim.GetParent()
+    while parent and not parent.IsPseudoRoot():
+        if parent.HasAPI(api):
+            return parent
+        parent = parent.GetParent()
+    return None

@@ -1,0 +1,326 @@
+"""Runs that are built in one line along a wall: a kitchen's cabinets and appliances, planned as a whole.
+
+What is low stands side by side under one worktop height, appliances between cabinets; what is tall stands at an end.
+A run that is too long for every wall goes round a corner or is shared by two walls across from each other.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise, permutations
+from typing import NamedTuple
+
+import numpy as np
+
+from thinkblox.assets import facts_of
+from thinkblox.phrases import Constraint
+from thinkblox.plan import Target, Tie
+from thinkblox.policies.expert.ground import darkens, zone_costs
+from thinkblox.policies.expert.idea import WALL_GAP, Idea
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.walls import named_walls
+from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
+from thinkblox.scene.room import Wall, turn_between
+from thinkblox.scene.saying import turned
+from thinkblox.scene.zones import beside
+from thinkblox.value import Vec3
+
+GAP = 0.008
+"""Left between neighbours in a run [m]."""
+TALL = 1.2
+"""What is higher than this stands at an end of the run [m]."""
+SPARE = 1.07
+"""How much wider than usual a tall thing may come."""
+TALL_GAP = 0.02
+"""Left beside what is tall [m]."""
+CORNER = 0.06
+"""Left past the depth of the other part where a run goes round a corner, for its doors [m]."""
+STEPS = 12
+"""Places tried along a wall besides its ends."""
+USED = 0.9
+"""Free depth before a run [m]."""
+ROUND_CORNER, ON_TWO_WALLS = 1.5, 2.5
+"""Cost of a run that goes round a corner, and of one that is on two walls across from each other."""
+AWAY_FROM_CORNER = 0.25
+"""Cost per metre from the nearest corner."""
+HARD = 30.0
+"""Cost of a member outside, in something, in a door's swing or before a window."""
+BY_WINDOW = ("under", "near", "next_to", "in_front_of")
+"""Relations to a window that a place in a run can meet."""
+SAME_PLACE = 0.12
+"""A member stands in a slot when it is nearer than this [m]."""
+FINALISTS = 6
+"""Layouts of which each gives an idea."""
+
+
+class Member(NamedTuple):
+    """One thing of a run.
+
+    Attributes:
+        size: along its front axis, across and up [m].
+        cabinet: whether it has a worktop.
+        walls: the numbers of the walls that it may stand against.
+        window: whether it is asked to be by a window.
+    """
+
+    id: str
+    size: Vec3
+    cabinet: bool
+    walls: frozenset[int]
+    window: bool
+
+
+class Slot(NamedTuple):
+    """Where a member stands: against which wall, and how far along it its middle is [m]."""
+
+    member: Member
+    wall: int
+    along: float
+
+
+@dataclass(frozen=True)
+class _Layout:
+    slots: tuple[Slot, ...]
+    cost: float
+
+
+def is_built(situation: Situation) -> bool:
+    """Whether the target is one of a run that is built in one line."""
+    return situation.asset.mount == "floor" and len(_company(situation)) > 1
+
+
+def run_ideas(situation: Situation) -> Iterator[Idea]:
+    """The target's place in the best layouts of its whole run that hold the members placed so far."""
+    members = _members(situation)
+    own = situation.target.id
+    layouts = [layout for layout in _layouts(situation, members) if _may_be(situation, layout)]
+    costs = _costs(situation, layouts)
+    order = sorted(range(len(layouts)), key=lambda i: costs[i])[: 4 * FINALISTS]
+    taken: list[tuple[int, float]] = []
+    for i in order:
+        slot = _closed_up(situation, layouts[i], own)
+        if any(wall == slot.wall and abs(along - slot.along) < SAME_PLACE for wall, along in taken):
+            continue
+        taken.append((slot.wall, slot.along))
+        yield _idea(situation, slot, float(costs[i]), len(members))
+        if len(taken) == FINALISTS:
+            return
+
+
+def _closed_up(situation: Situation, layout: _Layout, id: str) -> Slot:
+    """The slot of a member as it follows from the nearest that stands there: not all are as wide as was thought."""
+    at = next(n for n, slot in enumerate(layout.slots) if slot.member.id == id)
+    own = layout.slots[at]
+    there = [n for n, slot in enumerate(layout.slots) if slot.wall == own.wall and n != at]
+    standing = [n for n in there if layout.slots[n].member.id in situation.scene]
+    if not standing:
+        return own
+    nearest = min(standing, key=lambda n: abs(n - at))
+    placed = situation.scene[layout.slots[nearest].member.id]
+    along, _ = situation.room.walls[own.wall].coordinates((placed.position[0], placed.position[1]))
+    line = [slot.member for slot in layout.slots[min(at, nearest) : max(at, nearest) + 1]]
+    apart = _length(line) - (line[0].size[1] + line[-1].size[1]) / 2
+    return own._replace(along=along + (apart if at > nearest else -apart))
+
+
+def _company(situation: Situation) -> list[Target]:
+    """All of the plan that are built in one line with the target; none where one of them is asked to be elsewhere."""
+    if not situation.facts.is_in("built_in_line"):
+        return []
+    run = situation.facts.run
+    alike = [t for t in situation.observation.plan.targets if facts_of(t.category).run == run]
+    ids = {t.id for t in alike}
+    return alike if all(_is_free(target, ids) for target in alike) else []
+
+
+def _is_free(target: Target, run: set[str]) -> bool:
+    """Whether all that is asked of its place is what a run gives: a wall, or a neighbour in the run."""
+    places = {"against_wall", *BY_WINDOW}
+    given = (not t.asked or set(t.anchors) <= run or (t.kind in places and _is_given(t)) for t in target.ties)
+    return all(given) and not any(tie.spread for tie in target.ties)
+
+
+def _is_given(tie: Tie) -> bool:
+    return tie.kind == "against_wall" or tie.anchors == ("window",)
+
+
+def _members(situation: Situation) -> list[Member]:
+    return [
+        Member(
+            t.id,
+            _size(situation, t),
+            facts_of(t.category).is_in("takes_built_in"),
+            _walls_of(situation, t),
+            any(tie.asked and tie.anchors == ("window",) for tie in t.ties),
+        )
+        for t in _company(situation)
+    ]
+
+
+def _walls_of(situation: Situation, target: Target) -> frozenset[int]:
+    walls = situation.room.walls
+    meant = set(range(len(walls)))
+    for tie in target.ties:
+        if tie.asked and tie.kind == "against_wall":
+            meant &= {walls.index(wall) for place in tie.anchors for wall in named_walls(situation.room, place)}
+    return frozenset(meant)
+
+
+def _size(situation: Situation, target: Target) -> Vec3:
+    if target.id == situation.target.id:
+        return situation.size
+    if target.id in situation.scene:
+        return situation.scene[target.id].size
+    depth, width, height = situation.kind(target).size
+    return (depth, width * (SPARE if height > TALL else 1.0), height)
+
+
+def _layouts(situation: Situation, members: list[Member]) -> Iterator[_Layout]:
+    low = [m for m in members if m.size[2] <= TALL]
+    tall = [m for m in members if m.size[2] > TALL]
+    walls = situation.room.walls
+    for order in _orders(low):
+        for ends in _ends(tall):
+            for number in range(len(walls)):
+                for slots, away in _straight(walls, number, order, ends):
+                    yield _Layout(slots, AWAY_FROM_CORNER * away)
+            yield from _on_two(walls, order, ends)
+
+
+def _orders(low: list[Member]) -> list[list[Member]]:
+    """Ways to line up what is low: appliances between cabinets, seen from either end."""
+    cabinets, others = [m for m in low if m.cabinet], [m for m in low if not m.cabinet]
+    if not cabinets or not others:
+        return [low, low[::-1]] if len(low) > 1 else [low]
+    order: list[Member] = []
+    for number, cabinet in enumerate(cabinets):
+        first, last = (len(others) * n // len(cabinets) for n in (number, number + 1))
+        order += [cabinet, *others[first:last]]
+    return [order, order[::-1]]
+
+
+def _ends(tall: list[Member]) -> list[tuple[list[Member], list[Member]]]:
+    """Ways to share what is tall between the beginning and the end."""
+    return [([], tall), (tall, [])] if tall else [([], [])]
+
+
+def _straight(
+    walls: Sequence[Wall], number: int, order: list[Member], ends: tuple[list[Member], list[Member]]
+) -> Iterator[tuple[tuple[Slot, ...], float]]:
+    """All in one line along one wall, at several places, and how far each is from a corner [m]."""
+    line = [*ends[0], *order, *ends[1]]
+    free = walls[number].length - _length(line) - 2 * WALL_GAP
+    if free < 0.0:
+        return
+    for share in np.unique(np.linspace(0.0, 1.0, STEPS + 1)):
+        start = float(share) * free
+        yield _slots(line, number, start + WALL_GAP), min(start, free - start)
+
+
+def _on_two(walls: Sequence[Wall], order: list[Member], ends: tuple[list[Member], list[Member]]) -> Iterator[_Layout]:
+    """A part along one wall and the rest along the next, from their corner, or along the one across the room."""
+    line = [*ends[0], *order, *ends[1]]
+    for cut in range(1, len(line)):
+        first, second = line[:cut], line[cut:]
+        for one, other in permutations(range(len(walls)), 2):
+            turn = turn_between(walls[one].yaw, walls[other].yaw)
+            if turn > 179.0:
+                yield from _across(walls, (one, other), first, second)
+            elif turn > 1.0 and other == (one + 1) % len(walls):
+                yield from _round(walls, (one, other), first, second)
+
+
+def _round(
+    walls: Sequence[Wall], pair: tuple[int, int], first: list[Member], second: list[Member]
+) -> Iterator[_Layout]:
+    """Round the corner at the end of the first wall: both parts begin past the depth of the other."""
+    depths = [max(m.size[0] for m in part) + WALL_GAP + CORNER for part in (first, second)]
+    start = walls[pair[0]].length - depths[1] - _length(first)
+    if start >= 0.0 and depths[0] + _length(second) <= walls[pair[1]].length:
+        slots = (*_slots(first, pair[0], start), *_slots(second, pair[1], depths[0]))
+        yield _Layout(slots, ROUND_CORNER)
+
+
+def _across(
+    walls: Sequence[Wall], pair: tuple[int, int], first: list[Member], second: list[Member]
+) -> Iterator[_Layout]:
+    lengths = [walls[n].length - _length(part) - 2 * WALL_GAP for n, part in zip(pair, (first, second), strict=True)]
+    if min(lengths) < 0.0:
+        return
+    for a in (0.0, lengths[0]):
+        for b in (0.0, lengths[1]):
+            slots = (*_slots(first, pair[0], a + WALL_GAP), *_slots(second, pair[1], b + WALL_GAP))
+            yield _Layout(slots, ON_TWO_WALLS)
+
+
+def _length(line: list[Member]) -> float:
+    return sum(m.size[1] for m in line) + sum(_between(a, b) for a, b in pairwise(line))
+
+
+def _between(one: Member, other: Member) -> float:
+    return TALL_GAP if max(one.size[2], other.size[2]) > TALL else GAP
+
+
+def _slots(line: list[Member], wall: int, start: float) -> tuple[Slot, ...]:
+    slots, at = [], start
+    for number, member in enumerate(line):
+        slots.append(Slot(member, wall, at + member.size[1] / 2))
+        at += member.size[1] + (_between(member, line[number + 1]) if number + 1 < len(line) else 0.0)
+    return tuple(slots)
+
+
+def _may_be(situation: Situation, layout: _Layout) -> bool:
+    """Whether every member is at a wall that it is asked to be at, and each that is placed stands in its slot."""
+    for slot in layout.slots:
+        if slot.wall not in slot.member.walls or (slot.member.window and not _is_by_window(situation, slot)):
+            return False
+        if slot.member.id in situation.scene and slot.member.id != situation.target.id:
+            placed = situation.scene[slot.member.id]
+            wall = situation.room.walls[slot.wall]
+            along, out = wall.coordinates((placed.position[0], placed.position[1]))
+            away = abs(out - placed.size[0] / 2 - WALL_GAP)
+            if max(abs(along - slot.along), away) > SAME_PLACE or turn_between(wall.yaw, placed.yaw) > 1.0:
+                return False
+    return True
+
+
+def _is_by_window(situation: Situation, slot: Slot) -> bool:
+    windows = (o for o in situation.room.openings if o.kind == "window" and o.wall == slot.wall)
+    return any(o.offset - 0.1 <= slot.along <= o.offset + o.width + 0.1 for o in windows)
+
+
+def _costs(situation: Situation, layouts: list[_Layout]) -> Array:
+    """What each layout costs: its own, what is in its way, and the floor that is missing before it."""
+    if not layouts:
+        return np.zeros(0)
+    count = len(layouts[0].slots)
+    rects = _rects(situation, layouts)
+    own = {slot.member.id for slot in layouts[0].slots}
+    alone = situation.without(own)
+    bad = HARD * (outside(rects, situation.room.polygon) > 0.0005)
+    bad += HARD * (overlap_depth(rects, alone.solids).max(-1, initial=0.0) > 0.001)
+    bad += HARD * (overlap_depth(rects, situation.door_zones).max(-1, initial=0.0) > 0.001)
+    bad += HARD * (overlap_depth(rects, situation.kept_free).max(-1, initial=0.0) > 0.001)
+    bad += HARD * darkens(situation, rects)
+    before = zone_costs(alone, beside(rects, "front", USED), weight=2.0)
+    used = 3.0 * overlap_depth(rects, alone.clearances).max(-1, initial=0.0)
+    meant = 2.0 * overlap_depth(rects, situation.reserved).max(-1, initial=0.0)
+    each = (bad + before + used + meant).reshape(len(layouts), count).sum(-1)
+    return np.asarray(each + [layout.cost for layout in layouts])
+
+
+def _rects(situation: Situation, layouts: list[_Layout]) -> Rects:
+    rows = []
+    for layout in layouts:
+        for slot in layout.slots:
+            wall, size = situation.room.walls[slot.wall], slot.member.size
+            centre = wall.point(slot.along, WALL_GAP + size[0] / 2)
+            rows.append((centre, (size[0], size[1]), wall.yaw, 0.0, size[2]))
+    return Rects.of(rows)
+
+
+def _idea(situation: Situation, slot: Slot, cost: float, count: int) -> Idea:
+    wall = situation.room.walls[slot.wall]
+    x, y = wall.point(slot.along, WALL_GAP + situation.size[0] / 2)
+    words = (Constraint(kind="against", anchors=(wall.name,)), turned(wall.yaw))
+    why = f"it is one of {count} in a line along the {wall.name.replace('_', ' ')}"
+    return Idea((x, y, 0.0), wall.yaw % 360.0, words, why, cost, against=(wall.name,))

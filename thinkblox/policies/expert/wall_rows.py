@@ -1,0 +1,80 @@
+"""Rows with their backs to a wall, or to two walls across from each other: the beds of a ward."""
+
+from collections.abc import Iterator
+from itertools import permutations
+
+import numpy as np
+
+from thinkblox.plan import Tie
+from thinkblox.policies.expert.idea import WALL_GAP
+from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.walls import oriented
+from thinkblox.scene.room import Wall, turn_between
+from thinkblox.value import Vec2
+
+WIDEST = 1.6
+"""How far neighbours are drawn apart to use a long wall [m]."""
+PLACES = 7
+"""Places tried along a wall."""
+ONE_WALL = 0.6
+"""Cost of one long row where two were meant, or of two where one was."""
+UNEVEN = 1.0
+"""Cost of a row that has fewer than the one across the room."""
+
+
+def belongs_to_wall(situation: Situation) -> bool:
+    """Whether such a thing stands with its back to a wall."""
+    first = next(iter(situation.facts.habits), "")
+    return first.startswith("against_wall")
+
+
+def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list[float], float]]:
+    """Centres [m] and yaws [degrees] of all members of a request along walls, and what each way costs."""
+    for rows in (tie.rows,) if tie.asked and tie.rows else (1, 2):
+        columns = -(-tie.count // rows)
+        dear = ONE_WALL * (rows != tie.rows) + UNEVEN * (tie.count % rows > 0)
+        counts = [min(columns, tie.count - row * columns) for row in range(rows)]
+        for walls in _walls(situation.room.walls, len(counts)):
+            for rank, gap in enumerate(_gaps(situation, walls[0], columns)):
+                for share in np.linspace(0.0, 1.0, PLACES):
+                    found = _row(situation, walls, counts, gap, float(share))
+                    if found is not None:
+                        cost = 0.1 * rank + dear + 0.3 * abs(float(share) - 0.5)
+                        yield (*found, cost)
+
+
+def _walls(walls: tuple[Wall, ...], rows: int) -> Iterator[tuple[Wall, ...]]:
+    """The walls of one row each: any one, or two that look at each other."""
+    if rows == 1:
+        yield from ((wall,) for wall in walls)
+    elif rows == 2:
+        yield from (pair for pair in permutations(walls, 2) if turn_between(pair[0].yaw, pair[1].yaw) > 179.0)
+
+
+def _gaps(situation: Situation, wall: Wall, columns: int) -> tuple[float, ...]:
+    """Free distances to the neighbour: as even as the wall allows, then the usual ones [m]."""
+    usual = situation.facts.row.beside
+    _, (_, width) = oriented(situation.size, situation.asset.front)
+    even = (wall.length - columns * width) / columns
+    return (min(even, WIDEST), *usual) if even > usual[0] else usual
+
+
+def _row(
+    situation: Situation, walls: tuple[Wall, ...], counts: list[int], gap: float, share: float
+) -> tuple[list[Vec2], list[float]] | None:
+    turn, (depth, width) = oriented(situation.size, situation.asset.front)
+    length = counts[0] * (width + gap) - gap
+    free = walls[0].length - length - 2 * WALL_GAP
+    if free < 0.0:
+        return None
+    slots: list[Vec2] = []
+    yaws: list[float] = []
+    for row, (wall, count) in enumerate(zip(walls, counts, strict=True)):
+        for column in range(count):
+            along = WALL_GAP + share * free + column * (width + gap) + width / 2
+            if row:
+                x, y = walls[0].point(along, 0.0)
+                along = wall.coordinates((x, y))[0]
+            slots.append(wall.point(along, WALL_GAP + depth / 2))
+            yaws.append((wall.yaw + turn) % 360.0)
+    return slots, yaws
