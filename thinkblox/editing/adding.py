@@ -1,42 +1,40 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
-import dataclasses
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from thinkblox.assets import GENERAL_WORDS
 from thinkblox.brief import Measures
-from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
+from thinkblox.editing.acting import looking, mark_names, related
+from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, Goal, Related
-from thinkblox.editing.moving import looking, related
+from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
-from thinkblox.editing.spots import Pose, spots
-from thinkblox.editing.wheres import Bound, bound, named, spare
+from thinkblox.editing.spots import likely, spots
+from thinkblox.editing.wheres import Bound, anchored, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
-from thinkblox.judging import asset_for, style_seed
+from thinkblox.judging import asset_for
 from thinkblox.plan import Target
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.senses import choose_senses
-from thinkblox.scene.actions import Replace, outcome
 from thinkblox.scene.asset import Asset
-from thinkblox.scene.nearby import nearest_poses
-from thinkblox.scene.scene import Scene
 
-_BY = ("with", "by", "for")
+THERE = 0.75
+"""How far from where something was another may stand that comes there [m]."""
 MOST = 20
 """Most things that one order adds."""
-NEW_PLACE = 0.75
-"""How far from the old one's middle the new one may stand that comes in its place, besides half its growth [m]."""
 
 
 def add(work: Work, finder: Finder, order: Order) -> None:
     """Add things where an order says, or where such things usually stand."""
     if not order.things:
-        raise InputError(f"'{order.text}' does not say what to add")
+        what = (
+            f"'{', '.join(order.lost)}' is nothing that can be added" if order.lost else "that does not say what to add"
+        )
+        raise InputError(f"'{order.text}': {what}")
     recent: list[str] = []
     before = bool(finder.recent)
     for number, phrase in enumerate(order.things):
@@ -50,41 +48,94 @@ def add(work: Work, finder: Finder, order: Order) -> None:
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
     noun = phrase.noun
-    if noun.kind != "thing":
-        raise InputError(f"'{noun.text}' is no thing that can be added")
-    count = noun.count or (2 if noun.plural else 1)
+    _check(noun)
+    if noun.definite and not noun.id and noun.det == "the" and (there := finder.matching(noun)):
+        raise InputError(f"'{noun.text}' is there already: {', '.join(p.id for p in there)}; add 'a' or 'another' one")
+    finder.about = ""
+    places = anchored(finder, places)
+    within, places = _with(places)
+    guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
+    slots = [slots_of(where, guess, finder) for where in places]
+    if noun.degree:
+        raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
+    category = category_of(work, noun, [bounds[0] for bounds in slots])
+    several = next((len(bounds) for bounds in slots if len(bounds) > 1), 1)
+    if any(len(bounds) not in (1, several) for bounds in slots):
+        raise InputError(f"'{order.text}' names several places of two kinds at once; give two orders")
+    count = _how_many(noun, places, several)
     if count > MOST:
-        raise InputError(f"'{noun.text}': one order adds at most {MOST} things")
-    wheres = _bounds(work, finder, noun, places)
-    category = category_of(work, noun, wheres)
-    each = next(
-        (w for w, where in zip(wheres, places, strict=True) if where.noun is not None and where.noun.each), None
-    )
-    if each is not None:
-        count = max(count, len(each.anchors))
+        raise InputError(f"'{noun.text}': one order adds at most {MOST} things; that would be {count}")
     added = []
     for index in range(count):
-        spots = [Bound(w.kind, (w.anchors[index % len(w.anchors)],), w.negated) if w is each else w for w in wheres]
-        goals = [_related(work, w, category, index, count) for w in spots]
+        here = [bounds[index % len(bounds)] for bounds in slots]
+        goals = [_related(work, w, category, index, count) for w in here]
         goals += [looking(finder, n) for n in order.facing]
-        id = _add_one(work, category, noun, goals)
-        if not id:
+        goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
+        goals += [At(finder.left_place(order.text), THERE)] if order.there else []
+        goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
+        id = add_one(work, category, noun, goals)
+        if not id and several < 2:
             break
-        added.append(id)
+        added += [id] if id else []
+        finder.scene = work.scene
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
+    return added + _add_with(work, finder, order, added, within)
+
+
+def _check(noun: Noun) -> None:
+    """Refuse what nothing can be added by.
+
+    Raises:
+        InputError: it is no thing, or says how many in a way that means nothing here.
+    """
+    if noun.kind != "thing" or noun.det in ("no", "none"):
+        raise InputError(f"'{noun.text}' is no thing that can be added")
+    if noun.rows or noun.groups:
+        raise InputError(f"'{noun.text}': rows and groups are not added as such; say how many, and where each goes")
+    if noun.det in ("both", "half", "other", "each") or noun.fraction[1] or noun.every or noun.ordinal > 2:
+        raise InputError(f"'{noun.text}' points at things that are there; say how many are to be added")
+
+
+def _how_many(noun: Noun, places: Sequence[Where], several: int) -> int:
+    """How many are added: of several places so many at each, unless the number is that of the places."""
+    if several < 2:
+        return noun.count or (2 if noun.plural else 1)
+    each = any(where.noun is not None and where.noun.each for where in places)
+    if noun.count and noun.count > 1 and not each and noun.count % several == 0:
+        return noun.count
+    if noun.count and noun.count > 1 and not each:
+        raise InputError(f"'{noun.text}' for {several} places: say how many go to each")
+    return several * (noun.count or 1)
+
+
+def _with(places: Sequence[Where]) -> tuple[list[Where], list[Where]]:
+    """What is added along ("a table with four chairs"), and where things go."""
+    along = [w for w in places if w.word == "with" and w.noun is not None and w.noun.kind == "thing"]
+    return along, [w for w in places if w not in along]
+
+
+def _add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
+    """Add what goes with things that were added, at each of them."""
+    added: list[str] = []
+    for head in heads if along else ():
+        finder.scene, finder.recent = work.scene, [head]
+        for where in along:
+            it = Where("to", Noun("thing", work.scene[head].category, 0, 0, "it", det="the", id=head), text="at")
+            if where.noun is not None:
+                added += _add(work, finder, Order("add", order.text), NounPhrase(where.noun), [it])
     return added
+
+
+def _compared(finder: Finder, category: str, nearer: bool, other: NounPhrase) -> Goal:
+    """Closer to something than things are that are added, which is near; or far from it."""
+    return Related("near" if nearer else "far", mark_names(finder, other))
 
 
 def _related(work: Work, where: Bound, category: str, index: int, count: int) -> Goal:
     """The goal of one of several that are added to those that are there."""
     there = _there(work, where, category)
     return related(where, category, there + (0 if where.kind == "around" else index), there + count - index)
-
-
-def _bounds(work: Work, finder: Finder, noun: Noun, places: Sequence[Where]) -> list[Bound]:
-    guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
-    return [bound(where, guess, finder) for where in places]
 
 
 def _there(work: Work, where: Bound, category: str) -> int:
@@ -110,7 +161,7 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
     return thing.noun
 
 
-def _add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> str:
+def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> str:
     """Add one thing; its id, or an empty text where that cannot be, which is noted."""
     id = work.new_id(category)
     attributes, ties = tuple(noun.attributes), ties_of(goals)
@@ -120,7 +171,9 @@ def _add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> st
     asset = _asset(work, target, noun)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = spots(work.scene, asset, goals) if seated else ()
-    reaching = Reaching(work, target, asset, goals, direct=direct)
+    spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
+    begin = ((*spot, 0.0), 0.0) if spot is not None else None
+    reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
     if not reaching.run():
         work.failed.append(f"{id} was not added: {reaching.why}")
         return ""
@@ -135,7 +188,7 @@ def _add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> st
 def _asset(work: Work, target: Target, noun: Noun) -> Asset:
     """What is added: another one like those that are there, unless something else is said of it."""
     alike = [p for p in work.scene.placements if p.category == target.category]
-    size = _size(work, target.category, noun)
+    size = sized(work, target.category, noun)
     if alike and not target.attributes and size == (None, None, None):
         return work.scene.asset_of(alike[-1])
     return asset_for(
@@ -145,7 +198,7 @@ def _asset(work: Work, target: Target, noun: Noun) -> Asset:
     )
 
 
-def _size(work: Work, category: str, noun: Noun) -> Measures:
+def sized(work: Work, category: str, noun: Noun) -> Measures:
     """Depth, width and height that the noun's words say [m]."""
     if noun.size is None:
         return (None, None, None)
@@ -155,189 +208,3 @@ def _size(work: Work, category: str, noun: Noun) -> Measures:
         usual, _ = work.source.usual(category)
         depth, width = (length, width) if usual[0] > usual[1] else (depth, length)
     return (depth, width, height)
-
-
-# --- in place of another
-
-
-def replace(work: Work, finder: Finder, order: Order) -> None:
-    """Let another thing stand where one stands."""
-    if not order.things:
-        raise InputError(f"'{order.text}' does not say what is replaced; there {finder.listed()}")
-    named_with = [w.noun for p in order.things for w in p.places if w.noun is not None and w.text.lower() in _BY]
-    if not order.instead and named_with:
-        raise InputError(f"'{named_with[0].text}' is nothing that is known to come in place of another thing")
-    if not order.instead:
-        raise InputError(f"'{order.text}' does not say what comes instead; say 'with a ...'")
-    new = order.instead[0].noun
-    seen: set[str] = set()
-    for phrase in order.things:
-        ids = named(finder, phrase, phrase.places)
-        for id in (i for i in ids if i not in seen):
-            seen.add(id)
-            _replace_one(work, id, _successor(work, id, new))
-        finder.recent = list(ids)
-
-
-def _successor(work: Work, id: str, new: Noun) -> Asset:
-    """What comes in place of an object."""
-    old = work.asset_of(id)
-    same = new.kind == "number" or not new.value
-    category = old.category if same else category_of(work, new, _place_of(work, id))
-    target = Target(id="thing_1", category=category, request=category, attributes=tuple(new.attributes))
-    made = asset_for(
-        Target(
-            id=target.id,
-            category=category,
-            request=category,
-            attributes=target.attributes,
-            size=_size(work, category, new),
-        ),
-        work.scene,
-        work.source,
-    )
-    if made.id == old.id:
-        made = work.source.make(category, seed=style_seed(work.scene) + 1, attributes=target.attributes)
-    if made.id == old.id:
-        raise InputError(
-            f"{id}: there is no other {category.replace('_', ' ')} to come in its place; say what it is to be"
-        )
-    return made
-
-
-def _place_of(work: Work, id: str) -> list[Bound]:
-    support = work.scene[id].support
-    return [Bound("on", (support,))] if support in work.scene else []
-
-
-def _replace_one(work: Work, id: str, asset: Asset) -> None:
-    before, saved = work.scene, work.saved()
-    old = before[id]
-    action = Replace(id=id, asset=asset)
-    _, _, left = outcome(before, action)
-    taken = take(work, left)
-    reach = NEW_PLACE + max(0.0, max(asset.size[:2]) - max(old.size[:2])) / 2
-    goals: list[Goal] = [At(old.position[:2], reach)]
-    ties = work.usual_ties(id) or usual_ties(work.scene, asset.category)
-    target = work.target(id, asset.category, ties, asset.attributes)
-    reaching = Reaching(work, target, asset, goals, direct=_same_place(work.scene, id, asset), search=False)
-    if not reaching.run():
-        work.restore(saved)
-        work.failed.append(f"{id} was not replaced by {asset.description}: {reaching.why}")
-        return
-    new = work.scene[id]
-    x, y, _ = new.position
-    work.done.append(f"{id} is now {_article(asset.description)} at ({x:.2f}, {y:.2f})")
-    _replace_riders(work, id, taken, before)
-
-
-def _replace_riders(work: Work, id: str, taken: Sequence[object], before: Scene) -> None:
-    from thinkblox.scene.placement import Placement
-
-    off = [p for p in taken if isinstance(p, Placement)]
-    for rider in off:
-        if rider.support == id or rider.support not in {p.id for p in off}:
-            if place_anew(work, rider, carriers=(id,)):
-                put_back(work, rider, [p for p in off if p.id != rider.id], before)
-                work.done.append(f"{rider.id}, which stood on {id}, placed anew on {work.scene[rider.id].support}")
-            else:
-                work.failed.append(f"{rider.id}, which stood on {id}, was taken away: nothing else carries it")
-
-
-def _same_place(scene: Scene, id: str, asset: Asset) -> Iterator[Pose]:
-    """Where the old one stands, by its back; then the nearest places that are free."""
-    new = scene.apply(Replace(id=id, asset=asset))[id]
-    yield new.position, new.yaw
-    empty = scene
-    for rider in scene.riders(id):
-        empty = empty.without(rider.id)
-    for near in nearest_poses(empty, asset, new):
-        if near.yaw == new.yaw:
-            yield near.position, near.yaw
-
-
-def _article(text: str) -> str:
-    return f"an {text}" if text[:1] in "aeiou" else f"a {text}"
-
-
-def remove(work: Work, finder: Finder, order: Order) -> None:
-    """Take things away; what rested on them is placed anew."""
-    if order.rest and not order.things:
-        take_away(work, left_over(work, finder, order))
-        return
-    if not order.things:
-        raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
-    ids: dict[str, None] = {}
-    for phrase in order.things:
-        if phrase.noun.kind in ("place", "part"):
-            raise InputError(f"'{phrase.noun.text}' is no thing that can be taken away; there {finder.listed()}")
-        meant = named(finder, phrase, phrase.places)
-        ids |= dict.fromkeys(meant)
-        if phrase.laden:
-            ids |= dict.fromkeys(rider.id for id in meant for rider in work.scene.riders(id))
-    take_away(work, tuple(ids))
-    finder.recent = []
-
-
-def left_over(work: Work, finder: Finder, order: Order) -> tuple[str, ...]:
-    """Everything that an order speaks of by "everything" or "the room", without what it excepts and what is kept.
-
-    What carries a thing that stays cannot go either; that is noted.
-    """
-    ids = [p.id for p in work.scene.placements]
-    for where in (w for w in order.places if w.noun is not None and w.noun.kind in ("thing", "pronoun")):
-        carriers = finder.ids(NounPhrase(where.noun)) if where.noun is not None else ()
-        ids = [id for id in ids if set(work.scene.carriers(id)) & set(carriers)]
-    if any(w.noun is not None and w.noun.word == "furniture" for w in order.places):
-        floor = [id for id in ids if work.scene[id].support == "floor"]
-        ids = list(dict.fromkeys(i for id in floor for i in (id, *(rider.id for rider in work.scene.riders(id)))))
-    going = [id for id in spare(finder, ids, order.spared) if id not in work.kept]
-    bearing = {c: id for id in ids if id not in going for c in work.scene.carriers(id) if c in going}
-    work.failed += [f"{c} was not taken away: {id}, which is to stay, rests on it" for c, id in bearing.items()]
-    return tuple(id for id in going if id not in bearing)
-
-
-def clear(work: Work, finder: Finder, order: Order) -> None:
-    """Take away what is in the room, or what rests on a thing; a thing that carries nothing ever goes itself."""
-    if order.room or order.rest or any(w.word == "from" for p in order.things for w in p.places):
-        if order.things and not order.room:
-            for phrase in order.things:
-                phrase.places = [dataclasses.replace(w, word="on") if w.word == "from" else w for w in phrase.places]
-            remove(work, finder, order)
-            return
-        ids = left_over(work, finder, order)
-        take_away(work, ids)
-        if not ids and not work.failed:
-            work.done.append("nothing is there to be taken away: it is so already")
-        return
-    if not order.things:
-        raise InputError(f"'{order.text}' does not say what is to be cleared; say a thing, or a part of the room")
-    for id in dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)):
-        riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
-        take_away(work, riders)
-        if riders:
-            continue
-        if work.asset_of(id).surfaces:
-            work.done.append(f"nothing rests on {id} that could be taken away: it is so already")
-        else:
-            take_away(work, (id,))
-    finder.recent = []
-
-
-def take_away(work: Work, ids: Sequence[str]) -> None:
-    """Take objects out of the room and give what rested on them, and is not one of them, another place."""
-    before = work.scene
-    taken = take(work, ids)
-    work.done += [f"{id} taken away" for id in ids]
-    off = [p for p in taken if p.id not in ids]
-    for rider in off:
-        if rider.support in {p.id for p in off}:
-            continue
-        if place_anew(work, rider):
-            put_back(work, rider, [p for p in off if p.id != rider.id], before)
-            work.done.append(
-                f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
-            )
-        else:
-            gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
-            work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")

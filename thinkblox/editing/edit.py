@@ -1,5 +1,6 @@
 """Editing a finished room by instructions: what is named changes and is measured, everything else stays as it is."""
 
+import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,14 +11,19 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
-from thinkblox.editing.adding import add, clear, remove, replace
+from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.moving import move, resite, swap, turn
-from thinkblox.editing.orders import Instruction, Order
+from thinkblox.editing.making import make
+from thinkblox.editing.moving import move, resite
+from thinkblox.editing.orders import Instruction, NounPhrase, Order
 from thinkblox.editing.reading import read_instruction
 from thinkblox.editing.rearranging import free, rearrange
-from thinkblox.editing.resizing import resize
+from thinkblox.editing.removing import clear, keep_only, remove
+from thinkblox.editing.replacing import replace
+from thinkblox.editing.spacing import space
 from thinkblox.editing.standing import as_made, carried_over
+from thinkblox.editing.swapping import swap
+from thinkblox.editing.turning import turn
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
@@ -28,6 +34,7 @@ from thinkblox.plan import Plan
 from thinkblox.players import EXPERT, players
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene, load_scene
@@ -41,6 +48,7 @@ from thinkblox.verdict import Report
 What = Literal["added", "removed", "replaced", "moved", "turned", "carried"]
 Doer = Callable[[Work, Finder, Order], None]
 _ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
+_CARRYING = ("move", "put", "turn")
 
 
 class Made(Protocol):
@@ -248,8 +256,8 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
         p.id or p.noun.definite or p.noun.kind in ("pronoun", "number") or p.rank or p.noun.ordinal
         for p in order.things
     ]
-    if order.things and not any(known):
-        add(work, finder, order)
+    if order.things and not any(known) and not order.rest:
+        bring(work, finder, order)
     else:
         move(work, finder, order)
 
@@ -260,15 +268,32 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
         remove(work, finder, order)
         return
     new = [p.noun.kind == "thing" and not p.noun.definite and not finder.matching(p.noun) for p in order.things]
-    (add if order.things and all(new) else move)(work, finder, order)
+    (bring if order.things and all(new) else move)(work, finder, order)
 
 
 def _keep(work: Work, finder: Finder, order: Order) -> None:
-    """Everything that is not named stays where it is in any case."""
+    """Everything that is not named stays where it is in any case; what is named is said to."""
+    ids = [id for phrase in order.things for id in _kept(finder, phrase)]
+    work.done.append(f"{', '.join(ids) or 'all else'} stays as it is")
+
+
+def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
+    """What a phrase says is to stay; "its stand" is every stand that it could be."""
+    if phrase.noun.kind not in ("thing", "number"):
+        return ()
+    if phrase.noun.det == "my":
+        found = tuple(p.id for p in finder.matching(phrase.noun))
+        if not found:
+            raise finder.nothing(phrase.noun.text)
+        return found
+    return named(finder, phrase, phrase.places)
 
 
 _DOERS: dict[str, Doer] = {
-    "add": add,
+    "add": bring,
+    "ensure": ensure,
+    "only": keep_only,
+    "gap": space,
     "put": _put,
     "move": _bring,
     "turn": turn,
@@ -277,7 +302,7 @@ _DOERS: dict[str, Doer] = {
     "swap": swap,
     "rearrange": rearrange,
     "resite": resite,
-    "make": resize,
+    "make": make,
     "free": free,
     "clear": clear,
     "keep": _keep,
@@ -286,20 +311,39 @@ _DOERS: dict[str, Doer] = {
 
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
-    kept = [phrase for order in read.orders if order.doing == "keep" for phrase in order.things]
-    work.kept = frozenset(
-        id for phrase in kept if phrase.noun.kind in ("thing", "number") for id in named(finder, phrase, phrase.places)
-    )
-    for order in _joined(read.orders):
+    orders = _joined(read.orders)
+    kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
+    work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
+    for order in orders:
         finder.scene = work.before = work.scene
+        finder.owners, finder.about = [], ""
+        before, said = work.scene, (len(work.done), len(work.failed))
         _DOERS[order.doing](work, finder, order)
+        _hold(work, order, before)
+        gone = [p for p in before.placements if p.id not in work.scene]
+        finder.vacated = gone[-1].position[:2] if gone else finder.vacated
+        if said == (len(work.done), len(work.failed)):
+            raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
 
 
 def _joined(orders: Sequence[Order]) -> list[Order]:
-    """The orders, where "and turn it to face the room" belongs to the move before it."""
+    """The orders, where "and turn it to face the room" belongs to the move before it.
+
+    "Take a chair and put it there" is one order, and "keep the chairs around it" says what goes along.
+    """
     joined: list[Order] = []
     for order in orders:
+        last = joined[-1] if joined else None
+        if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
+            taken = dataclasses.replace(last.things[-1], places=_both(last, order))
+            order.things, order.places, order.doing = [taken, *order.things[1:]], [], "move"
+            joined[-1] = order
+            continue
+        back = order.doing == "keep" or (order.doing in ("put", "move") and "back" in order.text.lower().split())
+        if last is not None and back and last.doing in _CARRYING and _keeps_by_it(order):
+            last.company += [dataclasses.replace(phrase, places=[]) for phrase in order.things]
+            continue
         if order.doing == "make" and order.facing and order.things and not order.room:
             order.doing = "turn"
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
@@ -308,7 +352,49 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
             joined[-1].facing += [*order.facing, *facing]
         else:
             joined.append(order)
+    for order in joined:
+        if _taken_off(order):
+            order.doing = "remove"
     return joined
+
+
+def _taken_off(order: Order) -> bool:
+    """Whether "take the lamp off the desk" is all that is said: it is taken away."""
+    off = [w for phrase in order.things for w in phrase.places if w.word == "from"]
+    return _takes(order) and bool(off) and order.text.lower().startswith("take ")
+
+
+def _hold(work: Work, order: Order, before: Scene) -> None:
+    """Take an order back that has changed what is to stay as it is."""
+    there = {p.id: p for p in work.scene.placements}
+    changed = [p.id for p in before.placements if p.id in work.kept and there.get(p.id) != p]
+    if changed:
+        work.world = work.world.with_scene(before)
+        work.failed.append(f"'{order.text}' was not done: {', '.join(changed)} is to stay as it is")
+
+
+def _takes(order: Order) -> bool:
+    """Whether an order names things to be moved and not where to."""
+    alone = not (order.closer or order.apart or order.direction or order.facing or order.seated or order.away)
+    places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
+    return order.doing == "move" and alone and len(order.things) == 1 and all(w.word == "from" for w in places)
+
+
+def _is_of_it(order: Order) -> bool:
+    return (
+        bool(order.things) and order.things[0].noun.kind == "pronoun" and order.things[0].noun.value in ("it", "them")
+    )
+
+
+def _both(last: Order, order: Order) -> list[Where]:
+    """Where a thing is taken from, and where it is put."""
+    return [*last.things[-1].places, *last.places, *order.things[0].places, *order.places]
+
+
+def _keeps_by_it(order: Order) -> bool:
+    """Whether an order keeps things where they stand to what was just named: "keep the chairs around it"."""
+    nouns = [w.noun for phrase in order.things for w in phrase.places]
+    return bool(nouns) and all(n is not None and n.kind == "pronoun" and n.value in ("it", "them") for n in nouns)
 
 
 # --- the outcome

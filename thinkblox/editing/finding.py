@@ -1,11 +1,14 @@
 """Which objects of a room a noun phrase means."""
 
+import dataclasses
+import math
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.orders import NounPhrase
+from thinkblox.editing.rows import row_of
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike, counts_as
@@ -14,7 +17,10 @@ from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement, apart
 from thinkblox.scene.scene import Scene
+from thinkblox.value import Vec2
 
+SAME_SIZE = 0.05
+"""How much a size may differ from what is said of it [m]."""
 LISTED = 40
 """Most kinds and objects that a message names."""
 Picks = Callable[[Sequence[Placement]], Sequence[Placement]]
@@ -26,12 +32,18 @@ class Finder:
     """Finds what phrases mean in a scene; remembers what was spoken of last, for "it" and "them".
 
     Attributes:
-        seen: from where "the left one" of several was decided, in sentences.
+        seen: from where "the left one" of several was decided, and which of several were taken, in sentences.
+        owners: what an order has named so far, for "their chairs".
+        vacated: where the last thing stood that was taken away [m].
+        about: id of what is being moved, from which "the other side" is seen.
     """
 
     scene: Scene
     recent: list[str] = field(default_factory=list)
     seen: list[str] = field(default_factory=list)
+    about: str = ""
+    owners: list[str] = field(default_factory=list)
+    vacated: Vec2 | None = None
 
     def ids(
         self, phrase: NounPhrase, *, picks: Sequence[Picks] = (), among: Sequence[Placement] | None = None
@@ -50,13 +62,83 @@ class Finder:
         if phrase.id or noun.id:
             return (phrase.id or noun.id,)
         if noun.kind == "pronoun":
-            return self._spoken_of(noun)
+            return self._part(phrase, self._spoken_of(noun))
         found = self.matching(noun) if among is None else list(among)
-        if phrase.rank:
-            found = sorted(found, key=lambda p: -phrase.rank * p.size[0] * p.size[1] * p.size[2])[:1]
         if not found:
             raise self.nothing(noun.text)
+        _check_told(phrase)
+        if noun.size is not None:
+            found = self._of_size(noun, found)
+        if noun.rows:
+            found = row_of(self.scene, found, noun)
+            return tuple(p.id for p in found)
+        if noun.det == "other":
+            found = self._others(noun, found)
+        if phrase.rank:
+            found = sorted(found, key=lambda p: -phrase.rank * _extent(p, phrase.along))[: noun.count or 1]
+        if noun.total and noun.total != len(found):
+            raise InputError(f"'{noun.text}': there are {len(found)}: {_ids(found)}")
+        if phrase.share or phrase.left or noun.every:
+            return self._part(phrase, tuple(p.id for p in self._as_many(_all(noun), found, picks)))
         return tuple(p.id for p in self._as_many(noun, found, picks))
+
+    def left_place(self, text: str) -> Vec2:
+        """Where something was that has been taken away [m].
+
+        Raises:
+            InputError: nothing has been.
+        """
+        if self.vacated is None:
+            raise InputError(f"'{text}': nothing was taken away before, whose place that could be; say a place")
+        return self.vacated
+
+    def _part(self, phrase: NounPhrase, ids: Sequence[str]) -> tuple[str, ...]:
+        """So many of these as a phrase says, where it does not say which; that is said."""
+        noun, ids = phrase.noun, sorted(ids, key=_number)
+        if noun.every:
+            if noun.counted:
+                raise InputError(f"'{noun.text}' does not say which; say 'every second', or how many")
+            kept = ids[noun.every - 1 :: noun.every]
+        elif phrase.left:
+            if phrase.left >= len(ids):
+                raise InputError(
+                    f"'all but {phrase.left}': there are only {len(ids)} {_bare(noun.text)}: {_listed(ids)}"
+                )
+            kept = ids[phrase.left :]
+        else:
+            share = phrase.share or (0.5 if noun.kind == "pronoun" and noun.value == "half" else 0.0)
+            if not share:
+                return tuple(ids)
+            count = min(max(1, math.floor(share * len(ids) + 0.5)), len(ids))
+            kept = ids[len(ids) - count :]
+        if not kept:
+            raise InputError(f"'{noun.text}' means none of {_listed(ids)}")
+        self._say_taken(noun, kept, ids)
+        return tuple(kept)
+
+    def _say_taken(self, noun: Noun, kept: Sequence[str], ids: Sequence[str]) -> None:
+        if len(kept) < len(ids):
+            says = f"'{noun.text}' is taken to be {_listed(kept)}, of {len(ids)}"
+            self.seen += [says] if says not in self.seen else []
+
+    def _of_size(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+        """Those that have the size that is said of them."""
+        wanted = [(length.metres, length.axis) for length in noun.size.lengths] if noun.size is not None else []
+        fits = [p for p in found if all(_has_length(p, metres, axis) for metres, axis in wanted)]
+        if not fits:
+            sizes = ", ".join(f"{p.id} ({' by '.join(f'{s:.2f}' for s in p.size)} m)" for p in found[:LISTED])
+            raise InputError(f"the room has no {_bare(noun.text)}; there is {sizes}")
+        return fits
+
+    def _others(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+        """Those that were not spoken of."""
+        left = [p for p in found if p.id not in self.recent]
+        if len(left) == len(found) and len(found) > 1 and not (noun.many and self.recent):
+            says = ", ".join(self.described(p) for p in found[:LISTED])
+            raise InputError(f"'{noun.text}': other than which? It could be {says}")
+        if not left:
+            raise InputError(f"'{noun.text}': there is no other than {_ids(found)}")
+        return left
 
     def matching(self, noun: Noun) -> list[Placement]:
         """Every object that a noun fits, those that are just that before those that are like it."""
@@ -64,7 +146,8 @@ class Finder:
             return [p for p in self.scene.placements if p.id == noun.id]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
         alike = same or [p for p in self.scene.placements if are_alike(p.category, noun.value)]
-        wanted = [word.lower() for word in (*noun.attributes, *(noun.unshown if not noun.named else ()))]
+        told = [word for word in noun.unshown if word != noun.degree] if not noun.named else []
+        wanted = [word.lower() for word in (*noun.attributes, *told)]
         fitting = [p for p in alike if all(self._has(p, word) for word in wanted)]
         exact = [p for p in fitting if p.category == noun.value]
         return exact if exact and not noun.many else fitting
@@ -113,45 +196,58 @@ class Finder:
 
     def _as_many(self, noun: Noun, found: list[Placement], picks: Sequence[Picks]) -> list[Placement]:
         count = 2 if noun.det == "both" else noun.count if noun.count and not noun.ordinal else None
-        if count is None and (noun.plural or noun.det in ("all", "each")):
-            return self._picked(found, picks, least=1)
-        count = count or 1
         if noun.ordinal:
-            found = sorted(found, key=lambda p: _number(p.id))
-            number = noun.ordinal - 1 if noun.ordinal > 0 else len(found) - 1
-            if number >= len(found):
-                raise InputError(f"there are only {len(found)} {_bare(noun.text)}: {_ids(found)}")
-            return [found[number]]
+            return self._by_number(noun, found)
+        if count is None and (noun.plural or noun.det in ("all", "each")):
+            half = len(found) // 2
+            return self._by_side(found, noun, half) if noun.side and half else self._picked(found, picks, least=1)
+        if noun.vague and count is not None:
+            count = max(1, min(count, len(found)))
+        count = count or 1
         if noun.side:
-            found = self._by_side(found, noun) if len(found) > 1 else found
+            found = self._by_side(found, noun, count) if len(found) > count else found
         if len(found) < count:
-            raise InputError(f"{noun.text!r}: the room has only {_ids(found)}; there {self.listed()}")
+            raise InputError(f"'{noun.text}': the room has only {_ids(found)}; there {self.listed()}")
         if len(found) > count:
             found = self._picked(found, picks, least=count)
         if len(found) > count:
             spoken = [p for p in found if p.id in self.recent]
             found = spoken if len(spoken) == count else found
-        indefinite = noun.det in ("a", "another", "any", "") and not noun.definite
-        if len(found) > count and not indefinite:
+        if len(found) > count and not _is_whichever(noun):
             says = ", ".join(self.described(p) for p in found[:LISTED])
             raise InputError(
-                f"{noun.text!r} could be {says}; say which, by its place ('the one by the window') or by its id"
+                f"'{noun.text}' could be {says}; say which, by its place ('the one by the window') or by its id"
             )
-        return found[-count:] if indefinite else found
+        if len(found) > count:
+            self._say_taken(noun, [p.id for p in found[-count:]], [p.id for p in found])
+        return found[-count:]
 
-    def _by_side(self, found: list[Placement], noun: Noun) -> list[Placement]:
+    @staticmethod
+    def _by_number(noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+        """The second of them, the last two, by the numbers of their ids."""
+        found = sorted(found, key=lambda p: _number(p.id))
+        several = noun.count if noun.count and noun.plural else 1
+        start = noun.ordinal - 1 if noun.ordinal > 0 else len(found) - several
+        if start < 0 or start + several > len(found):
+            raise InputError(f"there are only {len(found)} {_bare(noun.text)}: {_ids(found)}")
+        return list(found[start : start + several])
+
+    def _by_side(self, found: list[Placement], noun: Noun, count: int = 1) -> list[Placement]:
         """The leftmost, rightmost or middle one: by the front of what they stand beside, or else seen from the door."""
         company = _company(self.scene, found)
         along = company.left if company is not None else _left_of_room(self.scene)
         ordered = sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1]))
-        which = {"left": 0, "right": len(ordered) - 1, "middle": len(ordered) // 2}.get(noun.side)
+        which = {"left": 0, "right": len(ordered) - count, "middle": (len(ordered) - count + 1) // 2}.get(noun.side)
         if which is None:
             return found
+        meant = ordered[which : which + count]
         doors = any(o.kind == "door" for o in self.scene.room.openings)
         of_room = "seen from the door" if doors else "seen by who looks north"
-        says = f"{noun.text} is {ordered[which].id}, {f'by the front of {company.id}' if company else of_room}"
+        ids = " and ".join(p.id for p in meant)
+        by = f"by the front of {company.id}" if company else of_room
+        says = f"{noun.text} {'is' if count == 1 else 'are'} {ids}, {by}"
         self.seen += [says] if says not in self.seen else []
-        return [ordered[which]]
+        return meant
 
     @staticmethod
     def _picked(found: list[Placement], picks: Sequence[Picks], *, least: int) -> list[Placement]:
@@ -208,6 +304,47 @@ def _left_of_room(scene: Scene) -> tuple[float, float]:
 def _number(id: str) -> tuple[int, str]:
     tail = id.rpartition("_")[2]
     return (int(tail) if tail.isdecimal() else 0, id)
+
+
+def _listed(ids: Sequence[str]) -> str:
+    return ", ".join(ids[:LISTED]) or "none"
+
+
+def _all(noun: Noun) -> Noun:
+    """The same phrase for all of them."""
+    return dataclasses.replace(noun, det="all", count=None, plural=True, every=0, share=0.0)
+
+
+def _extent(placement: Placement, along: str) -> float:
+    """How large something is, or how high or long [m]."""
+    deep, wide, high = placement.size
+    return high if along == "height" else max(deep, wide) if along == "length" else deep * wide * high
+
+
+def _has_length(placement: Placement, metres: float, axis: str) -> bool:
+    deep, wide, high = placement.size
+    sides = {"width": (wide,), "depth": (deep,), "height": (high,), "length": (max(deep, wide),)}
+    return any(abs(side - metres) <= SAME_SIZE for side in sides.get(axis, (deep, wide, high)))
+
+
+def _is_whichever(noun: Noun) -> bool:
+    """Whether any of several will do: "a chair", "two of the chairs"."""
+    if noun.of_known and noun.count is not None:
+        return True
+    return noun.det in ("a", "another", "any", "either", "") and not noun.definite
+
+
+def _check_told(phrase: NounPhrase) -> None:
+    """Refuse what says which of several in a way that nobody can tell.
+
+    Raises:
+        InputError: it compares by what no thing of a room shows, or forms groups.
+    """
+    noun = phrase.noun
+    if noun.degree and not phrase.rank:
+        raise InputError(f"'{noun.text}': which is the {noun.degree} is not known; name it by its place or its id")
+    if noun.groups:
+        raise InputError(f"'{noun.text}': groups of things are not known in a room; name them by place or id")
 
 
 def _ids(found: Sequence[Placement]) -> str:

@@ -4,6 +4,8 @@ import math
 from dataclasses import dataclass
 from typing import Protocol
 
+from shapely import Polygon
+
 from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
 from thinkblox.scene.bearings import ground_gap
@@ -24,6 +26,9 @@ INTO_ROOM = 45.0
 """Largest angle between a front and the way into the room [degrees]."""
 ELSEWHERE, ELSEWHERE_SMALL = 0.75, 0.15
 """Least distance of another place from the one before: on the floor, and on a surface or a wall [m]."""
+
+ENTERED = 0.002
+"""Floor that may be taken of what is to be free [m2]."""
 
 Finding = tuple[bool, str]
 """Whether it is so, and what was measured."""
@@ -76,11 +81,12 @@ class Untied:
 
 @dataclass(frozen=True)
 class Nearing(Untied):
-    """It comes nearer to something or goes away from it, by so much [m] where that is said."""
+    """It comes nearer to something or goes away from it, by so much [m] where that is said, or a bit."""
 
     anchors: tuple[str, ...]
     nearer: bool
     by: float | None = None
+    slight: bool = False
 
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """The distance between the outlines, and where these touch that between the middles."""
@@ -105,15 +111,21 @@ class Nearing(Untied):
 
 @dataclass(frozen=True)
 class Apart(Untied):
-    """It stands so far from something [m]."""
+    """It stands so far from something [m], or at least ("ge") or at most ("le") so far."""
 
     anchors: tuple[str, ...]
     away: float
+    bound: str = ""
 
     def check(self, before: Scene, after: Scene, id: str) -> Finding:
         """The distance between the outlines, within EXACT."""
-        now = Nearing(self.anchors, nearer=False).of(after, id)
-        return abs(now - self.away) <= EXACT, f"{id} {now:.2f} m from {', '.join(self.anchors)}"
+        now = self.of(after, id)
+        off = {"ge": self.away - now, "le": now - self.away}.get(self.bound, abs(now - self.away))
+        return off <= EXACT, f"{id} {now:.2f} m from {', '.join(self.anchors)}"
+
+    def of(self, scene: Scene, id: str) -> float:
+        """The distance now [m]."""
+        return Nearing(self.anchors, nearer=False).of(scene, id)
 
 
 @dataclass(frozen=True)
@@ -201,6 +213,22 @@ class Free(Untied):
         found = [takers(after, part, besides=others) for part in parts(after.room, self.place)]
         taken = min(found, key=len, default=())
         return not taken, f"{', '.join(taken) or id} {'in' if taken else 'out of'} the {self.place}"
+
+
+@dataclass(frozen=True)
+class OutOf(Untied):
+    """It takes nothing of a stretch of floor."""
+
+    outline: Polygon
+    name: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How much of it is taken by the footprint [m2]."""
+        taken = float(after[id].footprint.intersection(self.outline).area)
+        return (
+            taken <= ENTERED,
+            f"{id} takes {taken:.2f} m2 of {self.name}" if taken > ENTERED else f"{id} out of {self.name}",
+        )
 
 
 @dataclass(frozen=True)

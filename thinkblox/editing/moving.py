@@ -1,15 +1,13 @@
-"""Orders on things that are there: move them, turn them, let them change places."""
+"""Orders that move things: to a place, by so much, nearer to or away from others, or just elsewhere."""
 
 import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
-from shapely.ops import nearest_points
-
 from thinkblox.assets import facts_of
-from thinkblox.brief import RelationKind
-from thinkblox.committing import commit
-from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
+from thinkblox.editing.acting import findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.carrying import usual_ties
+from thinkblox.editing.company import with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
@@ -18,69 +16,101 @@ from thinkblox.editing.goals import (
     Apart,
     At,
     Elsewhere,
+    Free,
     Goal,
     IntoRoom,
     Nearing,
     Related,
-    Turned,
 )
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.reaching import Reaching, ties_of, without
-from thinkblox.editing.spots import Pose, spots
-from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.reaching import Reaching, without
+from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots
+from thinkblox.editing.turning import face_each_other, turn_by, turns
+from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
 from thinkblox.editing.work import Work
-from thinkblox.episode import Round
+from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
-from thinkblox.judging import Proposal, Try
 from thinkblox.plan import Tie
-from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
-from thinkblox.scene.actions import Swap
-from thinkblox.scene.bearings import bearing, place_of
-from thinkblox.scene.landmarks import Landmark, things
-from thinkblox.scene.nearby import nearest_poses
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
-from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
-from thinkblox.scene.support import placed_at
-from thinkblox.steps import write_step
-from thinkblox.value import Vec2, Vec3
+from thinkblox.value import Vec3
 
+THERE = 0.75
+"""How far from where something was another may stand that comes there [m]."""
+SLIGHT = 0.45
+"""How far something is moved at most that is moved a bit [m]."""
+TOUCHING = 0.005
+"""A gap that cannot be made smaller [m]."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
 """How far something is moved where nobody says it [m]."""
+SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
+"""The same for "a bit" [m]."""
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
-SWAP_TRIES = 60
-"""Poses around the other's place that are looked at for one of two that change places."""
-SWAPPED = 0.5
-"""How far from the other's place something may stand that has changed places with it, besides half their sizes [m]."""
+SLIGHT_SHARES = (0.25, 0.15, 0.35)
+"""The same for "a bit"."""
 
 
 def move(work: Work, finder: Finder, order: Order) -> None:
     """Move things to where an order says, or by as much, or nearer to or away from something."""
-    if order.together:
+    if order.together or order.scatter or order.mutual == "next_to":
         _together(work, finder, order)
         return
     seen: set[tuple[str, str]] = set()
-    for ids, places in _moved(finder, order):
+    for ids, places in _moved(work, finder, order):
         _check_says_where(order, places)
-        for index, id in enumerate(ids):
+        for index, id in enumerate(_foremost_first(work, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
                 continue
             seen.add(said)
+            finder.scene, finder.about = work.scene, id
             goals = _goals(work, finder, order, id, places, index, len(ids))
-            _move_one(work, order, id, goals)
+            with_company(work, finder, order, id, lambda id=id, goals=goals: _move_and_turn(work, order, id, goals))  # type: ignore[misc]
         finder.recent = list(ids)
+    if order.mutual == "facing":
+        face_each_other(work, finder, order)
+
+
+def _foremost_first(work: Work, order: Order, ids: Sequence[str]) -> Sequence[str]:
+    """Things that are shifted one way, those in front first, so that none runs into the next."""
+    if not order.direction or len(ids) < 2:
+        return ids
+    x, y, _ = ways_of(work.scene[ids[0]])[order.direction]
+    return sorted(ids, key=lambda id: -(work.scene[id].position[0] * x + work.scene[id].position[1] * y))
+
+
+def _move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
+    """Move one thing, and turn it where the same order says by how much."""
+    if goals or order.direction:
+        move_one(work, order, id, goals)
+    if order.turn is not None:
+        turn_by(work, id, order)
 
 
 def _check_says_where(order: Order, places: Sequence[Where]) -> None:
-    if not (places or order.closer or order.direction or order.facing):
+    told = (order.closer, order.apart, order.direction, order.facing, order.seated, order.mutual)
+    if not (places or any(told) or order.there or order.free):
         raise InputError(f"'{order.text}' does not say where to; say a place, such as 'next to the bed'")
+    if order.lengths and not (order.closer or order.direction or order.seated == "out" or order.scatter):
+        said = ", ".join(f"{metres:.4g} m" for metres, _ in order.lengths)
+        raise InputError(
+            f"'{order.text}': it is not clear what {said} is; say 'to the left', 'from the wall' and so on"
+        )
+    if order.direction and order.closer:
+        raise InputError(f"'{order.text}' says two ways at once; give two orders")
 
 
-def _moved(finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
+def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
     """What is moved, with what is said of where it goes."""
+    if order.rest and not order.things:
+        everything = [p.id for p in work.scene.placements if p.support == "floor" and work.scene.asset_of(p).collides]
+        destination = [w for w in order.places if w.word != "except"]
+        yield work.touched(spare(finder, everything, order.spared)), destination
+        return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
     for number, phrase in enumerate(order.things):
@@ -89,7 +119,9 @@ def _moved(finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list
         if phrase.noun.kind in ("place", "part"):
             raise InputError(f"'{phrase.noun.text}' is no thing that can be moved; there {finder.listed()}")
         qualifiers, destination = _split(finder, order, phrase, places)
-        yield named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination)), destination
+        destination = anchored(finder, destination)
+        ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
+        yield work.touched(ids), destination
 
 
 def _split(
@@ -142,68 +174,93 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
 def _goals(
     work: Work, finder: Finder, order: Order, id: str, places: Sequence[Where], index: int, count: int
 ) -> list[Goal]:
-    category = work.scene[id].category
-    goals: list[Goal] = []
-    for where in places:
-        there = bound(where, category, finder)
-        if id in there.anchors and not there.negated:
-            raise InputError(f"{id} cannot be put where it is itself: '{where.text} {where.noun and where.noun.text}'")
-        goals.append(related(there, category, index, count))
-    for nearer, phrase in order.closer:
-        anchors = mark_names(finder, phrase)
-        goals.append(Nearing(anchors, nearer, order.lengths[0][0] if order.lengths else None))
-    goals += [Apart(mark_names(finder, phrase), away) for away, phrase in order.apart]
+    goals = [goal for where in places for goal in _at_place(work, finder, order, id, where, index, count)]
+    if order.there:
+        goals.append(At(finder.left_place(order.text), THERE))
+    goals += [Free(place_named(noun)) for noun in order.free]
+    if order.slight and (order.closer or order.direction):
+        goals.append(At(work.scene[id].position[:2], SLIGHT))
+    if order.seated:
+        goals += _seated(work, id, order)
+    goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in order.closer]
+    goals += [Apart(mark_names(finder, phrase), away, order.bound) for away, phrase in order.apart]
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
-def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal:
-    """A relation as a goal; of several around a thing each is by it, and seats are drawn up to it."""
-    if there.of_room:
-        return IntoRoom()
-    measured: RelationKind | None = None
-    if there.kind == "around":
-        measured = "at" if facts_of(category).is_in("seating") else "near"
-    return Related(there.kind, there.anchors, there.negated, index, count, measured)
+def _at_place(
+    work: Work, finder: Finder, order: Order, id: str, where: Where, index: int, count: int
+) -> Iterator[Goal]:
+    """What a place wants of one of several that are moved there."""
+    category = work.scene[id].category
+    slots = slots_of(where, category, finder)
+    text = f"{where.text} {where.noun.text if where.noun else ''}"
+    if len(slots) > max(count, 1):
+        raise InputError(f"'{order.text}': '{text}' names {len(slots)} places, for {count} to be moved")
+    there = slots[index % len(slots)]
+    if id in there.anchors and not there.negated:
+        raise InputError(f"{id} cannot be put where it is itself: '{text}'")
+    if there.kind == "in_centre" and _carries(work, there.anchors, category):
+        yield Related("on", there.anchors)
+    yield related(there, category, index, count)
 
 
-def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
-    """What distances are measured to: ids, or a part of the room."""
-    noun = phrase.noun
-    if noun.kind == "place":
-        if not things(finder.scene, noun.value.split()[0]):
-            raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
-        return (noun.value.split()[0],)
-    if noun.kind == "part" and noun.value == "middle":
-        return ("centre",)
-    return named(finder, phrase, phrase.places)
+def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, phrase: NounPhrase) -> Goal:
+    """How far nearer to something, or away from it; of "their desks" to the one that is nearest."""
+    anchors, by = mark_names(finder, phrase), order.lengths[0][0] if order.lengths else None
+    if order.rest and not nearer and by is not None:
+        return Apart(anchors, by, "ge")
+    if phrase.noun.det == "my" and phrase.noun.many:
+        anchors = (min(anchors, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id)),)
+    return Nearing(anchors, nearer, by, order.slight)
 
 
-def looking(finder: Finder, noun: Noun) -> Goal:
-    """What something is to face, as a goal."""
-    if noun.kind == "room":
-        return IntoRoom()
-    if noun.kind == "part" and noun.value == "middle":
-        return Related("facing", ("centre",))
-    return Related("facing", mark_names(finder, NounPhrase(noun)))
+def _carries(work: Work, anchors: Sequence[str], category: str) -> bool:
+    """Whether something small goes on a thing of which it is to be in the middle."""
+    surfaced = [name for name in anchors if name in work.scene and work.asset_of(name).surfaces]
+    return bool(surfaced) and facts_of(category).is_in("small")
 
 
-def _move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
+def _seated(work: Work, id: str, order: Order) -> list[Goal]:
+    """A seat is pushed in to the table that is nearest to it, or pulled out from it.
+
+    Raises:
+        InputError: it is no seat, or no table is there.
+    """
+    tables = [p.id for p in work.scene.placements if facts_of(p.category).is_in("tables", "desks", "counters")]
+    if not facts_of(work.scene[id].category).is_in("seating") or not tables:
+        raise InputError(f"'{order.text}': {id} is no seat at a table; say where to")
+    mark = things(work.scene, id)[0]
+    table = min(tables, key=lambda name: ground_gap(mark, things(work.scene, name)[0]))
+    if order.seated == "in":
+        return [Related("at", (table,))]
+    return [Nearing((table,), nearer=False, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)]
+
+
+def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
+    """Move one object to where it meets the goals, and the order's direction; notes what became of it."""
     before = work.scene[id]
-    if goals and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
-        work.done.append(f"{id} stays: it is so already ({'; '.join(_findings(work, goals, id))})")
+    if goals and not order.direction and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+        work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         return
     gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
+    if gap is not None and gap.nearer and gap.by is None and gap.of(work.scene, id) < TOUCHING:
+        work.done.append(f"{id} stays: it is at {', '.join(gap.anchors)} already")
+        return
     if gap is not None:
-        direct: Iterator[Pose] = _by_gap(work.scene, before, gap)
-        done = _reach(work, id, goals, direct=direct, ask=True)
+        direct: Iterator[Pose] = _by_so_much(work.scene, before, gap)
+        done = reach_goals(work, id, goals, direct=direct, ask=True)
     elif order.direction and not order.closer:
         direct, more = _by_step(work, order, before)
         goals = [*goals, *more]
-        done = _reach(work, id, goals, direct=direct, ask=False, search=not order.lengths)
+        done = reach_goals(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
         direct = chain(_in_line(work.scene, before, goals), _so_far(work.scene, before, goals), _spots(work, id, goals))
-        done = _reach(work, id, goals, direct=direct, ask=True)
-    _say(work, id, before, done, goals)
+        if any(isinstance(goal, Related) and goal.kind == "against_wall" and goal.count > 1 for goal in goals):
+            direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
+        if any(isinstance(goal, Apart) for goal in goals):
+            direct = chain(_aside(work.scene, before, goals), direct)
+        done = reach_goals(work, id, goals, direct=direct, ask=True)
+    say(work, id, before, done, goals)
 
 
 def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -212,55 +269,12 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     yield from spots(empty, work.asset_of(id), goals)
 
 
-def _findings(work: Work, goals: Sequence[Goal], id: str) -> Iterator[str]:
-    for goal in goals:
-        yield goal.check(work.before, work.scene, id)[1]
-
-
-def _reach(
-    work: Work,
-    id: str,
-    goals: Sequence[Goal],
-    *,
-    direct: Iterator[Pose],
-    ask: bool,
-    search: bool = True,
-    ties: Sequence[Tie] | None = None,
-    begin: Pose | None = None,
-) -> Reaching | None:
-    """Bring an object to its goals; returns None when that is done, or what was tried."""
-    told = ties_of(goals) if ties is None else tuple(ties)
-    target = work.target(id, work.scene[id].category, told, work.asset_of(id).attributes)
-    reaching = Reaching(
-        work, target, work.asset_of(id), goals, direct=direct, ask=ask and bool(told), search=search, begin=begin
-    )
-    return None if reaching.run() else reaching
-
-
-def _say(work: Work, id: str, before: Placement, failed: Reaching | None, goals: Sequence[Goal]) -> None:
-    if failed is not None:
-        work.failed.append(f"{id} was left where it is: {failed.why}")
-        return
-    text = "; ".join(dict.fromkeys(_findings(work, goals, id)))
-    work.done.append(f"{moved_words(before, work.scene[id])}{f' ({text})' if text else ''}")
-
-
-def moved_words(before: Placement, after: Placement) -> str:
-    """How something has moved and turned, in words."""
-    away = math.dist(before.position, after.position)
-    turn = turn_between(before.yaw, after.yaw)
-    x, y, z = after.position
-    parts = [f"moved {away:.2f} m to ({x:.2f}, {y:.2f}{f', {z:.2f}' if z > 0.02 else ''})"] if away >= 0.005 else []
-    parts += [f"turned by {turn:.0f} degrees to yaw {after.yaw:g}"] if turn > 0.5 else []
-    return f"{after.id} {' and '.join(parts) or 'stays where it is'}"
-
-
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, where only the front is to point elsewhere."""
     if goals and all(
         isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
     ):
-        yield from _turns(scene, before, goals)
+        yield from turns(scene, before, goals)
 
 
 def _so_far(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -276,46 +290,30 @@ def _so_far(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[
                 yield (round(x, 4), round(y, 4), before.position[2]), yaw
 
 
-# --- nearer and further, by so much
-
-
-def _by_gap(scene: Scene, placement: Placement, gap: Nearing) -> Iterator[Pose]:
-    """Towards the nearest of the anchors, or away from it."""
-    mark = things(scene, placement.id)[0]
-    marks = [m for name in gap.anchors for m in things(scene, name)]
-    anchor = min(marks, key=lambda m: float(mark.footprint.distance(m.footprint)))
+def _by_so_much(scene: Scene, placement: Placement, gap: Nearing) -> Iterator[Pose]:
+    """Nearer to something, or further from it: by what is said, or by several shares of the way."""
     now = gap.of(scene, placement.id)
-    x, y = _nearest_way(mark, anchor)
     if gap.by is not None:
         lengths: tuple[float, ...] = (gap.by,)
     elif gap.nearer:
-        lengths = tuple(share * now for share in SHARES) if now > 0.005 else ()
+        shares = SLIGHT_SHARES if gap.slight else SHARES
+        lengths = tuple(share * now for share in shares) if now > 0.005 else ()
     else:
-        lengths = STEPS
-    sign = 1.0 if gap.nearer else -1.0
-    for length in lengths:
-        yield _shifted(placement, (sign * x * length, sign * y * length, 0.0)), placement.yaw
+        lengths = SLIGHT_STEPS if gap.slight else STEPS
+    yield from by_gap(scene, placement, gap.anchors, [-length if gap.nearer else length for length in lengths])
 
 
-def _nearest_way(mark: Landmark, anchor: Landmark) -> Vec2:
-    """Unit vector from the outline of one thing to the nearest point of another's."""
-    one, other = nearest_points(mark.footprint, place_of(anchor))
-    dx, dy = other.x - one.x, other.y - one.y
-    if math.hypot(dx, dy) < 1e-6:
-        dx, dy = anchor.centre[0] - mark.centre[0], anchor.centre[1] - mark.centre[1]
-    length = math.hypot(dx, dy) or 1.0
-    return (dx / length, dy / length)
+def _aside(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The place as it is, moved to the distance that is wanted."""
+    for goal in (g for g in goals if isinstance(g, Apart)):
+        if any(things(scene, name) for name in goal.anchors):
+            yield from by_gap(scene, before, goal.anchors, [goal.away - goal.of(scene, before.id)])
 
 
-def _shifted(placement: Placement, by: Vec3) -> Vec3:
-    x, y, z = (round(a + b, 4) for a, b in zip(placement.position, by, strict=True))
-    return (x, y, z)
-
-
-def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
-    """In a direction: its own left, right, front and back; up and down; or by the compass."""
+def ways_of(placement: Placement) -> dict[str, Vec3]:
+    """The unit vectors of directions: its own left, right, front and back, up and down, and the compass."""
     (fx, fy), (lx, ly) = placement.front, placement.left
-    ways: dict[str, Vec3] = {
+    return {
         "left": (lx, ly, 0.0),
         "right": (-lx, -ly, 0.0),
         "forward": (fx, fy, 0.0),
@@ -327,14 +325,20 @@ def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[P
         "east": (1.0, 0.0, 0.0),
         "west": (-1.0, 0.0, 0.0),
     }
-    way = ways[order.direction]
+
+
+def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
+    """In a direction: its own left, right, front and back; up and down; or by the compass."""
+    way = ways_of(placement)[order.direction]
     if order.direction in ("up", "down") and work.asset_of(placement.id).free:
         raise InputError(
             f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"
         )
     if not order.lengths:
-        return iter([(_shifted(placement, _scaled(way, s)), placement.yaw) for s in STEPS]), [Along(way)]
-    goal = _shifted(placement, _scaled(way, order.lengths[0][0]))
+        return iter(
+            [(shifted(placement, _scaled(way, s)), placement.yaw) for s in (SLIGHT_STEPS if order.slight else STEPS)]
+        ), [Along(way)]
+    goal = shifted(placement, _scaled(way, order.lengths[0][0]))
     return iter([(goal, placement.yaw)]), [At(goal[:2], height=goal[2] if way[2] else None)]
 
 
@@ -343,88 +347,22 @@ def _scaled(way: Vec3, length: float) -> Vec3:
 
 
 def _together(work: Work, finder: Finder, order: Order) -> None:
-    ids = list(dict.fromkeys(id for ids, _ in _moved(finder, order) for id in ids))
+    """Bring things nearer to each other, or further apart: the largest stays."""
+    ids = list(dict.fromkeys(id for ids, _ in _moved(work, finder, order) for id in ids))
     if len(ids) < 2:
-        raise InputError(f"'{order.text}' names one thing; say what it is to come closer to")
+        raise InputError(f"'{order.text}' names one thing; say what it is to come closer to, or away from")
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
+    by = order.lengths[0][0] if order.lengths else None
     for id in rest:
-        _move_one(work, order, id, [Nearing((fixed,), nearer=True)])
+        beside = order.mutual == "next_to"
+        goal = Related("next_to", (fixed,)) if beside else Nearing((fixed,), order.together, by, order.slight)
+        move_one(work, order, id, [goal])
     finder.recent = ids
-
-
-# --- turning
-
-
-def turn(work: Work, finder: Finder, order: Order) -> None:
-    """Turn things by an angle, or until they face something."""
-    seen: set[str] = set()
-    for ids, places in _turned(finder, order):
-        for id in (i for i in ids if i not in seen):
-            seen.add(id)
-            placement = work.scene[id]
-            looks = [looking(finder, noun) for noun in order.facing]
-            looks += [related(bound(w, placement.category, finder), placement.category) for w in places]
-            if looks:
-                _turn_to(work, id, looks)
-            else:
-                _turn_by(work, id, order)
-        finder.recent = list(ids)
-
-
-def _turned(finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
-    if not order.things:
-        raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
-    for phrase in order.things:
-        looks = [w for w in phrase.places if w.word in ("facing", "opposite")]
-        said = [w for w in phrase.places if w not in looks]
-        yield named(finder, phrase, said), looks
-
-
-def _turn_by(work: Work, id: str, order: Order) -> None:
-    before = work.scene[id]
-    angle, sense = order.turn, order.sense
-    if order.direction in ("left", "right"):
-        angle, sense = angle or 90.0, 1 if order.direction == "left" else -1
-    if order.direction in ("back", "forward"):
-        angle = angle or 180.0
-    if angle is None and sense:
-        angle = 90.0
-    if angle is None:
-        raise InputError(f"'{order.text}' does not say how far, or what it is to face; say 'by 90 degrees'")
-    senses = (1, -1) if not sense else (sense,)
-    yaws = tuple(dict.fromkeys(round((before.yaw + s * angle) % 360.0, 4) % 360.0 for s in senses))
-    goal = Turned(yaws)
-    poses = iter([(before.position, yaw) for yaw in yaws])
-    failed = _reach(work, id, [goal], direct=poses, ask=False, begin=(before.position, yaws[0]))
-    _say(work, id, before, failed, [goal])
-
-
-def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
-    before = work.scene[id]
-    if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
-        work.done.append(f"{id} stays: it is so already ({'; '.join(_findings(work, goals, id))})")
-        return
-    failed = _reach(work, id, goals, direct=_turns(work.scene, before, goals), ask=False)
-    _say(work, id, before, failed, goals)
-
-
-def _turns(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
-    """The place as it is with every yaw that may do: square to the walls first, then straight at what it faces."""
-    square = sorted((wall.yaw for wall in scene.room.walls), key=lambda yaw: turn_between(yaw, before.yaw))
-    away = 180.0 if scene.asset_of(before).gaze == "back" else 0.0
-    names = [n for goal in goals for n in (goal.anchors if isinstance(goal, Related) else ("centre",))]
-    marks = [mark for name in names for mark in things(scene, name)]
-    straight = [round((bearing(before.position[:2], mark.centre) + away) % 360.0, 1) % 360.0 for mark in marks]
-    for yaw in dict.fromkeys([*square, *straight]):
-        yield before.position, yaw
-
-
-# --- another place, and each other's places
 
 
 def resite(work: Work, finder: Finder, order: Order) -> None:
     """Find another place for things."""
-    for ids, _ in _moved(finder, order):
+    for ids, _ in _moved(work, finder, order):
         for id in ids:
             before = work.scene[id]
             goal = Elsewhere(ELSEWHERE if before.support == "floor" else ELSEWHERE_SMALL)
@@ -434,7 +372,7 @@ def resite(work: Work, finder: Finder, order: Order) -> None:
                 failed = _anywhere(work, id, goal, ties)
                 if failed is None:
                     break
-            _say(work, id, before, failed, [goal])
+            say(work, id, before, failed, [goal])
         finder.recent = list(ids)
 
 
@@ -442,80 +380,3 @@ def _anywhere(work: Work, id: str, goal: Goal, ties: Sequence[Tie]) -> Reaching 
     target = work.target(id, work.scene[id].category, ties, work.asset_of(id).attributes)
     reaching = Reaching(work, target, work.asset_of(id), [goal])
     return None if reaching.run() else reaching
-
-
-def swap(work: Work, finder: Finder, order: Order) -> None:
-    """Let two things change places."""
-    ids = [id for phrase in order.things for id in named(finder, phrase, phrase.places)]
-    ids = list(dict.fromkeys(ids))
-    if len(ids) != 2:
-        raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
-    one, other = ids
-    before = work.scene
-    action = Swap(id=one, other=other)
-    after = before.apply(action)
-    verdict = work.world.measure(action)
-    text = write_step([f"{one} and {other} change places."], action="swap", id=one, other=other)
-    proposal = Proposal(text, action, after[one], after.asset_of(after[one]))
-    tried = Try(text=text, placement=after[one], verdict=verdict)
-    if verdict.valid:
-        work.world, placements = commit(work.world, proposal, verdict)
-    else:
-        placements = ()
-    work.rounds.append(
-        Round(
-            id=one,
-            number=0,
-            kind="repair",
-            asset=before[one].asset,
-            tries=(tried,),
-            chosen=0 if verdict.valid else None,
-            committed=placements,
-        )
-    )
-    for id in ids:
-        work.assets[before[id].asset] = before.asset_of(before[id])
-    if not verdict.valid:
-        why = _swap_nearby(work, one, other)
-        if why:
-            work.failed.append(f"{one} and {other} were left where they are: {why}; exactly exchanged, {verdict}")
-            return
-    for id in ids:
-        work.done.append(f"{moved_words(before[id], work.scene[id])}, to where {other if id == one else one} was")
-    finder.recent = ids
-
-
-def _swap_nearby(work: Work, one: str, other: str) -> str:
-    """Put each as near to the other's place as it can stand; says why where that is not near enough."""
-    before, saved = work.scene, work.saved()
-    exchanged = before.apply(Swap(id=one, other=other))
-    taken = take(work, (one, other))
-    order = sorted((one, other), key=lambda id: -before[id].size[0] * before[id].size[1])
-    for id in order:
-        partner = before[other if id == one else one]
-        reach = SWAPPED + abs(max(before[id].size[:2]) - min(partner.size[:2])) / 2
-        asset, pose = work.assets[before[id].asset], exchanged[id]
-        goals: list[Goal] = [At(partner.position[:2], reach)]
-        target = work.target(id, before[id].category, (), asset.attributes)
-        poses = _about(work, id, pose)
-        reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, tries=SWAP_TRIES)
-        if not reaching.run():
-            why = reaching.why
-            work.restore(saved)
-            return why
-    for id in order:
-        lost = put_back(work, before[id], taken, before)
-        for rider in (p for p in taken if p.id in lost):
-            if not place_anew(work, rider, carriers=(id,)):
-                work.restore(saved)
-                return f"{rider.id} could not go along with {id}"
-    return ""
-
-
-def _about(work: Work, id: str, pose: Placement) -> Iterator[Pose]:
-    """The pose and the nearest free ones, as they are turned first."""
-    asset = work.assets[pose.asset]
-    yield pose.position, pose.yaw
-    placed = placed_at(work.scene, asset, id=id, position=pose.position, yaw=pose.yaw)
-    for near in nearest_poses(work.scene, asset, placed):
-        yield near.position, near.yaw

@@ -7,7 +7,8 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 
 Doing = Literal[
-    "add", "put", "move", "turn", "replace", "remove", "swap", "rearrange", "resite", "make", "free", "clear", "keep"
+    "add", "ensure", "put", "move", "turn", "replace", "remove", "swap", "rearrange", "resite", "make", "free", "clear",
+    "keep", "only", "gap"
 ]  # fmt: skip
 
 
@@ -18,7 +19,10 @@ class NounPhrase:
     Attributes:
         id: of an object that is named by it.
         rank: 1 for "the larger one" of several, -1 for "the smaller one"; 0 where nothing is said.
+        along: what they are compared by: "height", "length"; empty for how large they are.
+        share: which part of them is meant, whichever: 0.5 for "half of the chairs"; 0 where none is said.
         spared: which of them are excepted.
+        left: how many are excepted, whichever ("all but two of them").
         laden: what rests on it is meant too.
     """
 
@@ -26,6 +30,9 @@ class NounPhrase:
     places: list[Where] = field(default_factory=list)
     id: str = ""
     rank: int = 0
+    along: str = ""
+    share: float = 0.0
+    left: int = 0
     spared: list["NounPhrase"] = field(default_factory=list)
     laden: bool = False
 
@@ -46,12 +53,21 @@ class Order:
         places: where, when no thing was named before.
         closer: to which others the things go nearer (True), or from which they go away (False).
         apart: how far from what they are to be [m].
+        bound: "ge" where such a length is the least, "le" where it is the most.
+        company: what goes along with them.
+        mutual: how they are to stand to each other.
         spared: what "everything" does not hold.
         together: nearer to each other.
+        scatter: further from each other.
+        split: how many of its things are the first of two groups.
         facing: what they are to face.
         turn, sense: by how many degrees, and which way: 1 counter-clockwise, -1 clockwise, 0 where either will do.
         direction: where they are shifted to: "left", "north", "up", ...
         lengths: lengths that it names [m], with their axes ("" where none is said).
+        by: the length is by how much something changes, not what it comes to.
+        slight: it is to be a little.
+        seated: seats are pushed "in" to their table, or pulled "out".
+        looks: what a thing is to look like: colours, materials, shapes.
         change: how the room is to change: "longer", "wider", ...
         room: it is about the whole room.
         ceiling: it is about the ceiling.
@@ -59,6 +75,10 @@ class Order:
         free: places that are to stay free.
         rest: it speaks of everything else.
         away: "take it away".
+        there: where something was that the order before has taken away.
+        space: it speaks of the space at its places.
+        total: it says how many there are to be ("only two chairs").
+        lost: words that mean nothing in it.
     """
 
     doing: Doing
@@ -69,12 +89,20 @@ class Order:
     closer: list[tuple[bool, NounPhrase]] = field(default_factory=list)
     apart: list[tuple[float, NounPhrase]] = field(default_factory=list)
     spared: list[NounPhrase] = field(default_factory=list)
+    bound: str = ""
+    company: list[NounPhrase] = field(default_factory=list)
+    mutual: str = ""
     together: bool = False
+    scatter: bool = False
     facing: list[Noun] = field(default_factory=list)
     turn: float | None = None
     sense: int = 0
     direction: str = ""
     lengths: list[tuple[float, str]] = field(default_factory=list)
+    by: bool = False
+    slight: bool = False
+    seated: str = ""
+    looks: list[str] = field(default_factory=list)
     change: str = ""
     room: bool = False
     ceiling: bool = False
@@ -82,6 +110,11 @@ class Order:
     free: list[Noun] = field(default_factory=list)
     rest: bool = False
     away: bool = False
+    space: bool = False
+    total: bool = False
+    there: bool = False
+    split: int = 0
+    lost: list[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,8 @@ SEARCHED = 24
 """Poses around the best start that are measured when nothing that was proposed will do."""
 LOOKED_AT = 250
 """Poses nearby, and on the whole floor, that are held against the goals for that."""
+MORE = 200
+"""Poses at what the order names that are held against the goals."""
 GROUPS = 4
 """Poses at which something is measured with all that rests on it; before that it is measured by itself."""
 DIRECT = 16
@@ -51,6 +53,7 @@ class Reaching:
         ask: whether the policy is asked.
         search: whether the surroundings of what came nearest are searched when nothing else will do.
         begin: where that search begins when nothing was proposed.
+        more: poses that are tried when nobody that was asked knew one.
         tries: how many of the direct poses are looked at.
     """
 
@@ -62,6 +65,7 @@ class Reaching:
     ask: bool = True
     search: bool = True
     begin: Pose | None = None
+    more: Iterable[Pose] = ()
     tries: int = DIRECT
     failed: list[tuple[Proposal, Verdict]] = field(default_factory=list)
     missed: list[str] = field(default_factory=list)
@@ -83,6 +87,9 @@ class Reaching:
             done, feedback = self._ask(number, feedback)
             if done:
                 return True
+        more = (self._proposal(pose, "It is where the order says.") for pose in islice(self.more, MORE))
+        if self._try("repair", more, most=DIRECT):
+            return True
         return self.search and self._try("repair", self._around(), most=SEARCHED)
 
     @property

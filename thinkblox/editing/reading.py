@@ -1,51 +1,44 @@
 """Instructions to orders: the reader's noun phrases and prepositions, and a grammar of what is done with them."""
 
 import re
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import cast
 
-from thinkblox.editing.grammar import is_filler, longest, means, verbs
+from thinkblox.assets.plurals import singular
+from thinkblox.editing.clauses import Clause, clauses
+from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
+from thinkblox.editing.grammar import is_filler, means, verbs
+from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
-from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
-from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
-from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token
 
 MAX_INSTRUCTION = 2000
 """Longest instruction that is read [characters]."""
 _ID = re.compile(r"\b[A-Za-z][A-Za-z0-9_.-]*_[0-9]+\b")
-_POINTERS = frozenset(
-    "the a an both all it them my every each that this these those another some only just its their our any no more"
-    " everything nothing".split()
-)
-"""Words after a verb in the middle of a sentence, by which it is told from a noun."""
-_ENDS = (".", ";", "!", "?", "\n")
-_DEGREES = ("degrees", "degree", "deg", "°")
-_ANYWHERE = ("nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places")
-_AT_END = ("round", "away", "places_of_both")
-_OF_ROOM = ("make", "rearrange", "free", "keep")
-_ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite")
+_OF_ROOM = ("make", "rearrange", "free", "keep", "only")
+_ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "make", "keep", "only")
 """Orders whose things are in the room already."""
-_FREE = ("free", "empty", "clear", "open", "uncluttered", "unobstructed")
-
-
-@dataclass
-class _Mark:
-    """A phrase of an instruction's own grammar: its section and key, and the angle or the lengths that it names."""
-
-    sort: str
-    key: str
-    value: float = 0.0
-    lengths: tuple[tuple[float, str], ...] = ()
-
-
-_Item = Chunk | _Mark
+_MAKING = ("make", "leave", "keep")
+"""Verbs of "make room", "leave some space"."""
+_OF_ALL = ("remove", "keep", "move", "free", "turn")
+"""Orders that "everything" can be said with."""
+_BEING = ("be", "stand", "hang", "put", "leave", "have")
+_ROW = "row_of_"
+"""How things begin that are one thing in the catalogue, and a row where it is said which."""
+_SHAPES = ("round",)
+"""Prepositions that are looks where nothing follows."""
+_WITH_ALONG = ("move", "put", "turn", "resite", "swap")
+"""Orders on which other things can go along: "the table with its chairs"."""
+_OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
+_ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_OF_WALL = ("opposite", "behind", "facing")
+_ACROSS = ("opposite", "far", "facing")
 
 
 def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
@@ -61,17 +54,19 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(text, ids)
-    tokens = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
+    tokens = _with_rows([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
     orders: list[Order] = []
     unknown: list[str] = []
-    for doing, change, part in _clauses(tokens, unknown):
-        shown = " ".join(token.shown for token in part)
-        reader = _OrderReader(lexicon, Order(cast(Doing, doing), shown, change=change), part, named)
+    found = clauses(tokens, named, unknown)
+    for clause in found:
+        reader = _OrderReader(lexicon, clause, named)
         orders += reader.read()
-        unknown += reader.unknown
-    if not orders:
+        unknown += reader.order.lost
+    if not found:
         words = ", ".join(verbs())
         raise InputError(f"{_short(text)!r} does not say what to do with the room; an instruction begins with {words}")
+    for order in orders:
+        check_heeded(order)
     return Instruction(text, tuple(orders), tuple(unknown))
 
 
@@ -112,85 +107,47 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
     return plain + text[end:], named
 
 
+def _with_rows(tokens: list[Token]) -> list[Token]:
+    """Read "the front row of", "the back row of" as the first and the last."""
+    words = {"front": "first", "back": "last", "rear": "last"}
+    read = list(tokens)
+    for index in range(len(tokens) - 2):
+        if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
+            read[index] = replace(tokens[index], text=words[tokens[index].text])
+    return read
+
+
 def _corrected(lexicon: Lexicon, token: Token) -> Token:
-    known = token.kind != "word" or any(means(s, token.text) for s in ("verbs", "fillers", "comparatives", "resizing"))
+    if side := means("synonyms", token.text):
+        return replace(token, text=side)
+    known = token.kind != "word" or any(means(s, token.text) for s in _OWN_WORDS)
     meant = "" if known else meant_by(lexicon, token.text)
     return replace(token, text=meant) if meant else token
-
-
-def _clauses(tokens: Sequence[Token], unknown: list[str]) -> Iterator[tuple[str, str, list[Token]]]:
-    """The orders of a text: what is done, how the room changes by that, and the words after the verb."""
-    starts: list[tuple[int, int, str, str]] = []
-    index, fresh, first = 0, True, True
-    while index < len(tokens):
-        token = tokens[index]
-        found = _verb(tokens, index, first=first) if fresh else None
-        if found is not None:
-            key, change, length = found
-            starts.append((index, index + length, key, change))
-            index, fresh, first = index + length, False, False
-            continue
-        filler = longest("fillers", tokens, index) if fresh else None
-        if token.text in _ENDS:
-            fresh = first = True
-        elif token.text in (",", "and", "then", "but", "also", "while"):
-            fresh = True
-        elif filler is not None:
-            index += filler[1]
-            continue
-        else:
-            fresh = first = False
-        index += 1
-    lead = tokens[: starts[0][0]] if starts else tokens
-    unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
-    for number, (_, begin, key, change) in enumerate(starts):
-        end = starts[number + 1][0] if number + 1 < len(starts) else len(tokens)
-        yield key, change, list(tokens[begin:end])
-
-
-def _is_filler(tokens: Sequence[Token], token: Token) -> bool:
-    at = tokens.index(token)
-    spans = ((start, longest("fillers", tokens, start)) for start in range(at + 1))
-    return any(found is not None and start + found[1] > at for start, found in spans)
-
-
-def _verb(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str, int] | None:
-    """What is done, how the room changes by that, and the length of the verb [tokens]."""
-    found = longest("verbs", tokens, at)
-    change = longest("resizing", tokens, at)
-    if change is not None and (found is None or change[1] > found[1]):
-        found = ("make", change[1])
-    else:
-        change = None
-    if found is None:
-        return None
-    after = tokens[at + found[1]] if at + found[1] < len(tokens) else None
-    pointed = after is not None and (after.text in _POINTERS or after.kind == "number")
-    pointed |= after is not None and grammar().at([after], 0, "count") is not None
-    if not first and not pointed:
-        return None
-    return found[0], change[0] if change else "", found[1]
 
 
 class _OrderReader:
     """Reads the words after one verb."""
 
-    def __init__(self, lexicon: Lexicon, order: Order, tokens: list[Token], named: dict[int, str]) -> None:
-        self.order = order
-        self.orders = [order]
-        self.unknown: list[str] = []
-        self._lexicon, self._named = lexicon, named
-        self._ranks: dict[int, int] = {}
-        self._rank: dict[int, int] = {}
-        self._items = list(self._cut(tokens))
+    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str]) -> None:
+        verb = clause.text.split(" ", 1)[0].lower()
+        self.order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
+        told = [word.lower() for word in clause.text.split()[:4]]
+        self.order.space = (
+            clause.doing == "free" and told[0] in _MAKING and any(means("distances", word) == "gap" for word in told)
+        )
+        self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
+        self.orders = [self.order]
+        self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
+        self._items = self._cutter.items(clause.tokens)
         self._at = 0
         self._mode = "things"
         self._so: list[NounPhrase] = []
         self._negated = False
         self._pending: bool | None = None
-        self._clears = order.doing == "free"
+        self._clears = clause.doing == "free"
         self._anchors: list[Noun] = []
         self._excepted: NounPhrase | None = None
+        self._distance = False
 
     def read(self) -> list[Order]:
         """Read everything."""
@@ -198,166 +155,274 @@ class _OrderReader:
             item = self._items[self._at]
             self._at += 1
             match item:
-                case _Mark():
+                case OrderMark():
                     self._mark(item)
                 case Noun():
                     self._noun(item)
                 case Connector():
                     self._connector(item)
+                case Measured() if self._sized() is not None:
+                    self._sized().size = item.size  # type: ignore[union-attr]
                 case Measured():
                     self.order.lengths += [(length.metres, length.axis) for length in item.size.lengths]
-                case Adjective() if self._mode == "so" and item.text.lower() in _FREE:
-                    self.order.free += [phrase.noun for phrase in self._so]
-                case Adjective() if self.order.doing == "keep" and item.text.lower() in _FREE:
-                    self.order.doing = "free"
-                    self.order.free += [phrase.noun for phrase in self.order.things]
-                    self.order.things.clear()
+                case Adjective():
+                    self._adjective(item)
                 case _:
                     self._lose(item)
-        if self._pending is not None:
-            self.order.together = self._pending
-        if self._clears and self.order.doing == "free" and not self.order.free:
-            self.order.doing = "clear"
+        self._finish()
         return self.orders
+
+    def _sized(self) -> Noun | None:
+        """The new thing of which a size by itself speaks: "a round one that is 1.5 m wide"."""
+        order = self.order
+        new = order.instead if order.doing == "replace" else order.things if order.doing in ("add", "ensure") else []
+        return new[-1].noun if new and new[-1].noun.size is None else None
+
+    def _finish(self) -> None:
+        order = self.order
+        if self._pending is not None:
+            order.together, order.scatter = self._pending, not self._pending
+        about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
+        if (
+            order.doing in ("free", "keep", "make", "move", "put")
+            and about
+            and (order.space or order.lengths)
+            and (not order.things or order.doing in ("free", "keep"))
+        ):
+            order.doing, order.places = "gap", about[:1]
+        somewhere = order.places and not order.things and not order.rest and not order.room
+        if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
+            order.doing = "clear"
+        if order.doing == "put" and order.things and self._is_about_looks():
+            order.doing = "make"
+        if order.doing == "keep" and order.total:
+            order.doing = "only"
+
+    def _is_about_looks(self) -> bool:
+        """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
+        order = self.order
+        placed = order.places or order.closer or order.direction or order.facing or any(p.places for p in order.things)
+        return not placed and bool(order.looks or order.change)
+
+    def _adjective(self, said: Adjective) -> None:
+        order, free = self.order, bool(means("clear", said.text.lower()))
+        if free and self._mode == "so":
+            order.free += [phrase.noun for phrase in self._so]
+        elif free and order.doing in ("keep", "put", "make", "ensure"):
+            order.doing = "free"
+            order.free += [phrase.noun for phrase in order.things if phrase.noun.kind in ("place", "part")]
+            order.places += [where for phrase in order.things for where in phrase.places]
+            things = [phrase for phrase in order.things if phrase.noun.kind not in ("place", "part")]
+            self._clears = bool(things) and not order.free
+            order.things[:] = things
+        elif order.doing in ("make", "put") and order.things and said.attributes and not said.unshown:
+            order.looks += said.attributes
+        else:
+            self._lose(said)
 
     def _lose(self, item: Chunk) -> None:
         text = item.request.phrase if isinstance(item, SaidSurface) else getattr(item, "text", "")
         words = [w for w in text.split() if not means("fillers", w.lower())]
-        if words:
-            self.unknown.append(" ".join(words))
-
-    # --- cutting
-
-    def _cut(self, tokens: list[Token]) -> Iterator[_Item]:
-        run: list[Token] = []
-        index = 0
-        while index < len(tokens):
-            rank = means("sizes", tokens[index].text) if run and run[-1].text in ("the", "my", "that") else ""
-            if rank and self.order.doing != "add" and index + 1 < len(tokens) and tokens[index + 1].kind == "word":
-                self._ranks[tokens[index + 1].start] = int(rank)
-                index += 1
-                continue
-            found = self._marked(tokens, index)
-            if found is None:
-                run.append(tokens[index])
-                index += 1
-                continue
-            yield from self._chunks(run)
-            run = []
-            yield found[0]
-            index += found[1]
-        yield from self._chunks(run)
-
-    def _chunks(self, run: list[Token]) -> Iterator[Chunk]:
-        if not run:
-            return
-        chunks, _ = cut(self._lexicon, run)
-        for chunk in chunks:
-            if isinstance(chunk, Noun):
-                ids = [self._named[t.start] for t in run[chunk.start : chunk.end] if t.start in self._named]
-                if ids:
-                    chunk.id = ids[0]
-                ranks = [self._ranks[t.start] for t in run[chunk.start : chunk.end] if t.start in self._ranks]
-                self._rank[id(chunk)] = ranks[0] if ranks else 0
-            yield chunk
-
-    def _marked(self, tokens: list[Token], at: int) -> tuple[_Mark, int] | None:
-        """The phrase of the instruction's grammar that begins at a token, and its length."""
-        measure = _angle(tokens, at) or self._lengths(tokens, at)
-        if measure is not None:
-            return measure
-        if self.order.doing == "make":
-            for sort in ("comparatives", "absolutes"):
-                found = longest(sort, tokens, at)
-                if found is not None:
-                    return _Mark(sort, found[0]), found[1]
-        found = longest("directions", tokens, at)
-        if found is not None and self.order.doing in ("move", "put", "turn") and _ends(tokens, at + found[1]):
-            return _Mark("directions", found[0]), found[1]
-        found = longest("markers", tokens, at)
-        if found is None:
-            return None
-        key, length = found
-        if key in _ANYWHERE and not (key in ("rest", "as_is") and self.order.doing not in ("keep", "remove", "free")):
-            return _Mark("markers", key), length
-        if key in _AT_END and _ends(tokens, at + length):
-            return _Mark("markers", key), length
-        return None
-
-    def _lengths(self, tokens: list[Token], at: int) -> tuple[_Mark, int] | None:
-        """How far a thing is moved, or by how much the room changes; of other orders it is the size of a thing."""
-        if self.order.doing not in ("move", "put", "make") or not _is_number(tokens[at]):
-            return None
-        size = read_size(self._lexicon, tokens, at)
-        if size is None:
-            return None
-        lengths = tuple((part.metres, part.axis) for part in size[0].lengths)
-        return _Mark("lengths", "", lengths=lengths), size[1] - at
+        if words and not is_filler(text):
+            self.order.lost.append(" ".join(words))
 
     # --- reading
 
-    def _mark(self, mark: _Mark) -> None:
+    def _mark(self, mark: OrderMark) -> None:
         order = self.order
         match mark.sort:
             case "lengths":
-                order.lengths += mark.lengths
+                self._length(mark)
             case "turn":
                 order.turn = mark.value
             case "directions":
-                order.direction = mark.key
+                if order.direction:
+                    order.lost.append(mark.key)
+                order.direction = order.direction or mark.key
+            case "few":
+                order.slight = True
+            case "clear":
+                self._adjective(Adjective(0, 0, "free"))
+            case "rows":
+                self._row(int(mark.key))
+            case "seated":
+                order.seated = mark.key
             case "comparatives" | "absolutes":
                 order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
             case _:
                 self._marker(mark.key)
 
+    def _row(self, number: int) -> None:
+        """Read "in the front row" of what was named last."""
+        phrase = self._excepted or (self.order.things[-1] if self.order.things else None)
+        if phrase is None or phrase.noun.kind != "thing":
+            self.order.lost.append("row")
+        else:
+            phrase.noun = replace(phrase.noun, rows=1, ordinal=number)
+
+    def _length(self, mark: OrderMark) -> None:
+        order = self.order
+        order.lengths += mark.lengths
+        bound, _, by = mark.key.partition(" ")
+        order.bound = bound if bound in ("ge", "le") else order.bound
+        order.by |= by == "by" or bound == "by"
+        self._distance = len(mark.lengths) == 1 and not mark.lengths[0][1]
+
     def _marker(self, key: str) -> None:
         order = self.order
-        if key in ("nearer", "farther"):
-            self._pending = key == "nearer"
-        elif key in ("clockwise", "anticlockwise"):
-            order.sense = -1 if key == "clockwise" else 1
-        elif key == "round" and order.doing == "turn" and order.turn is None:
+        match key:
+            case "nearer" | "farther":
+                self._pending = key == "nearer"
+            case "clockwise" | "anticlockwise":
+                order.sense = -1 if key == "clockwise" else 1
+            case "round":
+                self._round()
+            case "elsewhere":
+                order.doing = "resite"
+            case "away" | "rest" | "there":
+                setattr(order, key, True)
+            case "so" | "unblock":
+                self._mode, self._so = key, []
+            case "together":
+                order.mutual = "next_to"
+            case _:
+                pass
+
+    def _round(self) -> None:
+        """Read "turn it round", "make the table round"."""
+        order = self.order
+        if order.doing == "turn" and order.turn is None:
             order.turn = 180.0
-        elif key == "elsewhere":
-            order.doing = "resite"
-        elif key == "away":
-            order.away = True
-        elif key == "rest":
-            order.rest = True
-        elif key == "so":
-            self._mode, self._so = "so", []
+        elif order.doing == "make":
+            order.looks.append("round")
+        else:
+            order.lost.append("round")
 
     def _noun(self, noun: Noun) -> None:
         order = self.order
         if self._is_address(noun):
             return
-        phrase = NounPhrase(noun, id=noun.id, rank=self._rank.get(id(noun), 0))
-        if self._pending is not None:
+        noun = self._merged(noun)
+        negated, self._negated = self._negated, False
+        phrase = self._phrase(noun)
+        if negated and order.things and self._mode == "things":
+            order.things[-1].spared.append(phrase)
+            self._excepted = phrase
+        elif negated:
+            order.lost.append(f"not {noun.text}")
+        elif self._pending is not None:
             self._compared(phrase)
         elif self._excepted is not None:
             (order.things[-1].spared if order.things else order.spared).append(phrase)
             self._excepted = phrase
         elif self._mode == "so":
             self._so.append(phrase)
+        elif self._mode == "unblock" and noun.kind in ("place", "part"):
+            order.free.append(noun)
+            self._mode = "things"
         elif self._mode == "instead" and noun.kind in ("thing", "number"):
             order.instead.append(phrase)
+        elif not self._is_of_room(noun):
+            self._thing(phrase)
+
+    def _is_of_room(self, noun: Noun) -> bool:
+        """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
+        order, part = self.order, noun.kind in ("place", "part")
+        if self._is_space(noun):
+            order.space = True
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
-        elif noun.kind in ("place", "part") and noun.value == "ceiling" and order.doing == "make":
+        elif part and noun.value == "ceiling" and order.doing == "make":
             order.room = order.ceiling = True
-        elif order.doing == "free" and noun.kind in ("place", "part"):
+        elif order.doing == "free" and part:
             order.free.append(noun)
+        elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
+            self._look_of(noun)
+        else:
+            return False
+        return True
+
+    def _thing(self, phrase: NounPhrase) -> None:
+        order, noun = self.order, phrase.noun
+        if noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL:
+            order.rest = True
+        elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
+            order.company.append(phrase)
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
+            if order.things and _is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
+                phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
             order.things.append(phrase)
             self._anchors = []
         else:
             self._lose(noun)
+
+    def _phrase(self, noun: Noun) -> NounPhrase:
+        rank, _, along = self._cutter.ranks.get(id(noun), "").partition(" ")
+        share = self._cutter.shares.get(id(noun), 0.0)
+        if noun.det == "half":
+            share = 0.5
+        if noun.value.startswith(_ROW) and noun.ordinal:
+            value = singular(noun.value.removeprefix(_ROW))
+            noun = replace(noun, value=value, rows=1, plural=True, count=None)
+        if noun.fraction[1]:
+            share = noun.fraction[0] / noun.fraction[1]
+        left = int(-share) if share < 0 else 0
+        return NounPhrase(noun, id=noun.id, rank=int(rank or 0), along=along, share=max(share, 0.0), left=left)
+
+    def _merged(self, noun: Noun) -> Noun:
+        """Read "the last two chairs", "the largest of the tables" as one phrase; "the one" as the thing before it."""
+        following = self._items[self._at] if self._at < len(self._items) else None
+        whole = isinstance(following, Noun) and following.kind == "thing" and not following.det
+        if noun.kind == "number" and noun.ordinal and whole and isinstance(following, Noun):
+            self._at += 1
+            return replace(following, ordinal=noun.ordinal, det="the", text=f"{noun.text} {following.text}")
+        located = isinstance(following, Connector) and following.sort == "prepositions"
+        if noun.kind == "pronoun" and noun.value == "them" and noun.count and located:
+            noun = replace(noun, kind="number", det="the")
+        things = [phrase.noun for phrase in self.order.things if phrase.noun.kind == "thing"]
+        head = self._anchors[-1] if self._anchors and self._anchors[-1].kind == "thing" else None
+        known = things[-1] if things else head
+        pointed = noun.kind == "number" and (noun.det in ("the", "other", "any", "a") or noun.ordinal or noun.of_known)
+        if pointed and known is not None and self._mode != "instead":
+            return replace(
+                noun, kind="thing", value=known.value, named=known.named, plural=(noun.count or 1) > 1,
+                det=noun.det or "the", id="",
+            )  # fmt: skip
+        return noun
+
+    def _is_space(self, noun: Noun) -> bool:
+        """Whether a noun is the room between or before things: "the gap between", "the area in front of"."""
+        following = self._items[self._at] if self._at < len(self._items) else None
+        located = isinstance(following, Connector) and following.sort == "prepositions"
+        waits = isinstance(following, OrderMark) and following.sort == "lengths"
+        whole_room = noun.kind == "room" and noun.word == "room" and bool(noun.det)
+        known = means("distances", noun.word) == "gap" or noun.value == "space"
+        spoken = noun.kind in ("abstract", "room") and not whole_room and known
+        whole = isinstance(following, Connector) and following.value in ("of", "with", "to", "as", "by")
+        return (
+            spoken
+            and self.order.doing in ("free", "keep", "make", "put", "move")
+            and ((located and not whole) or waits or self._is_free_noun(following))
+        )
+
+    def _is_free_noun(self, following: Item | None) -> bool:
+        return self.order.space and following is None
+
+    def _look_of(self, noun: Noun) -> None:
+        """Go past "the colour of" in "change the colour of the sofa to blue", "the width of" in "to 2 m"."""
+        axis = means("looks", noun.word)
+        self.order.change = f"{axis}=" if axis != "words" else self.order.change
+        link = self._items[self._at] if self._at < len(self._items) else None
+        self._at += isinstance(link, Connector) and link.value == "of"
+        self.order.doing = "make"
 
     def _compared(self, phrase: NounPhrase) -> None:
         """Read what a thing comes nearer to; "opposite the piano and 2 m away from it" is how far it is to be."""
         order, again = self.order, bool(self._anchors) and _is_it(phrase.noun)
         if again:
             phrase = NounPhrase(self._anchors[-1])
+        elif phrase.noun.kind == "pronoun" and phrase.noun.value == "each":
+            order.lost.append(phrase.noun.text)
         if again and not self._pending and order.lengths:
             order.apart.append((order.lengths.pop()[0], phrase))
         else:
@@ -380,29 +445,65 @@ class _OrderReader:
         match link.sort:
             case "prepositions":
                 self._preposition(link)
-            case "negations":
-                self._negated |= link.value == "not"
-            case "verbs" if link.value == "face":
-                self._face()
-            case "verbs" if link.value in ("be", "stand", "hang", "put", "leave", "have"):
-                if self._mode == "so" and self._is_free_next():
-                    self.order.free += [phrase.noun for phrase in self._so]
-            case "joins" | "mark" | "fillers" | "participles" | "mutual":
+            case "negations" if link.value == "not":
+                self._negated = True
+            case "negations" if link.value == "only" and self.order.doing in ("keep", "ensure"):
+                self.order.total = True
+            case "verbs" if link.value in ("face", *_BEING):
+                self._verb(link)
+            case "mutual":
+                self._mutual(link)
+            case "joins" if link.value in ("or", "stop", "but"):
+                self._join(link)
+            case "joins" | "mark" | "participles" | "fillers":
                 pass
             case _:
                 self._lose(link)
 
+    def _verb(self, link: Connector) -> None:
+        if link.value == "face":
+            self._face()
+        elif self._mode == "so" and self._is_free_next():
+            self.order.free += [phrase.noun for phrase in self._so]
+
+    def _join(self, link: Connector) -> None:
+        """Read "all of the chairs but one"; "or" and reasons are not followed."""
+        if link.value != "but":
+            self._lose(link)
+        elif self._is_exception() and (noun := self._next_noun()) is not None:
+            self._placed(Where("except", self._merged(noun), text=link.text))
+
+    def _is_exception(self) -> bool:
+        noun = self._items[self._at] if self._at < len(self._items) else None
+        said = self.order.things[-1].noun if self.order.things else None
+        every = said is not None and (said.det in ("all", "each") or said.plural)
+        counted = isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
+        return every and counted and self._mode == "things"
+
+    def _mutual(self, link: Connector) -> None:
+        """Read "so that they face each other", "next to each other"."""
+        if (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange")) or (
+            link.value == "next_to" and self.order.doing in ("move", "put")
+        ):
+            self.order.mutual = link.value
+        else:
+            self._lose(link)
+
     def _is_free_next(self) -> bool:
         item = self._items[self._at] if self._at < len(self._items) else None
-        free = isinstance(item, Connector | Noun) and item.text.lower() in _FREE
+        free = isinstance(item, Connector | Noun) and bool(means("clear", item.text.lower()))
         self._at += free
         return free
 
     def _face(self) -> None:
         """Read "to face the room", "so that it faces the door"."""
         noun = self._next_noun()
-        if noun is not None:
-            self.order.facing.append(noun)
+        if noun is None:
+            self.order.lost.append("face")
+        elif noun.kind == "pronoun" and noun.value == "each":
+            self.order.mutual = "facing"
+        else:
+            self.order.facing.append(self._merged(noun))
 
     def _next_noun(self) -> Noun | None:
         item = self._items[self._at] if self._at < len(self._items) else None
@@ -414,46 +515,106 @@ class _OrderReader:
     def _preposition(self, link: Connector) -> None:
         order, following = self.order, self._items[self._at] if self._at < len(self._items) else None
         if not isinstance(following, Noun):
-            waits = isinstance(following, _Mark | Measured | Connector)
-            if not waits and following is not None:
-                self._lose(link)
-            return
-        if self._comes_instead(link, following):
-            self._mode = "instead"
-            return
-        if order.doing == "swap" and link.value in ("with", "for", "and"):
-            return
-        if order.doing in ("rearrange", "make", "replace") and following.kind == "room" and link.value in ("in", "as"):
-            order.into = following.value if order.doing != "make" else ""
-            self._at += 1
-            return
-        if following.kind == "room" and link.value in ("in", "of", "from", "to", "around"):
-            self._at += 1
+            self._without_noun(link, following)
             return
         towards = link.text.lower() in ("towards", "toward")
-        if towards and order.doing in ("move", "put"):
+        if self._comes_instead(link, following):
+            self._mode = "instead"
+        elif order.doing == "swap" and link.value in ("with", "for", "and"):
+            order.split = order.split or len(order.things)
+        elif self._becomes(link, following) or self._is_purpose(link, following):
+            self._at += 1
+        elif towards and order.doing in ("move", "put"):
             self._pending = True
-            return
-        if order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
+        elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
-            return
-        if following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make":
-            return
-        self._placed(self._where(link))
+        elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
+            self._placed(self._where(link))
+
+    def _becomes(self, link: Connector, following: Noun) -> bool:
+        """Read "into a reading corner"; "in the room" says nothing."""
+        order = self.order
+        if following.kind != "room":
+            return False
+        turned = order.doing == "turn" and following.det == "the"
+        if order.doing in ("rearrange", "make", "replace", "turn") and link.value in ("in", "as") and not turned:
+            order.into = following.value if order.doing != "make" else ""
+            order.doing = "rearrange" if order.doing in ("turn", "replace") else order.doing
+            return True
+        return link.value in ("in", "of", "from", "to", "around")
+
+    def _is_purpose(self, link: Connector, following: Noun) -> bool:
+        """Whether words say what for: "make room for a wheelchair", "a chair for the teacher"."""
+        if link.value != "for":
+            return False
+        if following.kind == "people":
+            self.order.lost.append(f"{link.text} {following.text}")
+        return following.kind == "people" or self.order.doing in ("free", "gap")
+
+    def _without_noun(self, link: Connector, following: Item | None) -> None:
+        """A preposition that no noun follows says how a thing is, waits for a length, or is lost."""
+        order, text = self.order, link.text.lower()
+        if text in _SHAPES and order.doing in ("make", "put") and order.things:
+            order.looks.append(text)
+        elif (isinstance(following, Adjective) and order.doing == "make" and link.value in ("to", "in")) or (
+            link.value == "of" and isinstance(following, Noun | OrderMark)
+        ):
+            pass
+        elif not isinstance(following, OrderMark | Measured | Connector) or (
+            isinstance(following, Connector) and following.sort not in ("prepositions", "verbs", "fillers", "mutual")
+        ):
+            self._lose(link)
 
     def _placed(self, where: Where) -> None:
         order = self.order
         if where.word == "except" and where.noun is not None:
-            self._excepted = NounPhrase(where.noun, id=where.noun.id)
+            noun = where.noun
+            self._excepted = NounPhrase(noun, id=noun.id)
             (order.things[-1].spared if order.things else order.spared).append(self._excepted)
             return
+        if where.word == "instead" and where.noun is not None:
+            self._instead_of(where, where.noun)
+            return
         self._refer(where)
+        if self._goes_along(where):
+            return
+        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to"):
+            self._distance = False
+            phrase = NounPhrase(where.noun, id=where.noun.id)
+            order.apart.append((order.lengths.pop()[0], phrase))
+            self._anchors = [where.noun]
+            if where.word in ("from", "far", "near", "next_to", "by"):
+                return
         self._attach(where)
+
+    def _instead_of(self, where: Where, noun: Noun) -> None:
+        """Read "on the stand instead of the table", "add a stool instead of the chair"."""
+        order = self.order
+        places = order.things[-1].places if order.things else order.places
+        if places:
+            places.append(Where(places[-1].word, noun, negated=True, text=places[-1].text))
+        elif order.doing in ("add", "put", "ensure") and order.things and noun.kind == "thing":
+            order.doing, order.instead, order.things = "replace", order.things, [NounPhrase(noun, id=noun.id)]
+        else:
+            order.lost.append(f"{where.text} {noun.text}")
+
+    def _goes_along(self, where: Where) -> bool:
+        """Take "with its chairs", "and the chairs with it" as what goes along."""
+        order, noun = self.order, where.noun
+        if where.word != "with" or noun is None or order.doing not in _WITH_ALONG or not order.things:
+            return False
+        if _is_it(noun) and len(order.things) > 1:
+            order.company.append(order.things.pop())
+            return True
+        if noun.kind == "thing":
+            order.company.append(NounPhrase(noun, id=noun.id))
+            return True
+        return False
 
     def _refer(self, where: Where) -> None:
         """Let "it" mean what the same clause named before: an anchor of the thing, or another thing that is there."""
         noun, things = where.noun, self.order.things
-        if noun is not None and _is_it(noun):
+        if noun is not None and _is_it(noun) and where.word != "with":
             if self._anchors:
                 where.noun = self._anchors[-1]
             elif len(things) > 1 and self.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
@@ -476,7 +637,8 @@ class _OrderReader:
     def _where(self, link: Connector) -> Where:
         where = Where(link.value, None, negated=self._negated, text=link.text)
         self._negated = False
-        where.noun = self._next_noun()
+        noun = self._next_noun()
+        where.noun = self._merged(noun) if noun is not None else None
         item = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1
@@ -484,6 +646,30 @@ class _OrderReader:
         if link.value == "between" and self._is_and():
             self._at += 1
             where.second = self._next_noun()
+        return self._cornered(where)
+
+    def _cornered(self, where: Where) -> Where:
+        """Read "the corner by the window", "the corner opposite the door" as one place."""
+        noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
+        beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
+        cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
+        if not cornered or noun is None or where.whole is not None or noun.each or noun.plural:
+            return where
+        if noun.value.startswith("wall") and (not isinstance(link, Connector) or link.value not in _OF_WALL):
+            return where
+        if (
+            not isinstance(link, Connector)
+            or not isinstance(beside, Noun)
+            or link.value not in (*_ASIDE, *_ACROSS, "behind")
+        ):
+            return where
+        if beside.kind not in ("place", "thing"):
+            return where
+        self._at += 2
+        if link.value in _ACROSS:
+            where.second = beside
+        else:
+            where.whole = beside
         return where
 
     def _is_and(self) -> bool:
@@ -523,36 +709,10 @@ class _OrderReader:
             self.order.things[-1].places.append(where)
 
 
+def _is_theirs(noun: Noun) -> bool:
+    """Whether it belongs to what was named before: "its chairs"."""
+    return noun.det == "my" and noun.text.lower().split()[:1] in (["its"], ["their"])
+
+
 def _is_it(noun: Noun) -> bool:
     return noun.kind == "pronoun" and noun.value in ("it", "them")
-
-
-def _is_number(token: Token) -> bool:
-    return token.kind == "number" or grammar().at([token], 0, "count") is not None
-
-
-def _ends(tokens: Sequence[Token], at: int) -> bool:
-    """Whether an order ends at a token, or goes on with how far or why."""
-    if at >= len(tokens):
-        return True
-    token = tokens[at]
-    return token.kind in ("mark", "number") or token.text in ("by", "and", "so", "about", "a", "one", "half", "please")
-
-
-def _angle(tokens: Sequence[Token], at: int) -> tuple[_Mark, int] | None:
-    """The angle that begins at a token: "90 degrees", "a quarter turn"."""
-    found = longest("turns", tokens, at)
-    if found is not None:
-        return _Mark("turn", "degrees", float(found[0])), found[1]
-    if tokens[at].kind == "number":
-        value, length = tokens[at].value, 1
-    else:
-        count = grammar().at(tokens, at, "count")
-        if count is None:
-            return None
-        value, length = float(count.value), count.length
-        tens = grammar().at(tokens, at + length, "count") if at + length < len(tokens) else None
-        if tens is not None and value >= 20 and float(tens.value) < 10:
-            value, length = value + float(tens.value), length + tens.length
-    after = tokens[at + length].text if at + length < len(tokens) else ""
-    return (_Mark("turn", "degrees", value), length + 1) if after in _DEGREES else None

@@ -3,22 +3,22 @@
 from collections.abc import Callable, Sequence
 
 from thinkblox.assets import facts_of
+from thinkblox.editing.acting import moved_words, related
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import Free, Goal, Region, Related, Within
-from thinkblox.editing.moving import moved_words, related
+from thinkblox.editing.goals import Goal, Region, Related, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.wheres import bound, corner_near, named
 from thinkblox.editing.work import Work
+from thinkblox.editing.zones import PlaceZone, Zone, place_named, zone_of
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
 from thinkblox.knowledge.rooms import Usual, room_types
 from thinkblox.knowledge.things import counts_as
 from thinkblox.plan import Tie
-from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
-from thinkblox.scene.free_parts import measure_free, parts, takers
+from thinkblox.scene.free_parts import parts
 from thinkblox.scene.landmarks import corners, things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
@@ -65,54 +65,66 @@ def _standing(scene: Scene) -> list[str]:
 
 
 def free(work: Work, finder: Finder, order: Order) -> None:
-    """Move what stands in parts of the room that are to be free out of them, and nothing else if that will do."""
-    if not order.free:
+    """Move what stands in stretches of the floor that are to be free out of them, and nothing else if that will do.
+
+    Raises:
+        InputError: the order names none, or one that the room does not have.
+    """
+    places = [place_named(noun) for noun in order.free]
+    zones: list[Zone] = [PlaceZone(place) for place in places]
+    zones += [zone_of(work.scene, finder, where) for where in order.places]
+    if not zones:
         raise InputError(f"'{order.text}' does not say which part of the room is to be free")
-    places = [_place(noun) for noun in order.free]
-    for place in places:
-        if not parts(work.scene.room, place):
-            raise InputError(f"the room has no {place.replace('_', ' ')} that could be kept free")
-    work.freed = tuple(dict.fromkeys((*work.freed, *places)))
-    goals = [Free(place) for place in places]
-    movers = [id for id in _takers(work.scene, places) if id not in work.kept]
-    stuck = [id for id in _takers(work.scene, places) if id in work.kept]
-    if stuck:
-        work.failed.append(f"the {places[0]} is not free: {', '.join(stuck)} was to stay where it is")
+    for zone in zones:
+        if isinstance(zone, PlaceZone) and not parts(work.scene.room, zone.place):
+            raise InputError(f"the room has no {zone.place.replace('_', ' ')} that could be kept free")
+    vacate(work, zones)
+
+
+def vacate(work: Work, zones: Sequence[Zone]) -> None:
+    """Move what stands in some stretches of floor out of them."""
+    work.freed = tuple(dict.fromkeys((*work.freed, *(zone.place for zone in zones if isinstance(zone, PlaceZone)))))
+    goals = [zone.goal for zone in zones]
+    there = list(dict.fromkeys(id for zone in zones for id in zone.takers(work.scene)))
+    movers = [id for id in there if id not in work.kept]
+    if len(movers) < len(there):
+        stuck = ", ".join(id for id in there if id in work.kept)
+        work.failed.append(f"{zones[0].measure(work.scene)[1]}: {stuck} was to stay where it is")
         return
     if not movers:
-        work.done.append("; ".join(measure_free(work.scene, place)[1] for place in places))
+        work.done.append(f"{'; '.join(zone.measure(work.scene)[1] for zone in zones)}: it is so already")
+        return
+    if _moved_aside(work, movers, goals) and all(zone.measure(work.scene)[0] for zone in zones):
+        work.done.append("; ".join(zone.measure(work.scene)[1] for zone in zones))
         return
     why = ""
     everything = [id for id in _standing(work.scene) if id not in work.kept]
-    for group in (_with_company(work.scene, movers), list(dict.fromkeys([*movers, *everything]))):
+    for group in (movers, _with_company(work.scene, movers), list(dict.fromkeys([*movers, *everything]))):
         before = work.scene
         why = _replaced(work, group, lambda id: goals)
         if not why:
             _say_moved(work, before, group)
             break
-    held = [measure_free(work.scene, place) for place in places]
+    held = [zone.measure(work.scene) for zone in zones]
     says = "; ".join(text for _, text in held)
     (work.failed if why or not all(h for h, _ in held) else work.done).append(f"{says}{f'; {why}' if why else ''}")
 
 
-def _place(noun: Noun) -> str:
-    name = noun.value.split()[0] if noun.kind == "place" else ""
-    if noun.kind == "part" and noun.value == "middle":
-        return "centre"
-    if not name:
-        raise InputError(f"'{noun.text}' is no part of the room that could be kept free")
-    return name
-
-
-def _takers(scene: Scene, places: Sequence[str]) -> list[str]:
-    """What stands or hangs in these parts, each by what it rests on."""
-    found: list[str] = []
-    for place in places:
-        all_parts = [takers(scene, part) for part in parts(scene.room, place)]
-        for id in min(all_parts, key=len, default=()):
-            carriers = scene.carriers(id)
-            found.append(carriers[-1] if carriers else id)
-    return list(dict.fromkeys(found))
+def _moved_aside(work: Work, movers: Sequence[str], goals: Sequence[Goal]) -> bool:
+    """Move single things, with all that rests on them, just out of the way; where one cannot, all is as before."""
+    before, saved = work.scene, work.saved()
+    for id in movers:
+        planned = tuple(tie for tie in work.usual_ties(id) if tie.kind not in AMID)
+        for ties in dict.fromkeys((planned, ())):
+            asset = work.asset_of(id)
+            target = work.target(id, before[id].category, ties, asset.attributes)
+            if Reaching(work, target, asset, goals, begin=(before[id].position, before[id].yaw)).run():
+                break
+        else:
+            work.restore(saved)
+            return False
+    _say_moved(work, before, movers)
+    return True
 
 
 def _with_company(scene: Scene, ids: Sequence[str]) -> list[str]:

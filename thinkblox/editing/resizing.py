@@ -21,12 +21,6 @@ def resize(work: Work, finder: Finder, order: Order) -> None:
 
     Doors and windows stay where they are in their walls. What hangs on a wall that moves, goes with it.
     """
-    if not order.room:
-        what = order.things[0].noun.text if order.things else "that"
-        raise InputError(
-            f"'{what}' cannot be made otherwise; the room can be made longer, wider, higher or smaller, and a thing can"
-            f" be replaced"
-        )
     east, north, up = _changes(work.scene.room, order)
     if not (east or north or up):
         work.done.append("the room has that size already")

@@ -1,14 +1,18 @@
 """Places that follow from what an order says: free seats round a table, and the stretch of floor before a window."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
+from shapely.ops import nearest_points
 
 from thinkblox.editing.goals import Goal, Related
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.bearings import place_of
+from thinkblox.scene.landmarks import Landmark, corners, things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
+from thinkblox.scene.room import Opening, Wall
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2, Vec3
 
@@ -22,6 +26,7 @@ GRID = 0.2
 """Between places on the whole floor [m]."""
 BACK = (0.02, 0.1, 0.25)
 """Gaps to the wall of what stands before a window [m]."""
+_BESIDE = ("in_front_of", "behind", "left_of", "right_of")
 SHARES = (0.5, 0.35, 0.65, 0.2, 0.8)
 """Where along an opening it is tried."""
 
@@ -37,6 +42,101 @@ def spots(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
             yield from _seats(scene, asset, scene[goal.anchors[0]])
         elif goal.anchors == ("window",) and goal.kind in ("under", "next_to", "near"):
             yield from _before_windows(scene, asset)
+
+
+def likely(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Poses at what the goals name, free ones first, then the first of all, which says what is in the way."""
+    for goal in goals:
+        if not isinstance(goal, Related) or goal.negated or not goal.anchors:
+            continue
+        poses = list(_at(scene, asset, goal))
+        yield from _free(scene, asset, poses)
+        yield from poses[:1]
+
+
+def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
+    name = goal.anchors[0]
+    if name not in scene:
+        yield from _at_part(scene, asset, goal) if asset.mount == "floor" else ()
+    elif goal.kind in ("on", "in_centre") and asset.mount == "surface":
+        yield from _on_top(scene, asset, scene[name])
+    elif goal.kind in _BESIDE and asset.mount == "floor":
+        yield from _beside(asset, scene[name], goal.kind)
+
+
+def _at_part(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
+    """In a corner, along walls, beside a door or window."""
+    if goal.kind == "in_corner":
+        for corner in corners(scene.room, goal.anchors):
+            yield from _in_corner(asset, corner)
+    elif goal.kind == "against_wall":
+        for wall in (wall for name in goal.anchors for wall in walls(scene.room, name)):
+            yield from _at_wall(asset, wall)
+    elif goal.kind in ("left_of", "right_of"):
+        for opening in (o for o in scene.room.openings if goal.anchors[0] in (o.id, o.kind)):
+            yield from _beside_opening(scene, asset, opening, goal.kind)
+
+
+def _on_top(scene: Scene, asset: Asset, thing: Placement) -> Iterator[Pose]:
+    """On the tops of a thing, the middle first."""
+    for surface in sorted(scene.asset_of(thing).surfaces, key=lambda s: (s.inner, -s.position[2])):
+        reach = [max(0.0, (side - max(asset.size[:2])) / 2) for side in surface.size]
+        steps = [np.arange(-r, r + 1e-6, max(STEP, r / 4)) for r in reach]
+        offsets = sorted(((float(x), float(y)) for x in steps[0] for y in steps[1]), key=lambda o: math.hypot(*o))
+        for dx, dy in [(0.0, 0.0), *offsets]:
+            x, y = thing.to_room((surface.position[0] + dx, surface.position[1] + dy))
+            yield (round(x, 4), round(y, 4), round(thing.position[2] + surface.position[2], 4)), thing.yaw
+
+
+def _in_corner(asset: Asset, corner: Landmark) -> Iterator[Pose]:
+    """With the back to either wall of a corner, or across it."""
+    across = math.radians(corner.yaw)
+    yaws = [round((corner.yaw + turn) % 360.0, 3) for turn in (-45.0, 45.0, 0.0)]
+    for gap in BACK:
+        for yaw in yaws:
+            way = math.radians(yaw)
+            out = [abs(math.cos(way)) * asset.size[k] / 2 + abs(math.sin(way)) * asset.size[1 - k] / 2 for k in (0, 1)]
+            x = corner.centre[0] + math.copysign(out[0] + gap, math.cos(across))
+            y = corner.centre[1] + math.copysign(out[1] + gap, math.sin(across))
+            yield (round(x, 4), round(y, 4), 0.0), yaw
+
+
+def _at_wall(asset: Asset, wall: Wall) -> Iterator[Pose]:
+    """Side by side along a wall from its one end to the other."""
+    for gap in BACK:
+        for along in np.arange(asset.size[1] / 2 + 0.02, wall.length - asset.size[1] / 2, STEP):
+            x, y = wall.point(float(along), gap + asset.size[0] / 2)
+            yield (round(x, 4), round(y, 4), 0.0), wall.yaw
+
+
+def _beside(asset: Asset, thing: Placement, kind: str) -> Iterator[Pose]:
+    """At one side of a thing, turned as that is, or to it."""
+    turn = {"in_front_of": 0.0, "behind": 180.0, "left_of": 90.0, "right_of": 270.0}[kind]
+    deep, wide = (thing.size[0], thing.size[1]) if turn in (0.0, 180.0) else (thing.size[1], thing.size[0])
+    for gap in (0.08, 0.2, 0.35, 0.02, 0.5):
+        for yaw in (0.0, turn + 180.0, 90.0, 180.0, 270.0):
+            flat = (yaw - turn) % 180.0 == 0.0
+            away = deep / 2 + gap + asset.size[0 if flat else 1] / 2
+            for share in (0.0, -0.25, 0.25, -0.5, 0.5):
+                yield _off(thing, turn, away, share * wide, yaw)
+
+
+def _off(thing: Placement, turn: float, away: float, along: float, yaw: float) -> Pose:
+    angle = math.radians(turn)
+    x, y = thing.to_room(
+        (away * math.cos(angle) - along * math.sin(angle), away * math.sin(angle) + along * math.cos(angle))
+    )
+    return (round(x, 4), round(y, 4), 0.0), round((thing.yaw + yaw) % 360.0, 3) % 360.0
+
+
+def _beside_opening(scene: Scene, asset: Asset, opening: Opening, kind: str) -> Iterator[Pose]:
+    """With the back to the wall beside a door or window; its left is seen as one looks out of it into the room."""
+    wall = scene.room.walls[opening.wall]
+    for gap in (0.1, 0.25, 0.4, 0.02):
+        off = gap + asset.size[1] / 2
+        along = opening.offset - off if kind == "left_of" else opening.offset + opening.width + off
+        x, y = wall.point(along, BACK[0] + asset.size[0] / 2)
+        yield (round(x, 4), round(y, 4), 0.0), wall.yaw
 
 
 def whole_floor(scene: Scene, asset: Asset, start: Placement) -> Iterator[Pose]:
@@ -103,3 +203,29 @@ def _free(scene: Scene, asset: Asset, poses: Sequence[Pose], *, besides: str = "
     blocked = overlap_depth(rects, Rects.of_placements(others)).max(-1, initial=0.0) if others else np.zeros(len(rows))
     for index in np.flatnonzero((blocked < 0.001) & (outside(rects, scene.room.polygon) < 0.0005)):
         yield poses[int(index)]
+
+
+def by_gap(scene: Scene, placement: Placement, anchors: Sequence[str], lengths: Iterable[float]) -> Iterator[Pose]:
+    """Away from the nearest of the anchors by each of the lengths [m]; towards it where they are negative."""
+    mark = things(scene, placement.id)[0]
+    marks = [m for name in anchors for m in things(scene, name)]
+    anchor = min(marks, key=lambda m: float(mark.footprint.distance(m.footprint)))
+    x, y = _nearest_way(mark, anchor)
+    for length in lengths:
+        yield shifted(placement, (-x * length, -y * length, 0.0)), placement.yaw
+
+
+def _nearest_way(mark: Landmark, anchor: Landmark) -> Vec2:
+    """Unit vector from the outline of one thing to the nearest point of another's."""
+    one, other = nearest_points(mark.footprint, place_of(anchor))
+    dx, dy = other.x - one.x, other.y - one.y
+    if math.hypot(dx, dy) < 1e-6:
+        dx, dy = anchor.centre[0] - mark.centre[0], anchor.centre[1] - mark.centre[1]
+    length = math.hypot(dx, dy) or 1.0
+    return (dx / length, dy / length)
+
+
+def shifted(placement: Placement, by: Vec3) -> Vec3:
+    """Where something is that has been moved by so much [m]."""
+    x, y, z = (round(a + b, 4) for a, b in zip(placement.position, by, strict=True))
+    return (x, y, z)

@@ -1,5 +1,7 @@
 """Where something is said to be, as a relation that can be measured: of ids and parts of the room."""
 
+import dataclasses
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import cast, get_args
@@ -12,11 +14,11 @@ from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
 from thinkblox.scene.bearings import ground_gap
-from thinkblox.scene.landmarks import things
+from thinkblox.scene.landmarks import corners, things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -28,6 +30,10 @@ _NAMED = {"in": "inside", "by": "next_to", "along": "next_to", "against": "next_
 """Prepositions that are called otherwise as relations."""
 _OPENINGS = ("window", "door")
 _SIDES = {"left": "left_wall", "right": "right_wall", "back": "far_wall", "front": "near_wall"}
+_COMPASS = {"north_wall": (0.0, 1.0), "south_wall": (0.0, -1.0), "east_wall": (1.0, 0.0), "west_wall": (-1.0, 0.0)}
+_TWO_SIDED = ("side", "end", "long_side", "short_side", "head")
+_OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_of", "inside", "in", "above")
+"""Prepositions after which a plural means each of them."""
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
 
 
@@ -59,6 +65,77 @@ def bound(where: Where, category: str, finder: Finder, *, picks: Sequence[Picks]
     if found is None or found.kind not in _KINDS:
         raise InputError(f"'{_text(where)}' is no place that a thing can be put")
     return found
+
+
+def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
+    """Places, where what follows an anchor of which there are several says which: "next to the chair by the window"."""
+    settled: list[Where] = []
+    for where in places:
+        last = settled[-1].noun if settled else None
+        told = bool(where.text.lower().split()) and where.text.lower().split()[0] in (*_NEAREST, *_FARTHEST)
+        if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
+            settled.append(where)
+            continue
+        found = finder.matching(last)
+        if len(found) < 2 or not (told or where.noun is None or where.noun.kind in ("place", "thing", "part")):
+            settled.append(where)
+            continue
+        id = _named(finder, NounPhrase(last), [where], ())[0]
+        settled[-1] = dataclasses.replace(settled[-1], noun=dataclasses.replace(last, id=id))
+    return settled
+
+
+def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
+    """The places that a phrase names, one for each where it speaks of each: "in every corner", "on both sides of"."""
+    noun = where.noun
+    if noun is None or where.negated or not _speaks_of_each(where, noun):
+        return [bound(where, category, finder)]
+    scene = finder.scene
+    if noun.kind == "part":
+        return _sides(where, noun, finder)
+    if noun.kind == "place":
+        name = noun.value.split()[0]
+        one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
+        names = {"corner": "corner", "window": "window", "door": "door"}.get(name, name)
+        marks = [mark.name for mark in things(scene, names)]
+        if noun.count and noun.count != len(marks):
+            raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
+        if name == "corner":
+            return [Bound("in_corner", tuple(m.removeprefix("corner of ").split(" and "))) for m in marks]
+        return [dataclasses.replace(one, anchors=(mark,)) for mark in marks]
+    found = _thing(where, noun, category, finder, ())
+    return [dataclasses.replace(found, anchors=(anchor,)) for anchor in found.anchors]
+
+
+def _speaks_of_each(where: Where, noun: Noun) -> bool:
+    several = noun.each or noun.det == "both" or (noun.det == "all" and noun.plural)
+    if noun.kind == "part":
+        return noun.value in _TWO_SIDED and where.whole is not None and (several or noun.plural)
+    if noun.kind == "place" and noun.value.split()[0] == "corner":
+        return several or (noun.plural and bool(noun.count))
+    if noun.kind == "thing":
+        return several or (noun.plural and where.second is None and where.word in _OF_ONE and not noun.share)
+    return noun.kind == "place" and several
+
+
+def _sides(where: Where, noun: Noun, finder: Finder) -> list[Bound]:
+    """The two sides, or the two ends, of a thing, a door or a window."""
+    whole = where.whole
+    if whole is None or whole.kind not in ("thing", "pronoun", "place"):
+        raise InputError(f"'{_text(where)}' is no place that a thing can be put")
+    if whole.kind == "place":
+        if whole.value not in _OPENINGS or not things(finder.scene, whole.value):
+            raise InputError(f"'{_text(where)}' is no place that a thing can be put")
+        names = [mark.name for mark in things(finder.scene, whole.value)]
+        return [Bound(kind, (name,)) for name in names for kind in ("left_of", "right_of")]
+    anchors = finder.ids(NounPhrase(whole, id=whole.id))
+    bounds: list[Bound] = []
+    for anchor in anchors:
+        deep, wide, _ = finder.scene[anchor].size
+        across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
+        kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
+        bounds += [Bound(kind, (anchor,)) for kind in kinds]
+    return bounds
 
 
 def _text(where: Where) -> str:
@@ -96,39 +173,120 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     name, *walls = noun.value.split()
-    word = where.word
     if name == "centre":
-        if where.whole is not None and where.whole.kind in ("thing", "pronoun"):
-            return Bound("in_centre", finder.ids(NounPhrase(where.whole)), where.negated)
-        return Bound("in_centre", ("centre",), where.negated)
-    if name in _OPENINGS:
-        if not any(o.kind == name for o in finder.scene.room.openings):
-            raise InputError(f"the room has no {name}")
-        if word == "under":
-            return Bound("under", (name,), where.negated)
-        meaning = opening(word, name)
-    elif name == "corner":
-        beside = _corner_beside(where, finder)
-        if beside is not None:
-            return Bound("in_corner", beside, where.negated)
-        meaning = corner(word, noun, walls, 0)
-    elif name in ("floor", "ceiling"):
+        whole = where.whole
+        anchors = finder.ids(NounPhrase(whole)) if whole is not None and whole.kind in ("thing", "pronoun") else (name,)
+        return Bound("in_centre", anchors, where.negated)
+    if name in ("floor", "ceiling"):
         return Bound("on", (name,), where.negated)
+    if name in _COMPASS and where.whole is not None and where.whole.kind in ("thing", "pronoun"):
+        return _side_by_compass(where, where.whole, name, finder)
+    if name in _OPENINGS:
+        meaning = _opening(where, name, finder)
+    elif name == "corner":
+        beside = _corner_beside(where, noun, finder)
+        meaning = Meaning("in_corner", beside) if beside else corner(where.word, noun, walls, 0)
     else:
-        meaning = wall(word, noun, name, 0, each=noun.each)
+        meaning = _wall(where, noun, name, finder)
     if meaning is None:
         return None
     anchors = tuple(_walls_of(finder.scene, str(anchor)) for anchor in meaning.anchors)
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
 
 
-def _corner_beside(where: Where, finder: Finder) -> tuple[str, ...] | None:
-    """The walls of the corner that is nearest to a door or window: "in the corner of the window"."""
-    whole = where.whole
-    if whole is None or whole.kind not in ("place", "thing"):
+def _side_by_compass(where: Where, whole: Noun, name: str, finder: Finder) -> Bound:
+    """The north side of a thing, as its front, back, left or right."""
+    ids = finder.ids(NounPhrase(whole, id=whole.id))
+    if len(ids) != 1:
+        raise InputError(f"'{_text(where)}' could be at {', '.join(ids)}; say at which")
+    thing, (x, y) = finder.scene[ids[0]], _COMPASS[name]
+    ahead, across = x * thing.front[0] + y * thing.front[1], x * thing.left[0] + y * thing.left[1]
+    if abs(ahead) >= abs(across):
+        return Bound("in_front_of" if ahead > 0 else "behind", ids, where.negated)
+    return Bound("left_of" if across > 0 else "right_of", ids, where.negated)
+
+
+def _opening(where: Where, name: str, finder: Finder) -> Meaning | None:
+    if not any(o.kind == name for o in finder.scene.room.openings):
+        raise InputError(f"the room has no {name}")
+    return Meaning("under", (name,)) if where.word == "under" else opening(where.word, name)
+
+
+def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None:
+    meaning = wall(where.word, noun, name, 0, each=noun.each)
+    if meaning is None:
         return None
-    name = whole.value if whole.kind == "place" else finder.ids(NounPhrase(whole))[0]
-    return corner_near(finder.scene, name)
+    if meaning.anchors == ("opposite_wall",) or where.second or _is_beside(where, name):
+        meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
+    stands = noun.word == "side" or _stands(finder)
+    return dataclasses.replace(meaning, kind="against_wall") if meaning.kind == "on" and stands else meaning
+
+
+def _stands(finder: Finder) -> bool:
+    """Whether what is moved stands on the floor."""
+    return finder.about in finder.scene and finder.scene.asset_of(finder.scene[finder.about]).mount == "floor"
+
+
+def _is_beside(where: Where, name: str) -> bool:
+    """Whether it is "the wall behind the sofa"."""
+    return name == "wall" and where.whole is not None and where.whole.kind in ("thing", "place")
+
+
+def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] | None:
+    """The walls of "the corner by the window", "the corner opposite the door", "the other corner"."""
+    other = noun.det == "other" or "opposite" in noun.text.lower().split()
+    mark = where.whole or where.second
+    if not other and (mark is None or mark.kind not in ("place", "thing")):
+        return None
+    found = list(corners(finder.scene.room, noun.value.split()[1:]))
+    if other:
+        here = _here(finder, _text(where))
+        nearest = min(corners(finder.scene.room), key=lambda c: math.dist(c.centre, here.position[:2]))
+        found = [c for c in found if c.name != nearest.name]
+    if mark is not None:
+        name = mark.value if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
+        marks = things(finder.scene, name)
+        if not marks or not found:
+            raise InputError(f"the room has no corner {where.text} {mark.text}")
+        sign = -1.0 if where.second is not None else 1.0
+        found.sort(key=lambda c: sign * min(m.footprint.distance(c.footprint) for m in marks))
+    elif other and len(found) > 1 and "opposite" in noun.text.lower().split():
+        found.sort(key=lambda c: -math.dist(c.centre, here.position[:2]))
+    elif len(found) > 1:
+        return tuple(dict.fromkeys(n for c in found[:1] for n in c.name.removeprefix("corner of ").split(" and ")))
+    if not found:
+        raise InputError(f"the room has no such corner: '{_text(where)}'")
+    return tuple(found[0].name.removeprefix("corner of ").split(" and "))
+
+
+def _here(finder: Finder, text: str) -> Placement:
+    """What is moved, from where it stands.
+
+    Raises:
+        InputError: nothing is there from which "the other side" could be told.
+    """
+    if finder.about not in finder.scene:
+        raise InputError(f"'{text}': the other one than which? Name it, such as 'the north wall'")
+    return finder.scene[finder.about]
+
+
+def _opposite_wall(finder: Finder, where: Where) -> str:
+    """The wall across from that which a thing stands at, or from what the phrase names."""
+    scene, beside = finder.scene, where.second or where.whole
+    if beside is not None:
+        name = beside.value if beside.kind == "place" else finder.ids(NounPhrase(beside, id=beside.id))[0]
+        marks = things(scene, name)
+        if not marks:
+            raise InputError(f"the room has no {name.replace('_', ' ')}")
+        spot = marks[0].centre
+    else:
+        spot = _here(finder, _text(where)).position[:2]
+    walls = scene.room.walls
+    away = [abs(wall.coordinates(spot)[1]) for wall in walls]
+    near = walls[min(range(len(walls)), key=lambda n: away[n])]
+    if beside is not None and where.second is None:
+        return near.name
+    return min(walls, key=lambda w: (w.inward[0] * near.inward[0] + w.inward[1] * near.inward[1], -w.length)).name
 
 
 def corner_near(scene: Scene, name: str) -> tuple[str, ...]:
@@ -165,12 +323,26 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
         if not found:
             raise finder.nothing(noun.text)
         return Bound(_fitting(kind, where, category, found[0], finder), tuple(found), negated=True)
-    anchors = finder.ids(phrase, picks=(*picks, usual_anchor(category)))
+    own = noun.det == "my" and noun.text.lower().split()[:1] in (["its"], ["their"])
+    if own and finder.about in finder.scene:
+        anchors: tuple[str, ...] = (_own(finder, noun),)
+    else:
+        anchors = finder.ids(phrase, picks=(*picks, usual_anchor(category)))
     if where.second is not None:
         second = where.second
         more = (second.value,) if second.kind == "place" else finder.ids(NounPhrase(second))
         anchors = (*anchors, *more)
     return Bound(_fitting(kind, where, category, anchors[0], finder), anchors)
+
+
+def _own(finder: Finder, noun: Noun) -> str:
+    """The one of a kind that is nearest to what is moved: "its desk"."""
+    found = finder.matching(dataclasses.replace(noun, plural=True, count=None))
+    mark = things(finder.scene, finder.about)[0]
+    near = [p.id for p in found if p.id != finder.about]
+    if not near:
+        raise finder.nothing(noun.text)
+    return min(near, key=lambda id: ground_gap(mark, things(finder.scene, id)[0]))
 
 
 def _fitting(kind: str, where: Where, category: str, anchor: str, finder: Finder) -> RelationKind:
@@ -186,6 +358,8 @@ def _fitting(kind: str, where: Where, category: str, anchor: str, finder: Finder
         return usual if usual in ("at", "around") else cast(RelationKind, seated)
     if where.word == "to" and usual in ("at", "around", "on"):
         return usual
+    if kind in ("under", "inside") and facts_of(category).is_in("seating") and habits.is_in(name, "tables", "desks"):
+        return "at"
     if kind == "inside" and habits.is_in(name, *_OPEN_TOPS):
         return "on"
     if kind == "on" and small and habits.is_in(name, "shelves") and not any(not s.inner for s in asset.surfaces):
@@ -195,6 +369,11 @@ def _fitting(kind: str, where: Where, category: str, anchor: str, finder: Finder
     return cast(RelationKind, kind)
 
 
+_THEIRS = ("its", "their", "his", "her")
+BELONGING = 0.8
+"""How far from a thing what belongs to it stands at most [m]."""
+_NEAREST = ("nearest", "closest")
+_FARTHEST = ("farthest", "furthest")
 NEARNESS = (
     "next_to",
     "near",
@@ -218,20 +397,54 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
     Raises:
         InputError: as `Finder.ids`, none of them is there, or all are excepted.
     """
+    if phrase.noun.det == "other" and phrase.spared:
+        every = tuple(p.id for p in finder.matching(phrase.noun))
+        among = spare(finder, every, phrase.spared, phrase.noun)
+        one = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, det="the"), spared=[])
+        return finder.ids(one, picks=picks, among=[finder.scene[id] for id in among])
+    if phrase.noun.det == "my" and phrase.noun.text.lower().split()[:1][0] in _THEIRS and not phrase.id:
+        ids = _of_owners(finder, phrase)
+        return spare(finder, ids, phrase.spared, phrase.noun)
     ids = _named(finder, phrase, said, picks)
-    left = spare(finder, ids, phrase.spared)
+    finder.owners = list(ids)
+    left = spare(finder, ids, phrase.spared, phrase.noun if phrase.noun.kind == "thing" else None)
     if ids and not left:
         raise InputError(f"'{phrase.text}' means nothing but what it excepts: {', '.join(ids)}")
     return left
 
 
-def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase]) -> tuple[str, ...]:
-    """Objects without those that are excepted: "except two" is the first two of them."""
+def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
+    """What belongs to what the same order named before: "the desks in the front row and their chairs".
+
+    Raises:
+        InputError: nothing of the kind is at any of them, or nothing was named before.
+    """
+    noun, owners = phrase.noun, [id for id in finder.owners or finder.recent if id in finder.scene]
+    found = [p for p in finder.matching(noun) if p.id not in owners]
+    if not found:
+        raise finder.nothing(noun.text)
+    if not owners:
+        raise InputError(f"'{noun.text}': nothing was named before whose they are; name them by place or id")
+    marks = {id: things(finder.scene, id)[0] for id in owners}
+    away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks.values()) for p in found}
+    seated = {p.id: any(measure(finder.scene, "at", p.id, (id,)).holds for id in owners) for p in found}
+    resting = [p for p in found if set(finder.scene.carriers(p.id)) & set(owners)]
+    near = resting or [p for p in found if seated[p.id]] or [p for p in found if away[p.id] <= BELONGING]
+    if not near:
+        raise InputError(f"'{noun.text}': none of {', '.join(away)} is within {BELONGING:g} m of {', '.join(owners)}")
+    return tuple(p.id for p in near)
+
+
+def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: Noun | None = None) -> tuple[str, ...]:
+    """Objects without those that are excepted: "except two" is the first two of them, "the one" one of `of`."""
     for phrase in spared:
         one = phrase.noun.kind == "pronoun" and phrase.noun.value == "one"
         if (one or phrase.noun.kind == "number") and not phrase.places:
             ids = ids[1 if one else phrase.noun.count or 0 :]
         else:
+            if phrase.noun.kind == "number" and of is not None:
+                noun = dataclasses.replace(of, det="the", count=phrase.noun.count, plural=(phrase.noun.count or 1) > 1)
+                phrase = dataclasses.replace(phrase, noun=noun)
             out = _named(finder, phrase, phrase.places, ())
             ids = [id for id in ids if id not in out]
     return tuple(ids)
@@ -244,10 +457,18 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     if not found:
         raise finder.nothing(phrase.noun.text)
     for where in said:
+        superlative = where.text.lower().split()[:1]
+        if superlative and superlative[0] in (*_NEAREST, *_FARTHEST):
+            found = _by_distance(finder, phrase, where, found, far=superlative[0] in _FARTHEST)
+            continue
         there = bound(where, found[0].category, finder)
-        held = [p for p in found if there.holds(finder.scene, p.id)]
-        if not held and there.kind in NEARNESS and not there.negated:
-            held = _nearest(finder.scene, found, there.anchors)
+        held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
+        if not held and where.word == "from":
+            there = dataclasses.replace(there, kind="at")
+            held = [p for p in found if there.holds(finder.scene, p.id)]
+            there = dataclasses.replace(there, kind="near")
+        if there.kind in NEARNESS and not there.negated and len(held) < (phrase.noun.count or 1):
+            held = _nearest(finder.scene, found, there.anchors, phrase.noun.count or 1)
         if not held:
             says = ", ".join(finder.described(p) for p in found)
             raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
@@ -255,7 +476,23 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     return finder.ids(phrase, picks=picks, among=found)
 
 
-def _nearest(scene: Scene, found: Sequence[Placement], anchors: Sequence[str]) -> list[Placement]:
+def _by_distance(
+    finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement], *, far: bool
+) -> list[Placement]:
+    """The one that is nearest to a place or thing, or farthest from it; of several so many as are said."""
+    noun = where.noun
+    if noun is None or noun.kind not in ("place", "thing", "pronoun"):
+        raise InputError(f"'{_text(where)}' is no place to be near to")
+    names = (noun.value.split()[0],) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
+    marks = [mark for name in names for mark in things(finder.scene, name)]
+    if not marks:
+        raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
+    away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks) for p in found}
+    ordered = sorted((p for p in found if p.id not in names), key=lambda p: -away[p.id] if far else away[p.id])
+    return ordered[: 2 if phrase.noun.det == "both" else phrase.noun.count or 1]
+
+
+def _nearest(scene: Scene, found: Sequence[Placement], anchors: Sequence[str], count: int) -> list[Placement]:
     marks = [mark for name in anchors for mark in things(scene, name)]
     away = {p.id: min((ground_gap(things(scene, p.id)[0], mark) for mark in marks), default=CLOSE) for p in found}
-    return [p for p in sorted(found, key=lambda p: away[p.id])[:1] if away[p.id] < CLOSE]
+    return [p for p in sorted(found, key=lambda p: away[p.id])[:count] if away[p.id] < CLOSE]

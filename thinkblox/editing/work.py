@@ -1,6 +1,6 @@
 """The state of a room while it is edited, and what a policy is told of what is to be done."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -66,6 +66,14 @@ class Work:
     def asset_of(self, id: str) -> Asset:
         """The asset of an object that is there."""
         return self.scene.asset_of(self.scene[id])
+
+    def touched(self, ids: Iterable[str]) -> tuple[str, ...]:
+        """Those of some objects that may be touched; where none is left, that is noted as not done."""
+        ids = tuple(ids)
+        left = tuple(id for id in ids if id not in self.kept)
+        if ids and not left:
+            self.failed.append(f"{', '.join(ids)} was not touched: it is to stay as it is")
+        return left
 
     def saved(self) -> tuple[World, int]:
         """What `restore` needs to take back what was done since."""

@@ -1,0 +1,401 @@
+"""What instructions can say of which things, how many, how far and how: done as it is said, or said not to be done."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from tests.edited_rooms import bedroom, bytes_of, dining, living, same_but
+from thinkblox import Edit, Scene, edit_room, save_room, undo_edit
+from thinkblox.cli import main
+from thinkblox.editing.reading import read_instruction
+from thinkblox.errors import InputError, UnavailableError
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.relations import measure
+
+
+def gap(scene: Scene, one: str, other: str) -> float:
+    return min(ground_gap(things(scene, one)[0], mark) for mark in things(scene, other))
+
+
+def done(scene: Scene, instruction: str, **more: object) -> Edit:
+    result = edit_room(scene, instruction, **more)  # type: ignore[arg-type]
+    assert result.complete, (result.failed, result.unknown, [str(v) for v in result.report.objects if not v.valid])
+    return result
+
+
+def chairs(scene: Scene) -> list[str]:
+    return [p.id for p in scene.placements if p.category == "chair"]
+
+
+# --- which of several
+
+
+@pytest.mark.parametrize(
+    ("said", "left"),
+    [
+        ("Delete half of the chairs.", 2),
+        ("Remove a quarter of the chairs", 3),
+        ("Remove all but one of the chairs.", 1),
+        ("Remove all of the chairs but one.", 1),
+        ("Take away every chair except the two at the table", 2),
+        ("Remove every second chair", 2),
+        ("Remove two of the chairs", 2),
+        ("Remove one of the chairs", 3),
+        ("Keep only two chairs", 2),
+        ("Only two chairs should remain.", 2),
+        ("Remove the last two chairs", 2),
+        ("Remove the chair closest to the door", 3),
+    ],
+)
+def test_as_many_are_meant_as_is_said(said: str, left: int) -> None:
+    assert len(chairs(done(dining(4), said).scene)) == left
+
+
+def test_which_of_several_were_taken_is_said() -> None:
+    result = done(dining(4), "Delete half of the chairs.")
+    assert "'half of the chairs' is taken to be chair_3, chair_4, of 4" in result.done
+    assert chairs(done(dining(4), "Remove the last two chairs").scene) == ["chair_1", "chair_2"]
+
+
+@pytest.mark.parametrize(
+    ("said", "says"),
+    [
+        ("Remove all but nine of the chairs", "there are only 4"),
+        ("Remove the other chair", "other than which"),
+        ("Remove the oldest chair", "not known"),
+        ("Remove two of the five chairs", "there are 4"),
+        ("Remove the front row of chairs", "do not stand in rows"),
+    ],
+)
+def test_what_cannot_be_told_is_asked_for(said: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        edit_room(dining(4), said)
+
+
+def test_the_other_is_the_one_that_was_not_spoken_of() -> None:
+    after = done(dining(2), "Remove chair_1. Move the other chair 20 cm to the left.").scene
+    assert chairs(after) == ["chair_2"]
+    after = done(bedroom(), "Turn nightstand_1 around, then remove the other nightstand.").scene
+    assert "nightstand_1" in after
+    assert "nightstand_2" not in after
+
+
+def test_theirs_are_those_that_stand_at_them() -> None:
+    after = done(bedroom(), "Remove nightstand_1 and its lamp").scene
+    assert {"nightstand_2", "table_lamp_2"} <= {p.id for p in after.placements}
+    assert not {"nightstand_1", "table_lamp_1"} & {p.id for p in after.placements}
+
+
+# --- at each of several places
+
+
+@pytest.mark.parametrize(
+    ("said", "supports"),
+    [
+        ("Put a bowl on every nightstand", {"nightstand_1", "nightstand_2"}),
+        ("Put bowls on both nightstands", {"nightstand_1", "nightstand_2"}),
+        ("Each nightstand should have a bowl on it", {"nightstand_1", "nightstand_2"}),
+    ],
+)
+def test_each_gets_one(said: str, supports: set[str]) -> None:
+    before = bedroom()
+    after = done(before, said).scene
+    assert {p.support for p in after.placements if p.id not in before} == supports
+    assert same_but(before, after)
+
+
+def test_each_side_and_every_corner_get_one() -> None:
+    before = living()
+    after = done(before, "Place a stool on each side of the sofa").scene
+    new = [p.id for p in after.placements if p.id not in before]
+    assert [sum(measure(after, kind, id, ("sofa_1",)).holds for id in new) for kind in ("left_of", "right_of")] == [
+        1,
+        1,
+    ]
+    after = edit_room(dining(2), "Put a plant in every corner.").scene
+    spots = {tuple(round(v / 3) for v in p.position[:2]) for p in after.placements if p.category == "plant"}
+    assert len(spots) >= 3
+
+
+def test_what_finds_no_place_at_one_of_them_is_said() -> None:
+    result = edit_room(living(), "Put a wardrobe in every corner")
+    assert not result.complete
+    assert any("were added" in text for text in result.failed)
+
+
+# --- wishes
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "The sideboard should be against the south wall.",
+        "I would like the sideboard against the south wall.",
+        "I want the sideboard moved to the south wall",
+        "Could the sideboard be against the south wall?",
+        "The sideboard must go against the south wall",
+        "Let the sideboard stand against the south wall",
+    ],
+)
+def test_a_wish_is_an_order(said: str) -> None:
+    before = living()
+    after = done(before, said).scene
+    assert measure(after, "against_wall", "sideboard_1", ("south_wall",)).holds
+    assert same_but(before, after, "sideboard_1")
+
+
+def test_a_wish_on_what_is_there_adds_nothing() -> None:
+    before = living()
+    after = done(before, "I would like the armchair closer to the sofa.").scene
+    assert gap(after, "armchair_1", "sofa_1") < gap(before, "armchair_1", "sofa_1")
+    assert same_but(before, after, "armchair_1")
+    assert len(after.placements) == len(before.placements)
+
+
+@pytest.mark.parametrize(
+    ("said", "count"),
+    [
+        ("There should be six chairs", 6),
+        ("There should be four chairs", 4),
+        ("There should be only two chairs", 2),
+        ("There should be no chairs", 0),
+    ],
+)
+def test_so_many_there_are_to_be(said: str, count: int) -> None:
+    assert len(chairs(done(dining(4), said).scene)) == count
+
+
+def test_what_must_go_goes() -> None:
+    assert "rug_1" not in done(living(), "The rug must go.").scene
+    assert "rug_1" not in done(living(), "I want the rug removed").scene
+    assert "rug_1" not in done(living(), "The rug is no longer needed").scene
+
+
+# --- how far
+
+
+@pytest.mark.parametrize(
+    ("said", "metres"),
+    [
+        ("half a metre east", 0.5),
+        ("two feet to the east", 0.6096),
+        ("6 inches east", 0.1524),
+        ("a foot east", 0.3048),
+        ("one and a half feet east", 0.4572),
+        ("a quarter of a metre east", 0.25),
+    ],
+)
+def test_lengths_in_words_are_exact(said: str, metres: float) -> None:
+    before = living()
+    after = done(before, f"Move the coffee table {said}").scene
+    assert after["coffee_table_1"].position[0] - before["coffee_table_1"].position[0] == pytest.approx(metres, abs=0.02)
+
+
+def test_a_length_towards_something_is_that_length() -> None:
+    before = living()
+    after = done(before, "Shift the coffee table half a metre towards the sideboard.").scene
+    assert gap(before, "coffee_table_1", "sideboard_1") - gap(after, "coffee_table_1", "sideboard_1") == pytest.approx(
+        0.5, abs=0.02
+    )
+
+
+def test_a_bit_is_not_far() -> None:
+    before = living()
+    for said in ("Move the coffee table a bit to the left", "Move the coffee table slightly closer to the sofa"):
+        after = done(before, said).scene
+        assert 0.01 < math.dist(after["coffee_table_1"].position, before["coffee_table_1"].position) < 0.45
+    after = done(before, "Turn the coffee table a bit to the left").scene
+    assert (after["coffee_table_1"].yaw - before["coffee_table_1"].yaw) % 360 == pytest.approx(15.0)
+
+
+@pytest.mark.parametrize(
+    ("said", "least", "most"),
+    [
+        ("Place the armchair 40 cm from the sideboard", 0.38, 0.42),
+        ("Leave at least 80 cm between the sofa and the coffee table", 0.78, 9.0),
+        ("Widen the gap between the sofa and the coffee table to 70 cm", 0.68, 0.72),
+        ("Make room between the sofa and the coffee table", 0.88, 9.0),
+    ],
+)
+def test_things_stand_as_far_apart_as_is_said(said: str, least: float, most: float) -> None:
+    pair = ("armchair_1", "sideboard_1") if "armchair" in said else ("sofa_1", "coffee_table_1")
+    assert least <= gap(done(living(), said).scene, *pair) <= most
+
+
+# --- how a thing is
+
+
+def test_a_thing_is_made_larger_of_another_colour_or_shape() -> None:
+    before = living()
+    assert done(before, "Make the rug bigger.").scene["rug_1"].size[1] > before["rug_1"].size[1] + 0.05
+    assert done(before, "Make the sofa 2.2 m wide.").scene["sofa_1"].size[1] == pytest.approx(2.2)
+    blue = done(before, "Make the sofa blue.").scene
+    assert "blue" in blue.asset_of(blue["sofa_1"]).attributes
+    assert blue["sofa_1"].size == before["sofa_1"].size
+    table = done(before, "Make the coffee table round.").scene
+    assert "round" in table.asset_of(table["coffee_table_1"]).attributes
+    assert same_but(before, blue, "sofa_1")
+
+
+def test_a_larger_one_is_larger_than_that_which_is_there() -> None:
+    before = living()
+    for said in ("Use a larger rug under the coffee table.", "Replace the rug with a larger one."):
+        after = done(before, said).scene
+        assert [p.id for p in after.placements if p.category == "rug"] == ["rug_1"]
+        assert math.prod(after["rug_1"].size[:2]) > 1.1 * math.prod(before["rug_1"].size[:2])
+
+
+def test_what_no_such_thing_can_be_is_said_with_the_sizes() -> None:
+    result = edit_room(living(), "Make the sofa 9 m wide")
+    assert "is made from" in result.failed[0]
+    assert "9.00" in result.failed[0]
+
+
+def test_fewer_come_in_place_of_several() -> None:
+    after = done(dining(4), "Replace the four chairs with two stools").scene
+    assert not chairs(after)
+    assert len([p for p in after.placements if p.category == "stool"]) == 2
+
+
+def test_another_comes_where_one_was() -> None:
+    before = living()
+    after = done(before, "Remove the armchair and put a floor lamp in its place.").scene
+    assert math.dist(after["floor_lamp_1"].position[:2], before["armchair_1"].position[:2]) < 0.8
+
+
+# --- what goes along
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["Move the dining table with its chairs 30 cm east", "Move the dining table and its chairs 30 cm to the east"],
+)
+def test_company_goes_along_as_it_stands(said: str) -> None:
+    before = dining(2)
+    after = done(before, said).scene
+    for id in ("dining_table_1", "chair_1", "chair_2"):
+        assert after[id].position[0] - before[id].position[0] == pytest.approx(0.3, abs=0.02)
+
+
+def test_chairs_are_kept_around_a_table_that_is_turned() -> None:
+    after = done(dining(2), "Rotate the dining table by 90 degrees and keep the chairs around it.").scene
+    assert all(measure(after, "at", id, ("dining_table_1",)).holds for id in chairs(after))
+
+
+def test_chairs_are_pulled_out_and_pushed_in() -> None:
+    before = dining(2)
+    out = done(before, "Pull the chairs out.").scene
+    assert all(gap(out, id, "dining_table_1") > gap(before, id, "dining_table_1") for id in chairs(out))
+    so_far = done(before, "Pull the chairs out by 10 cm").scene
+    assert all(gap(so_far, id, "dining_table_1") - gap(before, id, "dining_table_1") < 0.13 for id in chairs(out))
+    back = done(out, "Push the chairs in").scene
+    assert all(measure(back, "at", id, ("dining_table_1",)).holds for id in chairs(back))
+
+
+# --- what stays
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Remove everything but don't touch the sofa",
+        "Remove the rug without moving the sofa",
+        "Clear the room but leave the sofa",
+        "Keep only the sofa",
+    ],
+)
+def test_what_is_kept_is_not_touched(said: str) -> None:
+    before = living()
+    assert edit_room(before, said).scene["sofa_1"] == before["sofa_1"]
+
+
+def test_an_order_against_what_is_kept_is_not_done() -> None:
+    before = living()
+    result = edit_room(before, "Move the coffee table 20 cm east but leave the vase where it is")
+    assert same_but(before, result.scene)
+    assert any("vase_1 is to stay as it is" in text for text in result.failed)
+
+
+def test_a_denied_order_changes_nothing() -> None:
+    before = living()
+    assert bytes_of(edit_room(before, "Don't remove the rug.").scene) == bytes_of(before)
+
+
+# --- clear words for what is not done
+
+
+@pytest.mark.parametrize(
+    ("said", "says"),
+    [
+        ("Undo that.", "--undo"),
+        ("Add a sofa when the room is empty", "is a condition"),
+        ("Unless the rug is red, remove it", "is a condition"),
+        ("Add a cat.", "'a cat' is nothing that can be added"),
+        ("Don't put the vase on the desk", "what is not to be done"),
+        ("Add a lamp with 90 degrees", "an angle"),
+        ("Rearrange the room in a circle", "not understood"),
+        ("Add the sofa", "is there already"),
+        ("Move the sofa 50 cm", "not clear what 0.5 m is|does not say where to"),
+        ("Make it cosier.", "cannot be made otherwise|points at nothing"),
+    ],
+)
+def test_what_is_not_done_is_said(said: str, says: str) -> None:
+    with pytest.raises(InputError, match=says) as raised:
+        edit_room(living(), said)
+    assert " ." not in str(raised.value)
+
+
+def test_an_order_that_finds_nothing_to_do_is_no_success() -> None:
+    with pytest.raises(InputError, match="nothing was found in it that could be done"):
+        edit_room(living(), "Make sure there is at least 70 cm on both sides of the sofa.")
+
+
+def test_orders_read_as_they_were_written() -> None:
+    texts = [o.text for o in read_instruction("Remove chair_1 and turn the sofa around!", ["chair_1"]).orders]
+    assert texts == ["Remove chair_1", "turn the sofa around"]
+
+
+def test_a_thing_that_is_turned_is_not_carried_off() -> None:
+    before = living()
+    after = edit_room(before, "Turn the sofa so that it looks at the desk").scene
+    assert math.dist(after["sofa_1"].position, before["sofa_1"].position) < 2.3
+
+
+# --- policies, scores
+
+
+class OneString:
+    def propose(self, observation, n, rng):
+        return "<answer>{}</answer>"
+
+
+class Gone:
+    def propose(self, observation, n, rng):
+        raise UnavailableError("the server is gone")
+
+
+def test_one_string_instead_of_a_list_is_rejected_with_a_reason() -> None:
+    result = edit_room(living(), "Move the armchair next to the sofa", policy=OneString())
+    tries = [t for r in result.trace for t in r.tries if t.rejection is not None]
+    assert any("a list of texts is wanted" in t.rejection.message for t in tries if t.rejection is not None)
+
+
+def test_a_policy_that_cannot_go_on_ends_the_edit() -> None:
+    with pytest.raises(UnavailableError, match="the server is gone"):
+        edit_room(living(), "Move the armchair next to the sofa", policy=Gone())
+
+
+def test_a_server_that_is_not_there_leaves_nothing_behind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    save_room(done(living(), "Keep the sofa where it is."), tmp_path / "room", pictures=False, formats=())
+    words = ["edit", str(tmp_path / "room"), "Move the armchair next to the sofa", "--out", str(tmp_path / "out")]
+    assert main([*words, "--no-pictures", "--policy", "openai:http://127.0.0.1:9#model"]) not in (0, 1)
+    assert not (tmp_path / "out").exists()
+    assert "127.0.0.1:9" in capsys.readouterr().err
+
+
+def test_an_edited_room_has_its_score_and_so_has_one_taken_back() -> None:
+    result = edit_room(living(), "Remove the rug.")
+    assert result.report.score is not None
+    assert undo_edit(result).report.score is not None

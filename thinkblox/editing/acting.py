@@ -1,0 +1,110 @@
+"""What orders on things that are there have in common: goals of their words, and what became of each."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+from thinkblox.assets import facts_of
+from thinkblox.brief import RelationKind
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.goals import Goal, IntoRoom, Related
+from thinkblox.editing.orders import NounPhrase
+from thinkblox.editing.reaching import Reaching, ties_of, without
+from thinkblox.editing.spots import Pose, likely
+from thinkblox.editing.wheres import Bound, named
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.plan import Tie
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
+from thinkblox.scene.scene import Scene
+
+
+def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal:
+    """A relation as a goal; of several around a thing each is by it, and seats are drawn up to it."""
+    if there.of_room:
+        return IntoRoom()
+    measured: RelationKind | None = None
+    if there.kind == "around":
+        measured = "at" if facts_of(category).is_in("seating") else "near"
+    return Related(there.kind, there.anchors, there.negated, index, count, measured)
+
+
+def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
+    """What distances are measured to: ids, or a part of the room."""
+    noun = phrase.noun
+    if noun.kind == "place":
+        if not things(finder.scene, noun.value.split()[0]):
+            raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
+        return (noun.value.split()[0],)
+    if noun.kind == "part" and noun.value == "middle":
+        return ("centre",)
+    return named(finder, phrase, phrase.places)
+
+
+def looking(finder: Finder, noun: Noun) -> Goal:
+    """What something is to face, as a goal."""
+    if noun.kind == "room":
+        return IntoRoom()
+    if noun.kind == "part" and noun.value == "middle":
+        return Related("facing", ("centre",))
+    return Related("facing", mark_names(finder, NounPhrase(noun)))
+
+
+def reach_goals(
+    work: Work,
+    id: str,
+    goals: Sequence[Goal],
+    *,
+    direct: Iterator[Pose],
+    ask: bool = False,
+    search: bool = True,
+    ties: Sequence[Tie] | None = None,
+    begin: Pose | None = None,
+) -> Reaching | None:
+    """Bring an object to its goals; returns None when that is done, or what was tried."""
+    told = ties_of(goals) if ties is None else tuple(ties)
+    target = work.target(id, work.scene[id].category, told, work.asset_of(id).attributes)
+    reaching = Reaching(
+        work,
+        target,
+        work.asset_of(id),
+        goals,
+        direct=direct,
+        ask=ask and bool(told),
+        search=search,
+        begin=begin,
+        more=likely(_without(work, id), work.asset_of(id), goals),
+    )
+    return None if reaching.run() else reaching
+
+
+def _without(work: Work, id: str) -> Scene:
+    """The room without an object and what rests on it."""
+    return without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+
+
+def say(work: Work, id: str, before: Placement, failed: Reaching | None, goals: Sequence[Goal]) -> None:
+    """Note what became of one object."""
+    if failed is not None:
+        work.failed.append(f"{id} was left where it is: {failed.why}")
+        return
+    text = "; ".join(dict.fromkeys(findings(work, goals, id)))
+    work.done.append(f"{moved_words(before, work.scene[id])}{f' ({text})' if text else ''}")
+
+
+def findings(work: Work, goals: Sequence[Goal], id: str) -> Iterator[str]:
+    """What is measured of each goal."""
+    for goal in goals:
+        yield goal.check(work.before, work.scene, id)[1]
+
+
+def moved_words(before: Placement, after: Placement) -> str:
+    """How something has moved and turned, in words."""
+    away = math.dist(before.position, after.position)
+    turn = turn_between(before.yaw, after.yaw)
+    x, y, z = after.position
+    parts = [f"moved {away:.2f} m to ({x:.2f}, {y:.2f}{f', {z:.2f}' if z > 0.02 else ''})"] if away >= 0.005 else []
+    parts += [f"turned by {turn:.0f} degrees to yaw {after.yaw:g}"] if turn > 0.5 else []
+    return f"{after.id} {' and '.join(parts) or 'stays where it is'}"

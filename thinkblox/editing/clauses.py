@@ -1,0 +1,314 @@
+"""An instruction cut to clauses: what each asks to be done, and the words that it says it with."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from thinkblox.editing.grammar import longest
+from thinkblox.errors import InputError
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.tokens import Token
+
+ENDS = (".", ";", "!", "?", "\n")
+_POINTERS = frozenset(
+    "the a an both all it them my every each that this these those another some only just its their our any no more"
+    " everything nothing half one".split()
+)
+"""Words after a verb in the middle of a sentence, by which it is told from a noun."""
+_LINKS = (",", "and", "then", "but", "also", "while", "plus")
+_RELATIVE = ("so", "that", "which", "who")
+_GONE = ("go", "leave", "disappear")
+_WANTS = ("want",)
+_BRINGS = ("add", "want", "ensure")
+_NOT = Token("not", "not", "word", start=-1)
+_TO = Token("to", "to", "word", start=-1)
+_NOTHING = ("nothing",)
+
+
+@dataclass(frozen=True)
+class Clause:
+    """One order of an instruction.
+
+    Attributes:
+        doing: what is to be done, a key of the grammar's verbs.
+        change: how the room changes by the verb alone ("lengthen").
+        tokens: what it says after the verb; of a wish without what makes it one.
+        text: the clause as it was written.
+    """
+
+    doing: str
+    change: str
+    tokens: tuple[Token, ...]
+    text: str
+
+
+@dataclass(frozen=True)
+class _Start:
+    """Where a clause begins and where its words go on, with those that come before."""
+
+    begin: int
+    body: int
+    doing: str
+    change: str = ""
+    before: tuple[Token, ...] = ()
+    denied: bool = False
+    whose: tuple[Token, ...] = ()
+
+
+def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str]) -> list[Clause]:
+    """The clauses of an instruction; what comes before the first and means nothing is added to `unknown`.
+
+    Args:
+        tokens: of the whole instruction.
+        named: ids of objects by where the words for them begin.
+        unknown: takes what means nothing.
+
+    Raises:
+        InputError: it depends on a condition, asks for an edit to be taken back, or says only what is not to be done.
+    """
+    tokens = _without_courtesy(tokens)
+    _check(tokens, named)
+    starts = list(_starts(tokens))
+    lead = tokens[: starts[0].begin] if starts else tokens
+    unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
+    made = []
+    for number, start in enumerate(starts):
+        end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
+        text = spoken(tokens[start.begin : end], named)
+        body = (*start.before, *tokens[start.body : end])
+        if start.whose:
+            body = _had(body, start.whose)
+        clause = _settled(Clause(start.doing, start.change, body, text))
+        if start.denied and start.doing in _BRINGS:
+            continue
+        if start.denied and clause.doing in ("put", "keep", "make", "free"):
+            raise InputError(f"'{text}' says what is not to be done; say what is")
+        made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
+    return made
+
+
+def _had(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
+    """What is to be added to things that "should have" it: "a plant on it" is on them, "four chairs" go to them."""
+    rest = [token for token in body if token.text not in ENDS]
+    if rest and rest[-1].text in ("it", "them"):
+        return (*rest[:-1], *whose)
+    return (*rest, _TO, *whose)
+
+
+def spoken(tokens: Sequence[Token], named: Mapping[int, str]) -> str:
+    """Words as they were written, without the marks at their ends."""
+    text, skip, end = "", 0, -1
+    for token in tokens:
+        if token.start < skip:
+            continue
+        shown = named.get(token.start, token.shown)
+        if token.start in named:
+            skip = token.start + len(named[token.start].rpartition("_")[0])
+        close = token.kind == "mark" or (token.start == end and token.start >= 0) or not text
+        text += shown if close else f" {shown}"
+        end = token.start + len(token.shown) if token.glued is False else -2
+        if token.glued:
+            text, end = f"{text}-", token.start + len(token.shown) + 1
+    words = text.strip(" ,.;:!?\n").split(" ")
+    while len(words) > 1 and words[-1].lower() in _LINKS:
+        del words[-1]
+    return " ".join(words).strip(" ,.;:!?\n")
+
+
+def _without_courtesy(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without "if possible" and its like: what cannot be done is said in any case."""
+    left: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        found = longest("conditions", tokens, index)
+        if found is not None and found[0] == "polite":
+            index += found[1]
+            continue
+        left.append(tokens[index])
+        index += 1
+    return left
+
+
+def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
+    for index in range(len(tokens)):
+        found = longest("conditions", tokens, index)
+        if found is not None:
+            rest = next((n for n in range(index, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
+            says = spoken(tokens[index:rest], named)
+            raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
+    first = _first(tokens)
+    if longest("undo", tokens, first) is not None:
+        raise InputError(
+            f"'{spoken(tokens, named)}' is not an edit of its own: the last edit is taken back with --undo, or with"
+            " thinkblox.undo_edit"
+        )
+
+
+def _first(tokens: Sequence[Token]) -> int:
+    index = 0
+    while index < len(tokens) and (filler := longest("fillers", tokens, index)) is not None:
+        index += filler[1]
+    return index
+
+
+def _is_filler(tokens: Sequence[Token], token: Token) -> bool:
+    at = tokens.index(token)
+    spans = ((start, longest("fillers", tokens, start)) for start in range(at + 1))
+    return any(found is not None and start + found[1] > at for start, found in spans)
+
+
+# --- where clauses begin
+
+
+def _starts(tokens: Sequence[Token]) -> list[_Start]:
+    starts: list[_Start] = []
+    index, fresh, first = 0, True, True
+    while index < len(tokens):
+        start = _start(tokens, index, first=first) if fresh else _without(tokens, index)
+        if start is not None:
+            starts.append(start)
+            index, fresh, first = start.body, False, False
+            continue
+        filler = longest("fillers", tokens, index) if fresh else None
+        if tokens[index].text in ENDS:
+            fresh = first = True
+        elif tokens[index].text in _LINKS:
+            fresh = True
+        elif filler is not None:
+            index += filler[1]
+            continue
+        else:
+            fresh = first = False
+        index += 1
+    return starts
+
+
+def _start(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
+    denied = longest("denials", tokens, at)
+    if denied is not None and denied[0] == "not":
+        verb = _verb(tokens, at + denied[1], first=True)
+        if verb is not None and longest("verbs", tokens, at) is None:
+            return _Start(at, at + denied[1] + verb[2], verb[0], verb[1], denied=True)
+    if denied is not None and denied[0] == "without":
+        return _without(tokens, at)
+    verb = _verb(tokens, at, first=first)
+    filler = longest("fillers", tokens, at)
+    if verb is not None and filler is not None and filler[1] > verb[2]:
+        return None
+    if verb is not None:
+        return _Start(at, at + verb[2], verb[0], verb[1])
+    return _wish(tokens, at, first=first)
+
+
+def _without(tokens: Sequence[Token], at: int) -> _Start | None:
+    """Read "without moving the sofa", in the middle of an order."""
+    found = longest("denials", tokens, at)
+    if found is None or found[0] != "without":
+        return None
+    if tokens[at].text == "but":
+        return None
+    return _Start(at, at + found[1], "keep")
+
+
+def _verb(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str, int] | None:
+    """What is done, how the room changes by that, and the length of the verb [tokens]."""
+    found = longest("verbs", tokens, at)
+    change = longest("resizing", tokens, at)
+    if change is not None and (found is None or change[1] > found[1]):
+        found = ("make", change[1])
+    else:
+        change = None
+    if found is None:
+        return None
+    after = tokens[at + found[1]] if at + found[1] < len(tokens) else None
+    pointed = after is not None and (after.text in _POINTERS or after.kind == "number" or found[1] > 1)
+    pointed |= after is not None and grammar().at([after], 0, "count") is not None
+    if not first and not pointed:
+        return None
+    return found[0], change[0] if change else "", found[1]
+
+
+def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
+    """Read "the sofa should be against the wall", "could the desk be under the window?"."""
+    asked = longest("asked", tokens, at)
+    if first and asked is not None and asked[0] == "before" and longest("fillers", tokens, at) is None:
+        verb = next((n for n in _within(tokens, at + 1) if _means(tokens, n, "asked") == "after"), None)
+        if verb is None:
+            return None
+        told = verb if tokens[verb].text == "face" else verb + 1
+        return _Start(at, told, "put", before=tuple(tokens[at + 1 : verb]))
+    for index in _within(tokens, at + 1):
+        found = longest("wishes", tokens, index)
+        if tokens[index].text in _RELATIVE or (found is None and _verb(tokens, index, first=False) is not None):
+            return None
+        if found is None or tokens[index].text == "to" or (found[0] == "block" and tokens[at].text not in _NOTHING):
+            continue
+        return _wished(tokens, at, index, *found)
+    return None
+
+
+def _wished(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> _Start:
+    subject, after = tuple(tokens[at:index]), index + length
+    last = tokens[after - 1].text
+    if subject[0].text in _NOTHING and key in ("put", "block"):
+        return _Start(at, after, "free")
+    if key == "have":
+        return _Start(at, after, "add", before=(), whose=subject)
+    if key == "put" and last in _GONE and _ends(tokens, after):
+        key = "remove"
+    if key == "face":
+        after -= 2 if last == "at" else 1
+        return _Start(at, after, "put", before=subject)
+    if key == "not":
+        after -= 1 if last == "face" else 0
+        return _Start(at, after, "put", before=(*subject, _NOT))
+    return _Start(at, after, key, before=subject)
+
+
+def _within(tokens: Sequence[Token], at: int) -> list[int]:
+    """The tokens up to the end of the sentence."""
+    end = next((n for n in range(at, len(tokens)) if tokens[n].text in ENDS), len(tokens))
+    return list(range(at, end))
+
+
+def _means(tokens: Sequence[Token], at: int, section: str) -> str:
+    found = longest(section, tokens, at)
+    return found[0] if found is not None else ""
+
+
+def _ends(tokens: Sequence[Token], at: int) -> bool:
+    return at >= len(tokens) or tokens[at].text in (*ENDS, *_LINKS, "please", "now", "away")
+
+
+def _settled(clause: Clause) -> Clause:
+    """A clause by what it says is to have been done ("the rug removed") and how a thing is to be ("to be blue")."""
+    tokens, doing = list(clause.tokens), clause.doing
+    if doing in _WANTS:
+        doing = "put"
+        for index in range(1, len(tokens)):
+            found = longest("wishes", tokens, index)
+            if found is None:
+                continue
+            start = _wished(tokens, 0, index, *found)
+            doing, tokens = start.doing, [*start.before, *tokens[start.body :]]
+            tokens = list(_had(tokens, start.whose)) if start.whose else tokens
+            break
+    if doing == "put" and clause.doing in ("put", *_WANTS):
+        for index in range(1, len(tokens)):
+            done = longest("done", tokens, index)
+            if done is not None and _goes_on(tokens, index + done[1]):
+                return Clause(done[0], "", tuple(tokens[:index] + tokens[index + done[1] :]), clause.text)
+    return Clause(doing, clause.change, tuple(tokens), clause.text)
+
+
+def _goes_on(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a participle ends there: at the end, or before how or where to."""
+    if _ends(tokens, at):
+        return True
+    after = tokens[at]
+    return (
+        after.kind == "number"
+        or after.text in ("by", "with", "to", "from", "out", "so", "a", "half", "closer", "nearer", "further")
+        or grammar().at(tokens, at, "prepositions", "count") is not None
+        or longest("directions", tokens, at) is not None
+        or longest("markers", tokens, at) is not None
+    )

@@ -1,0 +1,101 @@
+"""What goes along with a thing that is moved or turned because the order says so: "the table with its chairs"."""
+
+import math
+from collections.abc import Callable
+
+from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.finding import Finder, nearest_to
+from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.reaching import Reaching
+from thinkblox.editing.spots import Pose
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.plan import Tie
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
+from thinkblox.scene.scene import Scene
+
+ASIDE = 0.3
+"""How far it may then stand from where it stood to that thing [m]."""
+REACH = 0.8
+"""How far from a thing its company stands at most [m]."""
+
+
+def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable[[], None]) -> None:
+    """Do something with one thing, and bring what the order names along to the same places beside it."""
+    mates = _mates(work, finder, order, id)
+    if not mates:
+        do()
+        return
+    before, saved, failures = work.scene, work.saved(), len(work.failed)
+    taken = take(work, mates)
+    do()
+    why = "" if len(work.failed) == failures else f"{id} stays"
+    if not why and work.scene[id] == before[id]:
+        work.world = saved[0]
+        return
+    for mate in mates if not why else ():
+        why = _bring(work, before, taken, id, mate)
+        if why:
+            break
+    if why:
+        said = work.failed[failures:]
+        work.restore(saved)
+        work.failed[failures:] = said or [f"{id} was left where it is with {', '.join(mates)}: {why}"]
+        return
+    work.done.append(f"{', '.join(mates)} went along with {id}")
+
+
+def _mates(work: Work, finder: Finder, order: Order, id: str) -> list[str]:
+    found: list[str] = []
+    for phrase in order.company:
+        found += _of_phrase(work, finder, phrase, id)
+    riding = {rider.id for rider in work.scene.riders(id)}
+    return [mate for mate in dict.fromkeys(found) if mate != id and mate not in riding and mate not in work.kept]
+
+
+def _of_phrase(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[str]:
+    noun = phrase.noun
+    if phrase.id or noun.id or not noun.many:
+        return list(finder.ids(phrase, picks=(nearest_to(work.scene, id, 1),)))
+    found = [p.id for p in finder.matching(noun)]
+    if not found:
+        raise finder.nothing(noun.text)
+    mark = things(work.scene, id)[0]
+    away = {name: ground_gap(things(work.scene, name)[0], mark) for name in found}
+    by_it = [name for name in found if away[name] <= REACH]
+    if noun.count:
+        by_it = sorted(found, key=lambda name: away[name])[: noun.count]
+    if not by_it:
+        raise InputError(f"'{noun.text}': none of {', '.join(found)} stands within {REACH:g} m of {id}")
+    return by_it
+
+
+def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str) -> str:
+    """Put one thing where it stood beside another, as that stands now; why not, where that cannot be."""
+    old, asset = before[mate], work.assets[before[mate].asset]
+    kind = "at" if measure(before, "at", mate, (id,)).holds else "near"
+    pose = _along(old, before[id], work.scene[id])
+    goals: list[Goal] = [Related("at", (id,)) if kind == "at" else At(pose[0][:2], ASIDE)]
+    ties = (Tie(kind="around" if kind == "at" else "near", anchors=(id,)),)
+    target = work.target(mate, old.category, ties, asset.attributes)
+    reaching = Reaching(work, target, asset, goals, direct=(pose,), begin=pose)
+    if not reaching.run():
+        return reaching.why
+    for rider in put_back(work, old, [p for p in taken if p.id != mate], before):
+        lost = next(p for p in taken if p.id == rider)
+        if not place_anew(work, lost, carriers=(mate,)):
+            return f"{rider} could not go along with {mate}"
+    return ""
+
+
+def _along(mate: Placement, old: Placement, new: Placement) -> Pose:
+    """Where something stands to a thing as it stood to it before that moved and turned."""
+    turn = new.yaw - old.yaw
+    way, dx, dy = math.radians(turn), mate.position[0] - old.position[0], mate.position[1] - old.position[1]
+    x = new.position[0] + dx * math.cos(way) - dy * math.sin(way)
+    y = new.position[1] + dx * math.sin(way) + dy * math.cos(way)
+    return (round(x, 4), round(y, 4), mate.position[2]), round((mate.yaw + turn) % 360.0, 4) % 360.0

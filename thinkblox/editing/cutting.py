@@ -1,0 +1,231 @@
+"""The words of one clause cut to pieces: the reader's noun phrases and connectors, and phrases of instructions' own."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from thinkblox.editing.grammar import longest, means
+from thinkblox.editing.lengths import angle_at, is_number, lengths_at
+from thinkblox.reading.english.chunker import cut
+from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.tokens import Token
+
+_ANYWHERE = ("nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places")
+_AT_END = ("round", "away", "places_of_both", "together", "there")
+_PUTTING = ("add", "put", "move", "ensure")
+_RANKED = ("the", "my", "that", "two", "both")
+_POINTING = ("the", "these", "those", "them", "my", "our")
+_SPACED = ("move", "put", "make", "keep", "free", "gap", "turn")
+"""Orders in which a length by itself is a distance, or how large something is to be."""
+_AFTER_ORDER = (
+    "by", "and", "so", "about", "a", "one", "half", "please", "then", "too", "now", "two", "but", "without", "while",
+    "plus", "also",
+)  # fmt: skip
+_CLEARED = ("keep", "put", "ensure", "make", "free")
+"""Orders in which "free" at the end is how something is to be."""
+_DISTANT = ("away", "off", "apart", "from", "to", "in", "closer", "nearer", "further", "farther")
+_BEFORE_LENGTH = ("by", "to", "of")
+
+
+@dataclass
+class OrderMark:
+    """A phrase of the instructions' own grammar: its section and key, and the angle or the lengths that it names."""
+
+    sort: str
+    key: str
+    value: float = 0.0
+    lengths: tuple[tuple[float, str], ...] = ()
+
+
+Item = Chunk | OrderMark
+
+
+class ClauseCutter:
+    """Cuts one clause.
+
+    Attributes:
+        ranks: which of several a noun means by its size, "1 height", by the noun's identity.
+        shares: which part of several, whichever of them, likewise; below 0 all but so many.
+    """
+
+    def __init__(self, lexicon: Lexicon, doing: str, verb: str, named: Mapping[int, str]) -> None:
+        self.ranks: dict[int, str] = {}
+        self.shares: dict[int, float] = {}
+        self._lexicon, self._doing, self._verb, self._named = lexicon, doing, verb, named
+        self._ranked: dict[int, str] = {}
+        self._shared: dict[int, float] = {}
+
+    def items(self, tokens: Sequence[Token]) -> list[Item]:
+        """The pieces in their order."""
+        return list(self._cut(tokens))
+
+    def _cut(self, tokens: Sequence[Token]) -> Iterator[Item]:
+        run: list[Token] = []
+        index = 0
+        while index < len(tokens):
+            found = self._marked(tokens, index)
+            taken = 0 if found is not None else self._rank(tokens, index, run) or self._share(tokens, index)
+            if taken:
+                index += taken
+                continue
+            if found is None:
+                run.append(tokens[index])
+                index += 1
+                continue
+            yield from self._chunks(run)
+            run = []
+            yield found[0]
+            index += found[1]
+        yield from self._chunks(run)
+
+    def _rank(self, tokens: Sequence[Token], at: int, run: Sequence[Token]) -> int:
+        """Read "larger" of "the larger table", "the larger of the two tables"; returns the tokens that it takes."""
+        before = run[-1].text if run else ""
+        rank = means("sizes", tokens[at].text) if before in _RANKED else ""
+        after = at + 1
+        if not rank or self._doing == "add" or after >= len(tokens) or tokens[after].kind != "word":
+            return 0
+        if tokens[after].text == "of":
+            after += 1
+            after += sum(t.text in ("the", "these", "those") for t in tokens[after : after + 1])
+            after += sum(is_number(t) for t in tokens[after : after + 1])
+        if after >= len(tokens) or tokens[after].kind != "word":
+            return 0
+        self._ranked[tokens[after].start] = rank
+        return after - at
+
+    def _share(self, tokens: Sequence[Token], at: int) -> int:
+        """Read "all but two of", "most of" before a noun phrase; returns the tokens that it takes."""
+        found = longest("shares", tokens, at)
+        if found is None:
+            return 0
+        key, after = found[0], at + found[1]
+        value = 0.0
+        if key == "left":
+            count = grammar().at(tokens, after, "count")
+            number = tokens[after].value if after < len(tokens) and tokens[after].kind == "number" else 0.0
+            value = -number if number else -float(count.value) if count is not None else 0.0
+            after += 1 if number else count.length if count is not None else 0
+            after += sum(t.text == "of" for t in tokens[after : after + 1])
+        else:
+            pointed = after < len(tokens) and tokens[after].text in _POINTING
+            value = float(key) if pointed else 0.0
+        if after >= len(tokens) or not value or tokens[after].kind != "word":
+            return 0
+        self._shared[tokens[after].start] = value
+        return after - at
+
+    def _chunks(self, run: list[Token]) -> Iterator[Chunk]:
+        if not run:
+            return
+        chunks, _ = cut(self._lexicon, run)
+        for chunk in chunks:
+            if isinstance(chunk, Noun):
+                starts = [token.start for token in run[chunk.start : chunk.end]]
+                chunk.id = next((self._named[s] for s in starts if s in self._named), chunk.id)
+                self.ranks[id(chunk)] = next((self._ranked[s] for s in starts if s in self._ranked), "")
+                self.shares[id(chunk)] = next((self._shared[s] for s in starts if s in self._shared), 0.0)
+            yield chunk
+
+    def _marked(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
+        """The phrase of the instructions' grammar that begins at a token, and its length."""
+        lengths = self._lengths(tokens, at)
+        if lengths is not None:
+            return lengths
+        angle = angle_at(tokens, at, words=self._doing == "turn")
+        if angle is not None:
+            return OrderMark("turn", "degrees", angle[0]), angle[1]
+        if self._doing in ("make", "put"):
+            for sort in ("comparatives", "absolutes"):
+                found = longest(sort, tokens, at)
+                if found is not None and (self._doing == "make" or self._ends(tokens, at + found[1])):
+                    return OrderMark(sort, found[0]), found[1]
+        row = longest("rows", tokens, at)
+        if row is not None and self._doing not in ("add", "ensure"):
+            return OrderMark("rows", row[0]), row[1]
+        clear = longest("clear", tokens, at)
+        if clear is not None and self._doing in _CLEARED and at and self._ends(tokens, at + clear[1]):
+            return OrderMark("clear", "free"), clear[1]
+        return self._moving(tokens, at) or self._marker(tokens, at)
+
+    def _moving(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
+        if self._doing not in ("move", "put", "turn", "make"):
+            return None
+        few = longest("few", tokens, at)
+        if few is not None:
+            return OrderMark("few", few[0]), few[1]
+        seated = longest("seated", tokens, at)
+        drawn = bool(means("drawing", self._verb))
+        if seated is not None and drawn and self._ends(tokens, at + seated[1]):
+            return OrderMark("seated", seated[0]), seated[1]
+        found = longest("directions", tokens, at)
+        if found is not None and self._doing != "make" and self._ends(tokens, at + found[1]):
+            return OrderMark("directions", found[0]), found[1]
+        return None
+
+    def _marker(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
+        found = longest("markers", tokens, at)
+        if found is None:
+            return None
+        key, length = found
+        if key in _ANYWHERE and not (key in ("rest", "as_is") and self._doing not in ("keep", "remove", "free")):
+            return OrderMark("markers", key), length
+        if key == "unblock" and self._doing in _PUTTING:
+            return OrderMark("markers", key), length
+        if key == "there" and self._doing not in _PUTTING:
+            key = "as_is"
+        if key in _AT_END and self._ends(tokens, at + length):
+            return OrderMark("markers", key), length
+        return None
+
+    def _lengths(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
+        """How far a thing is moved or stands, or by how much something changes; elsewhere it is the size of a thing."""
+        bound = longest("bounds", tokens, at)
+        start = at + (bound[1] if bound is not None else 0)
+        if start >= len(tokens):
+            return None
+        said = lengths_at(self._lexicon, tokens, start)
+        if said is None:
+            return None
+        end = start + said.tokens
+        distance = self._is_distance(tokens, end)
+        if not (self._doing in _SPACED and (distance or not self._is_of_noun(tokens, end))) and not (
+            self._doing in ("add", "ensure") and distance and end < len(tokens)
+        ):
+            return None
+        key = (bound[0] if bound is not None else "") + (" by" if at and tokens[at - 1].text == "by" else "")
+        while end < len(tokens) and tokens[end].text == "of":
+            end += 1
+        return OrderMark("lengths", key.strip(), lengths=said.lengths), end - at
+
+    def _is_distance(self, tokens: Sequence[Token], at: int) -> bool:
+        """Whether a length goes on as a distance: "1 m from", "1 m to the left of", or ends there."""
+        if self._ends(tokens, at):
+            return True
+        after = tokens[at]
+        preposition = grammar().at(tokens, at, "prepositions")
+        return (
+            after.text in _DISTANT
+            or (preposition is not None and preposition.value not in ("of", "with", "as"))
+            or longest("directions", tokens, at) is not None
+            or longest("markers", tokens, at) is not None
+        )
+
+    def _is_of_noun(self, tokens: Sequence[Token], at: int) -> bool:
+        """Whether a noun follows of which it is the size: "a 2 m wide sofa"."""
+        if self._doing == "make":
+            return False
+        while at < len(tokens) and longest("absolutes", tokens, at) is not None:
+            at += 1
+        return at < len(tokens) and tokens[at].kind == "word" and tokens[at].text not in ("and", "of")
+
+    @staticmethod
+    def _ends(tokens: Sequence[Token], at: int) -> bool:
+        """Whether an order ends at a token, or goes on with how far or why."""
+        if at >= len(tokens):
+            return True
+        token = tokens[at]
+        if token.kind in ("mark", "number") or longest("few", tokens, at) is not None:
+            return True
+        return token.text in _AFTER_ORDER

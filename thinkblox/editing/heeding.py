@@ -1,0 +1,60 @@
+"""Nothing of an order is passed over in silence: what its kind does nothing about is refused before it begins."""
+
+from collections.abc import Mapping
+
+from thinkblox.editing.orders import Order
+from thinkblox.errors import InputError
+
+_WHERE = ("things", "places", "closer", "apart", "facing")
+_SHIFTED = ("company", "mutual", "together", "scatter", "direction", "lengths", "seated", "there", "free")
+_MOVED = (*_WHERE, *_SHIFTED, "rest", "spared")
+HEEDED: Mapping[str, tuple[str, ...]] = {
+    "add": (*_WHERE, "there"),
+    "ensure": (*_WHERE, "total"),
+    "put": (*_MOVED, "turn", "sense"),
+    "move": (*_MOVED, "away", "turn", "sense"),
+    "turn": ("things", "places", "facing", "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
+    "replace": ("things", "instead"),
+    "remove": ("things", "places", "rest", "spared", "away"),
+    "swap": ("things", "split", "company"),
+    "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
+    "resite": ("things", "rest", "spared"),
+    "make": ("things", "room", "ceiling", "lengths", "change", "looks", "direction"),
+    "free": ("things", "places", "free", "space", "room", "rest", "spared", "away"),
+    "clear": ("things", "places", "room", "rest", "spared", "away"),
+    "keep": ("things", "places", "rest", "room", "spared", "total", "away"),
+    "only": ("things", "places", "total", "spared"),
+    "gap": ("things", "places", "lengths", "change", "space", "room"),
+}  # fmt: skip
+"""What each kind of order does something about, as fields of an Order."""
+_WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite")
+"""Orders that are not begun where a word of them means nothing."""
+_SAID = {
+    "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
+    "spared": "what is excepted", "company": "what goes along", "mutual": "how they stand to each other",
+    "together": "closer together", "scatter": "further apart", "facing": "what it faces", "turn": "an angle",
+    "sense": "which way round", "direction": "a direction", "lengths": "a length", "change": "another size",
+    "room": "the room", "ceiling": "the ceiling", "into": "what it becomes", "free": "what stays free",
+    "rest": "everything else", "away": "away", "seated": "in or out", "looks": "another look", "space": "a space",
+    "total": "how many there are to be", "split": "two groups", "there": "in its place",
+}  # fmt: skip
+"""What a field says, in words."""
+
+
+def check_heeded(order: Order) -> None:
+    """Refuse an order that says more than such an order does.
+
+    Raises:
+        InputError: it says something that would be passed over.
+    """
+    heeded = HEEDED[order.doing]
+    over = [words for field, words in _SAID.items() if getattr(order, field) and field not in heeded]
+    if order.turn == 0.0:
+        over.append("an angle of 0 degrees")
+    if order.lost and order.doing in _WHOLE:
+        raise InputError(f"'{order.text}': '{', '.join(order.lost)}' is not understood, so that nothing was done")
+    if over:
+        raise InputError(
+            f"'{order.text}' also says {', '.join(over)}, which means nothing with '{order.doing}'; say it as an order"
+            " of its own"
+        )

@@ -1,0 +1,135 @@
+"""The same kind of thing made otherwise: larger, of another colour, round."""
+
+import dataclasses
+from collections.abc import Sequence
+
+from thinkblox.assets.repaint import LOOKS, MATERIALS
+from thinkblox.editing.grammar import means
+from thinkblox.editing.orders import Order
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.judging import style_seed
+from thinkblox.scene.asset import Asset
+from thinkblox.value import Vec3
+
+MORE, SLIGHTLY = 1.25, 1.1
+"""By which factor a thing becomes larger where nobody says by how much."""
+LEAST = 0.02
+"""Least by which it differs then [m]."""
+_SENSES = {"longer": 1, "wider": 1, "deeper": 1, "larger": 1, "higher": 1,
+           "shorter": -1, "narrower": -1, "smaller": -1, "lower": -1}  # fmt: skip
+_AXES = {"longer": "length", "shorter": "length", "wider": "width", "narrower": "width", "deeper": "depth",
+         "higher": "height", "lower": "height"}  # fmt: skip
+
+
+def otherwise(work: Work, old: Asset, order: Order) -> Asset:
+    """The same kind of thing as an order wants it.
+
+    Raises:
+        InputError: such a thing is not made so.
+    """
+    size = _size(work, old, order)
+    if not order.looks:
+        return work.source.fit(old, size) if size != old.size else old
+    made = looking(work, old, order.looks)
+    shaped = _shapes(made.attributes) != _shapes(old.attributes)
+    if shaped and size == old.size:
+        return made
+    least, most = work.source.size_range(old.category)
+    kept = tuple(min(max(s, a), b) for s, a, b in zip(size, least, most, strict=True))
+    fitted = work.source.fit(made, (kept[0], kept[1], kept[2]))
+    return fitted if set(order.looks) <= {*fitted.attributes} else made
+
+
+def looking(work: Work, old: Asset, looks: Sequence[str]) -> Asset:
+    """A thing of a kind that looks as it is said, and otherwise as the old one did.
+
+    Raises:
+        InputError: such things do not come so.
+    """
+    kept = [word for word in old.attributes if not any(_are_alike(word, look) for look in looks)]
+    for words in ((*looks, *kept), tuple(looks)):
+        made = work.source.make(old.category, seed=style_seed(work.scene), attributes=words)
+        if set(looks) <= set(made.attributes):
+            return made
+    raise InputError(f"no {old.category.replace('_', ' ')} is made {' and '.join(looks)}")
+
+
+def _are_alike(one: str, other: str) -> bool:
+    """Whether two looks cannot both be: two colours, two materials, two shapes."""
+    material = (one in MATERIALS, other in MATERIALS)
+    if one in LOOKS or other in LOOKS:
+        return one in LOOKS and other in LOOKS and material[0] == material[1]
+    return bool(_shapes((one,)) and _shapes((other,)))
+
+
+def _shapes(words: Sequence[str]) -> frozenset[str]:
+    return frozenset(word for word in words if means("shapes", word))
+
+
+def _size(work: Work, old: Asset, order: Order) -> Vec3:
+    """The size that an order wants of a thing [m].
+
+    Raises:
+        InputError: things of that kind are not made so large or so small.
+    """
+    deep, wide, high = old.size
+    sides = {"depth": deep, "width": wide, "height": high}
+    change, absolute = order.change.removesuffix("="), order.change.endswith("=")
+    long = "depth" if deep > wide else "width"
+    for metres, axis in order.lengths or ([(0.0, "")] if change else []):
+        named = axis or _AXES.get(change, "")
+        if named == "diameter":
+            sides |= {"depth": metres, "width": metres}
+            continue
+        if not named and change not in ("larger", "smaller"):
+            raise InputError(f"it is not said which side of it is to be {metres:g} m; say 'wide', 'long' or 'high'")
+        for side in (long if named == "length" else named,) if named else ("depth", "width"):
+            sides[side] = _changed(sides[side], metres, change, absolute=absolute or not change, order=order)
+    wanted = (sides["depth"], sides["width"], sides["height"])
+    return _possible(work, old, wanted, said=bool(order.lengths))
+
+
+def _changed(side: float, metres: float, change: str, *, absolute: bool, order: Order) -> float:
+    sense = _SENSES.get(change, 1)
+    if not metres:
+        factor = SLIGHTLY if order.slight else MORE
+        return side * factor if sense > 0 else side / factor
+    if absolute and not order.by:
+        return metres
+    return side + sense * metres
+
+
+def _possible(work: Work, old: Asset, wanted: Vec3, *, said: bool) -> Vec3:
+    least, most = work.source.size_range(old.category)
+    held = tuple(min(max(w, a), b) for w, a, b in zip(wanted, least, most, strict=True))
+    size = (round(held[0], 3), round(held[1], 3), round(held[2], 3))
+    name = old.category.replace("_", " ")
+    if said and max(abs(a - b) for a, b in zip(size, wanted, strict=True)) > 1e-3:
+        raise InputError(f"a {name} is made from {_by(least)} to {_by(most)}, and {_by(wanted)} is wanted")
+    grows = [(w - o, s - o) for w, o, s in zip(wanted, old.size, size, strict=True)]
+    if any(abs(w) > LEAST for w, _ in grows) and not any(s * w > 0 and abs(s) >= LEAST for w, s in grows):
+        raise InputError(f"a {name} is made from {_by(least)} to {_by(most)}, and this is {_by(old.size)}")
+    return size if any(abs(s) > 1e-3 for _, s in grows) else old.size
+
+
+def _by(size: Vec3) -> str:
+    return " by ".join(f"{side:.2f}" for side in size) + " m"
+
+
+def looks_of(asset: Asset) -> str:
+    """A thing and its size, in words."""
+    return f"{asset.description}, {_by(asset.size)}"
+
+
+def compared(work: Work, old: Asset, degree: str, *, slight: bool = False) -> Asset:
+    """The same kind of thing as "a larger one", "a taller one" of it.
+
+    Raises:
+        InputError: a word that compares nothing that can be made otherwise, or no such thing is made.
+    """
+    change = means("comparatives", degree)
+    if not change:
+        raise InputError(f"'{degree}': what that means of a {old.category.replace('_', ' ')} is not known")
+    order = dataclasses.replace(Order("make", degree), change=change, slight=slight)
+    return work.source.fit(old, _size(work, old, order))

@@ -1,0 +1,125 @@
+"""Orders that take things away: those that are named, what rests on one, or everything but some."""
+
+import dataclasses
+from collections.abc import Sequence
+
+from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.wheres import bound, named, spare
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.reading.english.nodes import Where
+
+_RESTS = ("on", "from", "in", "inside", "on_top")
+
+
+def remove(work: Work, finder: Finder, order: Order) -> None:
+    """Take things away; what rested on them is placed anew."""
+    if order.rest and not order.things:
+        take_away(work, left_over(work, finder, order))
+        return
+    if not order.things:
+        raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
+    ids: dict[str, None] = {}
+    for phrase in order.things:
+        if phrase.noun.kind in ("place", "part"):
+            raise InputError(f"'{phrase.noun.text}' is no thing that can be taken away; there {finder.listed()}")
+        meant = named(finder, phrase, phrase.places)
+        ids |= dict.fromkeys(meant)
+        if phrase.laden:
+            ids |= dict.fromkeys(rider.id for id in meant for rider in work.scene.riders(id))
+    take_away(work, work.touched(ids))
+    finder.recent = []
+
+
+def keep_only(work: Work, finder: Finder, order: Order) -> None:
+    """Take away what is not named: of "only two chairs" the other chairs, of "only the sofa" everything else."""
+    if not order.things:
+        raise InputError(f"'{order.text}' does not say what is to be kept; there {finder.listed()}")
+    if all(phrase.noun.count and not phrase.noun.definite for phrase in order.things):
+        for phrase in order.things:
+            alike = [p.id for p in finder.matching(phrase.noun)]
+            if len(alike) < (phrase.noun.count or 0):
+                raise InputError(f"'{order.text}': there are only {len(alike)}: {', '.join(alike)}")
+            kept = named(finder, phrase, phrase.places)
+            take_away(work, work.touched(id for id in alike if id not in kept))
+        return
+    order.spared = [*order.spared, *order.things]
+    take_away(work, left_over(work, finder, order))
+
+
+def left_over(work: Work, finder: Finder, order: Order) -> tuple[str, ...]:
+    """Everything that an order speaks of by "everything" or "the room", without what it excepts and what is kept.
+
+    What carries a thing that stays cannot go either; that is noted.
+    """
+    ids = [p.id for p in work.scene.placements]
+    for where in (w for w in order.places if w.noun is not None and w.noun.word != "furniture"):
+        ids = _there(work, finder, where, ids)
+    if any(w.noun is not None and w.noun.word == "furniture" for w in order.places):
+        floor = [id for id in ids if work.scene[id].support == "floor"]
+        ids = list(dict.fromkeys(i for id in floor for i in (id, *(rider.id for rider in work.scene.riders(id)))))
+    going = [id for id in spare(finder, ids, order.spared) if id not in work.kept]
+    bearing = {c: id for id in ids if id not in going for c in work.scene.carriers(id) if c in going}
+    work.failed += [f"{c} was not taken away: {id}, which is to stay, rests on it" for c, id in bearing.items()]
+    return tuple(id for id in going if id not in bearing)
+
+
+def _there(work: Work, finder: Finder, where: Where, ids: Sequence[str]) -> list[str]:
+    """Those of some objects that are somewhere: on a thing at any height, or in a relation to it."""
+    if where.noun is not None and where.noun.kind in ("thing", "pronoun") and where.word in _RESTS:
+        carriers = finder.ids(NounPhrase(where.noun))
+        return [id for id in ids if set(work.scene.carriers(id)) & set(carriers)]
+    there = {c: bound(where, c, finder) for c in {work.scene[id].category for id in ids}}
+    return [
+        id
+        for id in ids
+        if id not in there[work.scene[id].category].anchors and there[work.scene[id].category].holds(work.scene, id)
+    ]
+
+
+def clear(work: Work, finder: Finder, order: Order) -> None:
+    """Take away what is in the room, or what rests on a thing; a thing that carries nothing ever goes itself."""
+    if order.room or order.rest or any(w.word == "from" for p in order.things for w in p.places):
+        if order.things and not order.room:
+            for phrase in order.things:
+                phrase.places = [dataclasses.replace(w, word="on") if w.word == "from" else w for w in phrase.places]
+            remove(work, finder, order)
+            return
+        ids = left_over(work, finder, order)
+        take_away(work, ids)
+        if not ids and not work.failed:
+            work.done.append("nothing is there to be taken away: it is so already")
+        return
+    if not order.things:
+        raise InputError(f"'{order.text}' does not say what is to be cleared; say a thing, or a part of the room")
+    for id in dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)):
+        riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
+        take_away(work, riders)
+        if riders:
+            continue
+        if work.asset_of(id).surfaces:
+            work.done.append(f"nothing rests on {id} that could be taken away: it is so already")
+        else:
+            take_away(work, work.touched((id,)))
+    finder.recent = []
+
+
+def take_away(work: Work, ids: Sequence[str]) -> None:
+    """Take objects out of the room and give what rested on them, and is not one of them, another place."""
+    before = work.scene
+    taken = take(work, ids)
+    work.done += [f"{id} taken away" for id in ids]
+    off = [p for p in taken if p.id not in ids]
+    for rider in off:
+        if rider.support in {p.id for p in off}:
+            continue
+        if place_anew(work, rider):
+            put_back(work, rider, [p for p in off if p.id != rider.id], before)
+            work.done.append(
+                f"{rider.id}, which rested on {rider.support}, placed anew on {work.scene[rider.id].support}"
+            )
+        else:
+            gone = [rider.id, *(p.id for p in off if rider.id in before.carriers(p.id))]
+            work.failed.append(f"{', '.join(gone)} went with {rider.support}: nothing else in the room carries it")

@@ -1,0 +1,175 @@
+"""Orders that let another thing come in place of one."""
+
+from collections.abc import Iterator, Sequence
+
+from thinkblox.editing.acting import related
+from thinkblox.editing.adding import MOST, add_one, category_of, sized
+from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.moving import move_one
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.reaching import Reaching
+from thinkblox.editing.remaking import compared, otherwise
+from thinkblox.editing.removing import take_away
+from thinkblox.editing.spots import Pose
+from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.judging import asset_for, style_seed
+from thinkblox.plan import Target
+from thinkblox.reading.english.chunks import Noun
+from thinkblox.scene.actions import Replace, outcome
+from thinkblox.scene.asset import Asset
+from thinkblox.scene.nearby import nearest_poses
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+
+_BY = ("with", "by", "for")
+NEW_PLACE = 0.75
+"""How far from the old one's middle the new one may stand that comes in its place, besides half its growth [m]."""
+
+
+def replace(work: Work, finder: Finder, order: Order) -> None:
+    """Let another thing stand where one stands; of several, so many as is said come for all of them."""
+    if not order.things:
+        raise InputError(f"'{order.text}' does not say what is replaced; there {finder.listed()}")
+    named_with = [w.noun for p in order.things for w in p.places if w.noun is not None and w.text.lower() in _BY]
+    if not order.instead and named_with:
+        raise InputError(f"'{named_with[0].text}' is nothing that is known to come in place of another thing")
+    if not order.instead:
+        raise InputError(f"'{order.text}' does not say what comes instead; say 'with a ...'")
+    found = (id for phrase in order.things for id in named(finder, phrase, phrase.places))
+    ids = work.touched(dict.fromkeys(found))
+    first = order.instead[0]
+    count = _how_many(order, ids, first.noun)
+    for id in ids[:count]:
+        if replace_one(work, id, _successor(work, id, first.noun)):
+            _place(work, finder, order, id, first)
+    if ids[count:]:
+        take_away(work, ids[count:])
+    by = ids[0] if ids else ""
+    for noun in [first.noun] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
+        for _ in range(1 if noun is first.noun else noun.count or 1):
+            add_one(work, category_of(work, noun, ()), noun, [Related("near", (by,))] if by else [])
+    finder.recent = [id for id in ids if id in work.scene]
+
+
+def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
+    """How many come in place of these: so many as is said, one for "a bench", or as many as there were."""
+    each = any(phrase.noun.det in ("each", "all") for phrase in order.things)
+    if new.count and new.count > MOST:
+        raise InputError(f"'{new.text}': one order adds at most {MOST} things")
+    if new.count and new.count > 1:
+        return new.count
+    return len(ids) if each or new.plural or not (new.det == "a" or new.count) or new.kind == "number" else 1
+
+
+def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase) -> None:
+    """Bring what has come to where it is said to stand."""
+    category = work.scene[id].category
+    goals = [related(bound(where, category, finder), category) for where in new.places]
+    if goals:
+        finder.scene = work.before = work.scene
+        move_one(work, order, id, goals)
+
+
+def _successor(work: Work, id: str, new: Noun) -> Asset:
+    """What comes in place of an object."""
+    old = work.asset_of(id)
+    same = new.kind == "number" or not new.value
+    category = old.category if same else category_of(work, new, _place_of(work, id))
+    if new.degree:
+        return _compared(work, old, category, new)
+    if same and new.attributes and new.size is None:
+        return _otherwise(work, old, new)
+    target = Target(id="thing_1", category=category, request=category, attributes=tuple(new.attributes))
+    made = asset_for(
+        Target(
+            id=target.id,
+            category=category,
+            request=category,
+            attributes=target.attributes,
+            size=sized(work, category, new),
+        ),
+        work.scene,
+        work.source,
+    )
+    if made.id == old.id and not (new.attributes or new.size):
+        made = work.source.make(category, seed=style_seed(work.scene) + 1, attributes=target.attributes)
+    if made.id == old.id:
+        raise InputError(
+            f"{id}: there is no other {category.replace('_', ' ')} to come in its place; say what it is to be"
+        )
+    return made
+
+
+def _otherwise(work: Work, old: Asset, new: Noun) -> Asset:
+    """The same kind of thing of other looks: "a blue one"."""
+    return otherwise(work, old, Order("make", new.text, looks=list(new.attributes)))
+
+
+def _compared(work: Work, old: Asset, category: str, new: Noun) -> Asset:
+    """What is larger, taller, ... than the old one, as is said."""
+    if category == old.category:
+        made = compared(work, old, new.degree)
+        return otherwise(work, made, Order("make", new.text, looks=list(new.attributes))) if new.attributes else made
+    usual = work.source.make(category, seed=style_seed(work.scene), attributes=tuple(new.attributes))
+    least, most = work.source.size_range(category)
+    start = [min(max(o, a), b) for o, a, b in zip(old.size, least, most, strict=True)]
+    return compared(work, work.source.fit(usual, (start[0], start[1], start[2])), new.degree)
+
+
+def _place_of(work: Work, id: str) -> list[Bound]:
+    support = work.scene[id].support
+    return [Bound("on", (support,))] if support in work.scene else []
+
+
+def replace_one(work: Work, id: str, asset: Asset) -> bool:
+    """Let an asset stand where an object stands; whether that could be, which is noted."""
+    before, saved = work.scene, work.saved()
+    old = before[id]
+    action = Replace(id=id, asset=asset)
+    _, _, left = outcome(before, action)
+    taken = take(work, left)
+    reach = NEW_PLACE + max(0.0, max(asset.size[:2]) - max(old.size[:2])) / 2
+    goals: list[Goal] = [At(old.position[:2], reach)]
+    ties = work.usual_ties(id) or usual_ties(work.scene, asset.category)
+    target = work.target(id, asset.category, ties, asset.attributes)
+    reaching = Reaching(work, target, asset, goals, direct=_same_place(work.scene, id, asset), search=False)
+    if not reaching.run():
+        work.restore(saved)
+        work.failed.append(f"{id} was not replaced by {_article(asset.description)}: {reaching.why}")
+        return False
+    new = work.scene[id]
+    x, y, _ = new.position
+    size = " by ".join(f"{side:.2f}" for side in asset.size)
+    work.done.append(f"{id} is now {_article(asset.description)} of {size} m at ({x:.2f}, {y:.2f})")
+    _replace_riders(work, id, taken, before)
+    return True
+
+
+def _replace_riders(work: Work, id: str, off: Sequence[Placement], before: Scene) -> None:
+    for rider in off:
+        if rider.support == id or rider.support not in {p.id for p in off}:
+            if place_anew(work, rider, carriers=(id,)):
+                put_back(work, rider, [p for p in off if p.id != rider.id], before)
+                work.done.append(f"{rider.id}, which stood on {id}, placed anew on {work.scene[rider.id].support}")
+            else:
+                work.failed.append(f"{rider.id}, which stood on {id}, was taken away: nothing else carries it")
+
+
+def _same_place(scene: Scene, id: str, asset: Asset) -> Iterator[Pose]:
+    """Where the old one stands, by its back; then the nearest places that are free."""
+    new = scene.apply(Replace(id=id, asset=asset))[id]
+    yield new.position, new.yaw
+    empty = scene
+    for rider in scene.riders(id):
+        empty = empty.without(rider.id)
+    for near in nearest_poses(empty, asset, new):
+        if near.yaw == new.yaw:
+            yield near.position, near.yaw
+
+
+def _article(text: str) -> str:
+    return f"an {text}" if text[:1] in "aeiou" else f"a {text}"

@@ -1,0 +1,91 @@
+"""Orders on the distance between two things: so much, at least so much, or more of it than there is."""
+
+from collections.abc import Iterator, Sequence
+
+from thinkblox.editing.acting import mark_names, reach_goals, say
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.goals import Apart, Goal, Nearing
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.reaching import Reaching
+from thinkblox.editing.rearranging import vacate
+from thinkblox.editing.spots import Pose, by_gap
+from thinkblox.editing.work import Work
+from thinkblox.editing.zones import PASSAGE, between
+from thinkblox.errors import InputError
+from thinkblox.scene.scene import Scene
+
+STEPS = (0.1, 0.2, 0.3)
+"""By how much a distance changes where nobody says it [m]."""
+_LESS = ("narrower", "smaller", "shorter", "lower")
+
+
+def space(work: Work, finder: Finder, order: Order) -> None:
+    """Let two things stand so far apart; room between them is a way that somebody can go.
+
+    Raises:
+        InputError: it does not name two things, or a thing and a part of the room.
+    """
+    one, other = _two(finder, order)
+    if not order.lengths and not order.change:
+        zone = between(work.scene, one, other)
+        if zone.takers(work.scene):
+            vacate(work, [zone])
+    if one not in work.scene:
+        one, other = other, one
+    gap = Nearing((other,), nearer=False).of(work.scene, one)
+    goals = [_goal(order, gap, other)]
+    finder.recent = [id for id in (one, other) if id in work.scene]
+    holds, says = goals[0].check(work.before, work.scene, one)
+    if holds:
+        work.done.append(f"it is so already ({says})")
+        return
+    failed: Reaching | None = None
+    for id, mark in _movers(work, one, other):
+        before = work.scene[id]
+        wanted: list[Goal] = [Apart((mark,), goals[0].away, goals[0].bound)]
+        failed = reach_goals(work, id, wanted, direct=_poses(work.scene, id, mark, wanted[0], gap))
+        if failed is None:
+            say(work, id, before, None, wanted)
+            return
+    why = failed.why if failed is not None else f"{one} and {other} are to stay where they are"
+    work.failed.append(f"{one} and {other} were left where they are, {gap:.2f} m apart: {why}")
+
+
+def _goal(order: Order, gap: float, other: str) -> Apart:
+    less = order.change.removesuffix("=") in _LESS
+    if not order.lengths:
+        if not order.change:
+            return Apart((other,), PASSAGE, "ge")
+        return Apart((other,), max(0.0, gap - STEPS[0]), "le") if less else Apart((other,), gap + STEPS[0], "ge")
+    length = order.lengths[0][0]
+    if order.by:
+        return Apart((other,), max(0.0, gap + (-length if less else length)))
+    return Apart((other,), length, order.bound)
+
+
+def _poses(scene: Scene, id: str, mark: str, goal: Goal, gap: float) -> Iterator[Pose]:
+    wanted = goal.away if isinstance(goal, Apart) else gap
+    for more in (0.0, *STEPS) if isinstance(goal, Apart) and goal.bound == "ge" else (0.0,):
+        yield from by_gap(scene, scene[id], (mark,), (wanted + more - gap,))
+
+
+def _two(finder: Finder, order: Order) -> tuple[str, str]:
+    """The two between which the distance is."""
+    where = order.places[0]
+    names: list[str] = []
+    for noun in (where.noun, where.second):
+        if noun is not None:
+            names += mark_names(finder, NounPhrase(noun, id=noun.id))
+    names = list(dict.fromkeys(names))
+    if len(names) != 2 or not any(name in finder.scene for name in names):
+        raise InputError(
+            f"'{order.text}' must name two things, or a thing and a part of the room; it names {', '.join(names)}"
+        )
+    return (names[0], names[1]) if names[0] in finder.scene else (names[1], names[0])
+
+
+def _movers(work: Work, one: str, other: str) -> Sequence[tuple[str, str]]:
+    """Which of the two is moved from the other, the smaller first."""
+    scene = work.scene
+    pairs = [(a, b) for a, b in ((one, other), (other, one)) if a in scene and a not in work.kept]
+    return sorted(pairs, key=lambda pair: scene[pair[0]].size[0] * scene[pair[0]].size[1])

@@ -1,0 +1,156 @@
+"""Orders that let things change places: two things, or two groups of them."""
+
+from collections.abc import Iterator, Sequence
+
+from thinkblox.committing import commit
+from thinkblox.editing.acting import moved_words
+from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.goals import At, Goal, Region, Within
+from thinkblox.editing.orders import Order
+from thinkblox.editing.reaching import Reaching
+from thinkblox.editing.spots import Pose
+from thinkblox.editing.wheres import named
+from thinkblox.editing.work import Work
+from thinkblox.episode import Round
+from thinkblox.errors import InputError
+from thinkblox.judging import Proposal, Try
+from thinkblox.scene.actions import Swap
+from thinkblox.scene.nearby import nearest_poses
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.scene import Scene
+from thinkblox.scene.support import placed_at
+from thinkblox.steps import write_step
+from thinkblox.value import Vec2
+
+SWAP_TRIES = 60
+"""Poses around the other's place that are looked at for one of two that change places."""
+SWAPPED = 0.5
+"""How far from the other's place something may stand that has changed places with it, besides half their sizes [m]."""
+GROUPED = 0.6
+"""How far from the middle of a group's places what comes there may stand, besides the reach of both groups [m]."""
+
+
+def swap(work: Work, finder: Finder, order: Order) -> None:
+    """Let two things change places."""
+    groups = [named(finder, phrase, phrase.places) for phrase in order.things]
+    ids = list(dict.fromkeys(id for group in groups for id in group))
+    if len(work.touched(ids)) < len(ids) and ids:
+        return
+    if len(ids) > 2 and (len(groups) == 2 or order.split):
+        split = order.split or 1
+        swap_groups(work, [i for g in groups[:split] for i in g], [i for g in groups[split:] for i in g])
+        finder.recent = ids
+        return
+    if len(ids) != 2:
+        raise InputError(f"'{order.text}' must name two things that change places; it names {', '.join(ids) or 'none'}")
+    one, other = ids
+    before = work.scene
+    action = Swap(id=one, other=other)
+    after = before.apply(action)
+    verdict = work.world.measure(action)
+    text = write_step([f"{one} and {other} change places."], action="swap", id=one, other=other)
+    proposal = Proposal(text, action, after[one], after.asset_of(after[one]))
+    tried = Try(text=text, placement=after[one], verdict=verdict)
+    if verdict.valid:
+        work.world, placements = commit(work.world, proposal, verdict)
+    else:
+        placements = ()
+    work.rounds.append(
+        Round(
+            id=one,
+            number=0,
+            kind="repair",
+            asset=before[one].asset,
+            tries=(tried,),
+            chosen=0 if verdict.valid else None,
+            committed=placements,
+        )
+    )
+    for id in ids:
+        work.assets[before[id].asset] = before.asset_of(before[id])
+    if not verdict.valid:
+        why = _swap_nearby(work, one, other)
+        if why:
+            work.failed.append(f"{one} and {other} were left where they are: {why}; exactly exchanged, {verdict}")
+            return
+    for id in ids:
+        work.done.append(f"{moved_words(before[id], work.scene[id])}, to where {other if id == one else one} was")
+    finder.recent = ids
+
+
+def _swap_nearby(work: Work, one: str, other: str) -> str:
+    """Put each as near to the other's place as it can stand; says why where that is not near enough."""
+    before, saved = work.scene, work.saved()
+    exchanged = before.apply(Swap(id=one, other=other))
+    taken = take(work, (one, other))
+    order = sorted((one, other), key=lambda id: -before[id].size[0] * before[id].size[1])
+    for id in order:
+        partner = before[other if id == one else one]
+        reach = SWAPPED + abs(max(before[id].size[:2]) - min(partner.size[:2])) / 2
+        asset, pose = work.assets[before[id].asset], exchanged[id]
+        goals: list[Goal] = [At(partner.position[:2], reach)]
+        target = work.target(id, before[id].category, (), asset.attributes)
+        poses = _about(work, id, pose)
+        reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, tries=SWAP_TRIES)
+        if not reaching.run():
+            why = reaching.why
+            work.restore(saved)
+            return why
+    for id in order:
+        lost = put_back(work, before[id], taken, before)
+        for rider in (p for p in taken if p.id in lost):
+            if not place_anew(work, rider, carriers=(id,)):
+                work.restore(saved)
+                return f"{rider.id} could not go along with {id}"
+    return ""
+
+
+def _about(work: Work, id: str, pose: Placement) -> Iterator[Pose]:
+    """The pose and the nearest free ones, as they are turned first."""
+    asset = work.assets[pose.asset]
+    yield pose.position, pose.yaw
+    placed = placed_at(work.scene, asset, id=id, position=pose.position, yaw=pose.yaw)
+    for near in nearest_poses(work.scene, asset, placed):
+        yield near.position, near.yaw
+
+
+def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
+    """Let the things of two groups stand where those of the other stood."""
+    before, saved = work.scene, work.saved()
+    taken = take(work, (*ones, *others))
+    where = {id: _middle(before, group) for group, ids in ((others, ones), (ones, others)) for id in ids}
+    reach = {id: GROUPED + _reach(before, ones) + _reach(before, others) for id in where}
+    for id in sorted(where, key=lambda id: -before[id].size[0] * before[id].size[1]):
+        old, asset, (x, y) = before[id], work.assets[before[id].asset], where[id]
+        group = others if id in ones else ones
+        name = f"where {', '.join(group)} stood"
+        goals: list[Goal] = [Within(Region((x, y), reach[id], name))]
+        target = work.target(id, old.category, (), asset.attributes)
+        begin: Pose = ((x, y, old.position[2]), before[group[0]].yaw)
+        poses = _about(work, id, placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1]))
+        reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, begin=begin, tries=SWAP_TRIES)
+        if not reaching.run():
+            work.restore(saved)
+            work.failed.append(f"{', '.join(ones)} and {', '.join(others)} were left where they are: {reaching.why}")
+            return
+    for id in where:
+        for lost in put_back(work, before[id], [p for p in taken if p.id not in where], before):
+            if not place_anew(work, next(p for p in taken if p.id == lost), carriers=(id,)):
+                work.restore(saved)
+                work.failed.append(f"{lost} could not go along with {id}")
+                return
+    work.done += [moved_words(before[id], work.scene[id]) for id in where]
+
+
+def _middle(scene: Scene, ids: Sequence[str]) -> Vec2:
+    spots = [scene[id].position for id in ids]
+    return (sum(x for x, _, _ in spots) / len(spots), sum(y for _, y, _ in spots) / len(spots))
+
+
+def _reach(scene: Scene, ids: Sequence[str]) -> float:
+    """How far the outlines of some things are from the middle of them [m]."""
+    x, y = _middle(scene, ids)
+    return max(
+        abs(scene[id].position[0] - x) + abs(scene[id].position[1] - y) + max(scene[id].size[:2]) / 2 for id in ids
+    )

@@ -1,0 +1,129 @@
+"""Orders that turn things: by an angle, until they face something, or to each other."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+from thinkblox.editing.acting import findings, looking, reach_goals, related, say
+from thinkblox.editing.company import with_company
+from thinkblox.editing.finding import Finder
+from thinkblox.editing.goals import At, Goal, Related, Turned
+from thinkblox.editing.orders import Order
+from thinkblox.editing.spots import Pose
+from thinkblox.editing.wheres import bound, named, spare
+from thinkblox.editing.work import Work
+from thinkblox.errors import InputError
+from thinkblox.reading.english.nodes import Where
+from thinkblox.scene.bearings import bearing
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import turn_between
+from thinkblox.scene.scene import Scene
+
+TURNED = 1.5
+"""How far something may be moved that is turned, besides half the difference of its sides [m]."""
+SHIFTED = 0.1
+"""How far it may be moved without saying so [m]."""
+SLIGHT_TURN = 15.0
+"""How far something is turned that is turned a bit [degrees]."""
+
+
+def turn(work: Work, finder: Finder, order: Order) -> None:
+    """Turn things by an angle, or until they face something."""
+    seen: set[str] = set()
+    for ids, places in _turned(work, finder, order):
+        for id in (i for i in ids if i not in seen):
+            seen.add(id)
+            placement = work.scene[id]
+            finder.scene, finder.about = work.scene, id
+            looks = [looking(finder, noun) for noun in order.facing]
+            looks += [related(bound(w, placement.category, finder), placement.category) for w in places]
+            if looks and order.turn is not None:
+                raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
+            if looks:
+                with_company(work, finder, order, id, lambda id=id, looks=looks: _turn_to(work, id, looks))  # type: ignore[misc]
+            elif order.mutual != "facing":
+                with_company(work, finder, order, id, lambda id=id: turn_by(work, id, order))  # type: ignore[misc]
+        finder.recent = list(ids)
+    if order.mutual == "facing":
+        face_each_other(work, finder, order)
+
+
+def face_each_other(work: Work, finder: Finder, order: Order) -> None:
+    """Turn two things to each other.
+
+    Raises:
+        InputError: they are not two.
+    """
+    ids = finder.recent if len(order.things) < 2 else [i for p in order.things for i in named(finder, p, ())]
+    ids = list(dict.fromkeys(ids))
+    if len(ids) != 2:
+        raise InputError(f"'{order.text}': two things can face each other; it names {', '.join(ids) or 'none'}")
+    for id, other in ((ids[0], ids[1]), (ids[1], ids[0])):
+        _turn_to(work, id, [Related("facing", (other,))])
+    finder.recent = ids
+
+
+def _turned(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
+    if order.rest and not order.things:
+        everything = [p.id for p in work.scene.placements if p.support == "floor" and work.scene.asset_of(p).collides]
+        yield work.touched(spare(finder, everything, order.spared)), []
+        return
+    if not order.things:
+        raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
+    for number, phrase in enumerate(order.things):
+        later = next((p.places for p in order.things[number:] if p.places), ())
+        looks = [w for w in (phrase.places or later) if w.word in ("facing", "opposite")]
+        said = [w for w in phrase.places if w not in looks]
+        yield work.touched(named(finder, phrase, said)), looks
+
+
+def turn_by(work: Work, id: str, order: Order) -> None:
+    """Turn one object by the angle of an order, or a quarter turn the way that it says."""
+    before = work.scene[id]
+    angle, sense = order.turn, order.sense
+    if order.direction in ("left", "right"):
+        angle, sense = angle or (SLIGHT_TURN if order.slight else 90.0), 1 if order.direction == "left" else -1
+    if order.direction in ("back", "forward"):
+        angle = angle or 180.0
+    if angle is None and (sense or order.slight):
+        angle = SLIGHT_TURN if order.slight else 90.0
+    if angle is None:
+        raise InputError(f"'{order.text}' does not say how far, or what it is to face; say 'by 90 degrees'")
+    senses = (1, -1) if not sense else (sense,)
+    yaws = tuple(dict.fromkeys(round((before.yaw + s * angle) % 360.0, 4) % 360.0 for s in senses))
+    reach = TURNED + abs(before.size[0] - before.size[1]) / 2
+    goal = Turned(yaws)
+    poses = iter([(before.position, yaw) for yaw in yaws])
+    there = At(before.position[:2], reach)
+    failed = reach_goals(work, id, [goal, there], direct=poses, begin=(before.position, yaws[0]))
+    say(work, id, before, failed, [goal])
+    _say_moved(work, before)
+
+
+def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
+    before = work.scene[id]
+    if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+        work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        return
+    there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
+    failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
+    say(work, id, before, failed, goals)
+    _say_moved(work, before)
+
+
+def _say_moved(work: Work, before: Placement) -> None:
+    """Note that a thing that was only to be turned has been moved for that."""
+    away = math.dist(before.position, work.scene[before.id].position)
+    if away > SHIFTED:
+        work.notes.append(f"{before.id} was moved {away:.2f} m, as it cannot be turned where it stood.")
+
+
+def turns(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The place as it is with every yaw that may do: square to the walls first, then straight at what it faces."""
+    square = sorted((wall.yaw for wall in scene.room.walls), key=lambda yaw: turn_between(yaw, before.yaw))
+    away = 180.0 if scene.asset_of(before).gaze == "back" else 0.0
+    names = [n for goal in goals for n in (goal.anchors if isinstance(goal, Related) else ("centre",))]
+    marks = [mark for name in names for mark in things(scene, name)]
+    straight = [round((bearing(before.position[:2], mark.centre) + away) % 360.0, 1) % 360.0 for mark in marks]
+    for yaw in dict.fromkeys([*square, *straight]):
+        yield before.position, yaw
