@@ -105,7 +105,7 @@ def _hammer_head(finish: Finish, x: Range, y: float, z: float) -> list[Part]:
 def _shaft_head(finish: Finish, x: Range, y: float, z: float) -> list[Part]:
     tip = x[0] + 0.12 * (x[1] - x[0])
     return [
-        rod(finish, (tip, 0, z / 2), (x[1], 0, z / 2), 0.14 * y),
+        rod(finish, (tip, 0, z / 2), (x[1], 0, z / 2), 0.09 * y),
         box(finish, (x[0], tip), around(0, 0.3 * y), around(z / 2, 0.1 * z)),
     ]
 
@@ -165,7 +165,7 @@ kitchen_knife = lying_tool(_knife_head, share=0.38, slim=0.55, grip=DARK_PLASTIC
 spatula = lying_tool(_blade_head, share=0.42, slim=0.3, grip=DARK_PLASTIC)
 ladle = lying_tool(_ladle_head, share=0.5, slim=0.2, thick=0.3)
 hammer = lying_tool(_hammer_head, share=0.88, slim=0.26, thick=0.8, grip=BEECH, metal=IRON)
-screwdriver = lying_tool(_shaft_head, share=0.42, slim=1.0, grip=Finish(BRIGHT[0], "plastic"))
+screwdriver = lying_tool(_shaft_head, share=0.5, slim=1.0, grip=Finish(BRIGHT[0], "plastic"))
 wrench = lying_tool(_jaw_head, share=0.78, slim=0.42)
 saw = lying_tool(_saw_head, share=0.26, slim=0.9, grip=BEECH)
 paintbrush = lying_tool(_bristle_head, share=0.5, slim=0.3, grip=BEECH)

@@ -16,6 +16,7 @@ from thinkblox.value import to_json
 MANY = "A room of 4 m by 4 m with 1000 chairs."
 
 
+@pytest.mark.slow
 def test_what_the_budget_left_out_is_absent_and_says_why() -> None:
     begin = time.monotonic()
     result = generate_room(MANY, effort=Effort(seconds=1.0))

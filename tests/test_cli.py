@@ -72,6 +72,7 @@ def test_verify_says_that_the_prompt_is_not_looked_at(tmp_path):
     assert "What the prompt asks for is not looked at here" in done.stdout
 
 
+@pytest.mark.slow
 def test_six_wardrobes_in_two_metres_end_honestly(tmp_path):
     done = run("generate", "Six wardrobes in a 2 m by 2 m room.", "--out", tmp_path / "room", "--no-pictures", "--json")
     assert done.returncode == 1

@@ -100,6 +100,7 @@ def test_an_air_conditioner_hangs_high_and_a_range_hood_over_the_stove() -> None
     assert hood.position[2] > stove.position[2] + stove.size[2] + 0.4
 
 
+@pytest.mark.slow
 def test_what_lies_loose_stays_where_it_was_put() -> None:
     room = _placed("A study with a desk with an apple, a banana, a screwdriver, a spoon and a soda can on it.")
     things = [p for p in room.scene.placements if p.support == "desk_1"]

@@ -155,6 +155,7 @@ def test_a_room_that_is_given_is_held_against_the_prompt() -> None:
     assert made(asked, room=rectangle(4.0, 5.0)).report.complete
 
 
+@pytest.mark.slow
 def test_at_least_is_enough_even_where_more_were_planned() -> None:
     small = rectangle(3.2, 2.6)
     few = made(brief(request("bed", 3, least=1)), room=small).report

@@ -73,6 +73,7 @@ def evaluate(out: Path, prompts: Path, *arguments: object) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.slow
 def test_policies_beside_one_another(server: Stub, prompts: Path, tmp_path: Path) -> None:
     found = evaluate(tmp_path / "out", prompts, "--policy", "expert", "--policy", server.spec, "--jobs", 2)
     expert, model = found["rows"]

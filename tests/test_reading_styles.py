@@ -59,7 +59,7 @@ PROMPTS = {
     ),
     "A hospital room with two beds separated by a curtain, a nightstand next to each bed, a TV mounted on the "
     "wall opposite the beds, and a visitor chair.": (
-        "2 hospital_bed, 1 curtain, 2 nightstand, 1 wall_tv, 1 chair",
+        "2 hospital_bed, 1 curtain, 2 nightstand, 1 wall_tv, 1 visitor_chair",
         "curtain between hospital_bed, nightstand next_to hospital_bed, wall_tv opposite hospital_bed",
         "",
     ),

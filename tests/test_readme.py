@@ -12,8 +12,9 @@ from tests.bench.gallery import kinds
 
 ROOT = Path(__file__).parent.parent
 RUN = ("guide", "extending", "models", "editing", "mcp", "environment", "interop")
+FIRST = ("README.md", "docs/guide.md")
 BLOCKS = [
-    pytest.param(block, id=f"{name}-{number}", marks=[pytest.mark.slow] if "models" in name else [])
+    pytest.param(block, id=f"{name}-{number}", marks=[] if name in FIRST else [pytest.mark.slow])
     for name in ("README.md", *(f"docs/{page}.md" for page in RUN))
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]

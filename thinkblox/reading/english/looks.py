@@ -101,8 +101,8 @@ class Descriptions(Rooms):
     def _joined_several(self, node: Node, frame: Listed) -> list[Mention]:
         """The washers and dryers of "two washers and two dryers side by side"."""
         two = frame.members[-2:]
-        joined = frame.head is None and len(two) == 2 and node.things == two[1:] and self._is_joined_before(self.at - 1)
-        if not joined or any(not b.implied for b in self.draft.bonds_of(two[0])):
+        alike = frame.head is None and len(two) == 2 and node.things == two[1:] and two[0].many
+        if not alike or not self._is_joined_before(self.at - 1) or any(not b.implied for b in self.draft.bonds_of(two[0])):
             return node.things
         node.things = list(two)
         self.referents.pairs.append((two[0], two[1]))

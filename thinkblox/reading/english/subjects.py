@@ -207,11 +207,12 @@ class Subjects(Having):
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
-        shared = self._is_leaning() or each
+        leaning = self._is_leaning()
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         free: list[Mention] = []
         for member in reversed(frame.members):
-            alike = shared or self._belongs(member.noun, group)
+            lies = each and (is_small(member) or not member.many)
+            alike = leaning or lies or self._belongs(member.noun, group)
             if member is not thing and (member in taken or not alike):
                 break
             free.insert(0, member)
