@@ -1,10 +1,9 @@
 """What stands in a room besides what its prompt names: nothing, what makes it one, or all that lies about."""
 
+from collections import Counter
 from typing import cast
 
 import numpy as np
-from collections import Counter
-
 import pytest
 
 from thinkblox import Generation, generate_room

@@ -105,7 +105,10 @@ SHARED = {
     "A hospital room: a bed with its head against the wall, a bedside cabinet with a water glass on it, a visitor's "
     "chair facing the bed, a curtain rail and a waste bin by the door.": (
         "1 hospital_bed, 1 nightstand, 1 glass, 1 visitor_chair, 1 curtain_rail, 1 waste_bin",
-        "hospital_bed against_wall wall, glass on nightstand, visitor_chair facing hospital_bed, waste_bin next_to door",
+        (
+            "hospital_bed against_wall wall, glass on nightstand, visitor_chair facing hospital_bed, "
+            "waste_bin next_to door"
+        ),
     ),
     "A 12 ft x 15 ft master bedroom with a king-size bed, a bench at its foot, two bedside tables, a dresser with a "
     "mirror above it, an armchair in the corner and a rug under the bed.": (

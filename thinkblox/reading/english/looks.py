@@ -102,7 +102,8 @@ class Descriptions(Rooms):
         """The washers and dryers of "two washers and two dryers side by side"."""
         two = frame.members[-2:]
         alike = frame.head is None and len(two) == 2 and node.things == two[1:] and two[0].many
-        if not alike or not self._is_joined_before(self.at - 1) or any(not b.implied for b in self.draft.bonds_of(two[0])):
+        told = any(not b.implied for b in self.draft.bonds_of(two[0]))
+        if not alike or told or not self._is_joined_before(self.at - 1):
             return node.things
         node.things = list(two)
         self.referents.pairs.append((two[0], two[1]))
