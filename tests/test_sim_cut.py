@@ -76,6 +76,8 @@ CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 POST = asset("post", (0.06, 0.06, 1.2), mass=3.0)
 FLUNG = 0.05
 """What is deeper than this in another thing or a wall is flung out, and hits what is metres away [m]."""
+LEANS = 5.0
+"""By how much what stands in a room may lean when left alone [degrees]."""
 MOST_CALM = 3
 """Things in a calm room: among more, what floats falls on what balances, and chance says whose fault that is."""
 SPOTS = 6
@@ -135,7 +137,9 @@ def _somewhere(draw: st.DrawFn, placed: Scene, id: str) -> tuple[Placement, Asse
 
 def nothing_is_flung(placed: Scene) -> bool:
     """Whether what stands in a room stays near where it is: the cut world is of what is near the new thing."""
-    return all(max(verdict.depth, verdict.boundary) <= FLUNG for verdict in verify(placed).objects)
+    report = verify(placed)
+    stays = report.drift <= FLUNG and report.tilt <= LEANS
+    return stays and all(max(verdict.depth, verdict.boundary) <= FLUNG for verdict in report.objects)
 
 
 @settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
