@@ -218,6 +218,12 @@ def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -
     return _sized(asset, target.size, source, slack=0.0)
 
 
+def size_range(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:
+    """The least and greatest extents that things of an asset's category may have [m]; None where there is one size."""
+    least, most = source.size_range(asset.category)
+    return None if least == most else (least, most)
+
+
 def style_seed(scene: Scene) -> int:
     """The seed of what is made for a scene."""
     return crc32(f"{scene.seed}/{scene.prompt}".encode())

@@ -14,7 +14,7 @@ from thinkblox.committing import commit
 from thinkblox.episode import Round, RoundKind
 from thinkblox.errors import InputError
 from thinkblox.feedback import feedback_line
-from thinkblox.judging import Proposal, Try, answers, asset_for, measured, proposed, rejected, understand
+from thinkblox.judging import Proposal, Try, answers, asset_for, measured, proposed, rejected, size_range, understand
 from thinkblox.observe import Kind, Observation, observe
 from thinkblox.phrases import phrase
 from thinkblox.plan import Plan, Target
@@ -27,7 +27,6 @@ from thinkblox.scene.saying import place_words
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict.world import World
 from thinkblox.steps import Rejection, write_step
-from thinkblox.value import Vec3
 from thinkblox.verdict import Reason, Verdict
 
 SOFT: frozenset[Reason] = frozenset({"blocks_way", "blocks_window", "blocks_opening"})
@@ -116,7 +115,7 @@ class Placing:
     def __post_init__(self) -> None:
         self.asset = asset_for(self.target, self.scene, self.loop.source)
         self.assets = {self.asset.id: self.asset}
-        self.sizes = _sizes(self.asset, self.loop.source)
+        self.sizes = size_range(self.asset, self.loop.source)
 
     @property
     def scene(self) -> Scene:
@@ -352,11 +351,6 @@ class Placing:
                 check_seconds=round(check_seconds, 4),
             )
         )
-
-
-def _sizes(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:
-    least, most = source.size_range(asset.category)
-    return None if least == most else (least, most)
 
 
 def _badness(failure: tuple[Proposal, Verdict]) -> float:

@@ -14,7 +14,7 @@ from thinkblox.editing.spots import Pose, whole_floor
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round, RoundKind
 from thinkblox.feedback import feedback_line
-from thinkblox.judging import Proposal, Try, answers, rejected, understand
+from thinkblox.judging import Proposal, Try, answers, rejected, size_range, understand
 from thinkblox.observe import observe
 from thinkblox.phrases import phrase
 from thinkblox.plan import Target, Tie
@@ -135,7 +135,7 @@ class Reaching:
             self.target,
             self.asset,
             kinds=work.kinds(plan),
-            sizes=None if self.there else _sizes(self.asset, work),
+            sizes=None if self.there else size_range(self.asset, work.source),
             round=number,
             feedback=feedback,
         )
@@ -292,11 +292,6 @@ def without(scene: Scene, ids: Iterable[str]) -> Scene:
     for id in ids:
         scene = scene.without(id)
     return scene
-
-
-def _sizes(asset: Asset, work: Work) -> tuple[Vec3, Vec3] | None:
-    least, most = work.source.size_range(asset.category)
-    return None if least == most else (least, most)
 
 
 def _badness(failure: tuple[Proposal, Verdict]) -> float:
