@@ -77,6 +77,13 @@ class _Line(NamedTuple):
     """What it may reach into: the box of a shelf holds what stands in it."""
 
 
+class _Taken(NamedTuple):
+    """What stands in the way: the boxes of solid things, and these with the floor that is kept free."""
+
+    solid: Rects
+    all: Rects
+
+
 def free_places(scene: Arrangement, target: Target, asset: AssetCard) -> tuple[Stretch, ...]:
     """Stretches of free places for a thing of this size, those of one line with the longest first.
 
@@ -86,8 +93,11 @@ def free_places(scene: Arrangement, target: Target, asset: AssetCard) -> tuple[S
         asset: what it is.
     """
     found: list[Stretch] = []
+    taken: dict[frozenset[str], _Taken] = {}
     for line in _lines(scene, target, asset):
-        free = sorted(_free(scene, asset, line), key=lambda s: -math.dist(s.start, s.end))
+        if line.within not in taken:
+            taken[line.within] = _taken(scene, line.within)
+        free = sorted(_free(scene.room, asset, line, taken[line.within]), key=lambda s: -math.dist(s.start, s.end))
         found += free[:MOST_EACH]
     return tuple(found[:MOST])
 
@@ -242,11 +252,11 @@ def _lengthwise(
         yield _Line(f"on {carrier.id}", (carrier.yaw + turn) % 360.0, ends[0], ends[1], held)
 
 
-def _free(scene: Arrangement, asset: AssetCard, line: _Line) -> Iterator[Stretch]:
+def _free(room: Room, asset: AssetCard, line: _Line, taken: _Taken) -> Iterator[Stretch]:
     """The parts of a line at which a thing is in nothing."""
     count = max(1, math.ceil(math.dist(line.start, line.end) / STEP - 1e-6)) + 1
     points = np.linspace(line.start, line.end, count)
-    good = _is_free(scene, asset, line, points)
+    good = _is_free(room, asset, line, points, taken)
     start = None
     for index in range(count + 1):
         if index < count and good[index]:
@@ -261,22 +271,27 @@ def _vec(point: Array) -> Vec3:
     return (x, y, z)
 
 
-def _is_free(scene: Arrangement, asset: AssetCard, line: _Line, points: Array) -> NDArray[np.bool_]:
+def _is_free(room: Room, asset: AssetCard, line: _Line, points: Array, taken: _Taken) -> NDArray[np.bool_]:
     depth, width, height = asset.size
     boxes = Rects.of([((x, y), (depth, width), line.yaw, z, z + height) for x, y, z in points.tolist()])
-    free = outside(boxes, scene.room.polygon) <= 1e-6
+    free = outside(boxes, room.polygon) <= 1e-6
     if not asset.collides:
         return free
-    solid = [p for p in scene.placements if p.id not in line.within and scene.asset_of(p).collides]
-    taken = joined([Rects.of_placements(tuple(solid)), *_kept(scene, asset, solid)])
-    free &= (overlap_depth(boxes, taken) <= TOUCH).all(-1)
+    free &= (overlap_depth(boxes, taken.all) <= TOUCH).all(-1)
     if asset.opens:
         before = beside(boxes, "front", OPENING_DEPTH)
-        free &= (overlap_depth(before, Rects.of_placements(tuple(solid))) <= TOUCH).all(-1)
+        free &= (overlap_depth(before, taken.solid) <= TOUCH).all(-1)
     return np.asarray(free)
 
 
-def _kept(scene: Arrangement, asset: AssetCard, solid: Sequence[Placement]) -> list[Rects]:
+def _taken(scene: Arrangement, within: frozenset[str]) -> _Taken:
+    """What a thing must not reach into that may be in some of what is there."""
+    solid = tuple(p for p in scene.placements if p.id not in within and scene.asset_of(p).collides)
+    boxes = Rects.of_placements(solid)
+    return _Taken(boxes, joined([boxes, *_kept(scene, solid)]))
+
+
+def _kept(scene: Arrangement, solid: Sequence[Placement]) -> list[Rects]:
     """The floor that is kept free before doors, windows, and what opens."""
     zones = []
     for opening in scene.room.openings:
