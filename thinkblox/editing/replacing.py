@@ -9,7 +9,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Related
 from thinkblox.editing.moving import move_one
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.reaching import Reaching
+from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.remaking import compared, otherwise
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.spots import Pose
@@ -83,18 +83,14 @@ def _successor(work: Work, id: str, new: Noun) -> Asset:
         return _compared(work, old, category, new)
     if same and new.attributes and new.size is None:
         return _otherwise(work, old, new)
-    target = Target(id="thing_1", category=category, request=category, attributes=tuple(new.attributes))
-    made = asset_for(
-        Target(
-            id=target.id,
-            category=category,
-            request=category,
-            attributes=target.attributes,
-            size=sized(work, category, new),
-        ),
-        work.scene,
-        work.source,
+    target = Target(
+        id="thing_1",
+        category=category,
+        request=category,
+        attributes=tuple(new.attributes),
+        size=sized(work, category, new),
     )
+    made = asset_for(target, work.scene, work.source)
     if made.id == old.id and not (new.attributes or new.size):
         made = work.source.make(category, seed=style_seed(work.scene) + 1, attributes=target.attributes)
     if made.id == old.id:
@@ -113,7 +109,7 @@ def _compared(work: Work, old: Asset, category: str, new: Noun) -> Asset:
     """What is larger, taller, ... than the old one, as is said."""
     if category == old.category:
         made = compared(work, old, new.degree)
-        return otherwise(work, made, Order("make", new.text, looks=list(new.attributes))) if new.attributes else made
+        return _otherwise(work, made, new) if new.attributes else made
     usual = work.source.make(category, seed=style_seed(work.scene), attributes=tuple(new.attributes))
     least, most = work.source.size_range(category)
     start = [min(max(o, a), b) for o, a, b in zip(old.size, least, most, strict=True)]
@@ -163,9 +159,7 @@ def _same_place(scene: Scene, id: str, asset: Asset) -> Iterator[Pose]:
     """Where the old one stands, by its back; then the nearest places that are free."""
     new = scene.apply(Replace(id=id, asset=asset))[id]
     yield new.position, new.yaw
-    empty = scene
-    for rider in scene.riders(id):
-        empty = empty.without(rider.id)
+    empty = without(scene, (rider.id for rider in scene.riders(id)))
     for near in nearest_poses(empty, asset, new):
         if near.yaw == new.yaw:
             yield near.position, near.yaw
