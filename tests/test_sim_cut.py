@@ -180,7 +180,7 @@ def test_the_way_round_is_that_of_the_whole_floor(case: tuple[Scene, Placement, 
     walking = Walking()
     before, after = FreeFloor.of(placed, walking), FreeFloor.of(placed.with_placement(placement, kind), walking)
     lost = set(after.access().unreachable) - set(before.access().unreachable)
-    assert set(before.cut_off(placement, solid_of(kind))) == lost
+    assert set(before.cut_off([placement], solid_of(kind))[0]) == lost
 
 
 def test_what_floats_above_a_candidate_falls_on_it_and_that_is_not_its_fault() -> None:
