@@ -31,6 +31,8 @@ _MARKS = {
     "&": "and",
     "+": "and",
 }
+_ITEM_ENDS = ("stop", "semicolon", "colon", "comma", "and")
+"""After what a numbered item can begin."""
 _QUOTES = ('"', "“", "”", "„", "«", "»")
 _BEFORE_NOUNS = ("on", "on_top", "at", "with", "of", "from", "to", "by", "against", "along", "for")
 """Prepositions that a noun has to follow."""
@@ -185,8 +187,17 @@ class Cutter:
         return last.sort in ("prepositions", "inverses", "participles") and last.value not in ("with", "of", "as")
 
     def _numbering(self) -> int:
-        """How many tokens a number has that counts nothing: "(a)", "the 1950s"."""
-        return 3 if self._is_item() else 2 if self._is_decade() else 0
+        """How many tokens a number has that counts nothing: "(a)", "2.", "the 1950s"."""
+        return 3 if self._is_item() else 2 if self._is_decade() or self._is_numbered() else 0
+
+    def _is_numbered(self) -> bool:
+        """Whether "2." or "b)" numbers what is listed."""
+        token, mark = self.tokens[self.at], self._text_at(self.at + 1)
+        last = self.made[-1] if self.made else None
+        begins = last is None or (isinstance(last, Connector) and last.value in _ITEM_ENDS)
+        if not begins or self.at + 2 >= len(self.tokens) or (mark != ")" and (mark != "." or token.kind != "number")):
+            return False
+        return token.kind == "number" or (len(token.text) == 1 and token.text.isalpha())
 
     def _is_item(self) -> bool:
         """Whether "(a)", "(2)" numbers what is listed."""
@@ -211,7 +222,7 @@ class Cutter:
         return None
 
     def _words(self) -> Chunk:
-        if (said := self._after_modal() or self._described()) is not None:
+        if (said := self._after_modal() or self._described() or self._said_round()) is not None:
             return said
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
@@ -241,6 +252,14 @@ class Cutter:
     def _described(self) -> Adjective | None:
         """Read what hyphens join after the noun that it describes: "a TV wall-mounted opposite the sofa"."""
         if not self.tokens[self.at].glued or not self._after_noun() or not self._phrases.is_after_noun(self.at):
+            return None
+        return self._phrases.adjective(self.at)
+
+    def _said_round(self) -> Adjective | None:
+        """Read "the table is round", where nothing comes that it could be around."""
+        ends = self.at + 1 >= len(self.tokens) or self.tokens[self.at + 1].kind == "mark"
+        joined = grammar().at(self.tokens, self.at + 1, "joins") is not None
+        if self._text_at(self.at) != "round" or not (ends or joined):
             return None
         return self._phrases.adjective(self.at)
 

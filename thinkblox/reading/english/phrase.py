@@ -72,6 +72,8 @@ class PhraseReader(Heads):
         after = at + part.length
         if place is not None and place.length > part.length:
             return False
+        if grammar().at(self.tokens, at, "mutual") is not None:
+            return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
             if self._verb_follows(after) or self._adjective_ends(after):
                 pass

@@ -52,6 +52,8 @@ class Positions(Subjects):
             where.whole = self._next_noun(1)
             if where.whole is not None:
                 self._go_past(where.whole)
+                if where.whole.kind == "room" and not self.draft.room and not where.negated:
+                    self._room(where.whole)
         if link.value == "between":
             where.second = self._second(chunk)
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
@@ -141,7 +143,7 @@ class Positions(Subjects):
         if where.word == "turned":
             self._turned_to(where)
             return
-        if self._stands_on_part(where):
+        if self._stands_on_part(where) or self._seats_people(where):
             return
         if self._is_side_of_owner(where):
             self._lose_where(where)
@@ -207,6 +209,19 @@ class Positions(Subjects):
             return False
         thing.unshown.append(f"on {noun.text.lower()}")
         self._spend(noun)
+        return True
+
+    def _seats_people(self, where: Where) -> bool:
+        """Take the table of "a room that seats twelve around an oval table" for one of that many places."""
+        noun, said = where.noun, self.chunks[self._began - 1] if self._began else None
+        people = isinstance(said, Noun) and said.kind in ("people", "number") and self.draft.people > 0
+        if not people or where.word not in ("around", "at") or noun is None or noun.kind != "thing":
+            return False
+        if noun.definite or self.draft.things or self.front:
+            return False
+        table = self._new(noun)
+        table.seats = table.seats or self.draft.people
+        self._take(table, noun)
         return True
 
     def _is_side_of_owner(self, where: Where) -> bool:

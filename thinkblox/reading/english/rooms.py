@@ -32,6 +32,7 @@ class Rooms(Memberships):
             self.draft.sizes.append(noun.size)
         if not self.draft.things:
             self.frontier = []
+            self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
 
     def _several_spots(self, noun: Noun) -> None:
         """Read "four reading spots" as groups, of which each is told later; several rooms are not understood."""
