@@ -37,6 +37,30 @@ from thinkblox.reading import read_brief
          ["6 chair around dining_table", "1 pendant_lamp above dining_table"]),
         ("A room with eight chairs: four along the walls and four in the middle.",
          ["4 chair against_wall wall", "4 chair-2 in_centre centre"]),
+        # Walls.
+        ("A crib next to the window and a changing table on the opposite wall.",
+         ["1 changing_table opposite window", "1 changing_table against_wall wall"]),
+        ("A bed against the wall and a desk against the opposite wall.",
+         ["1 bed against_wall one_wall", "1 desk against_wall opposite_wall"]),
+        ("A sofa on the left wall, a TV on the opposite wall.", ["1 wall_tv on right_wall"]),
+        ("The north and south walls have bookcases.",
+         ["1 bookcase against_wall north_wall", "1 bookcase-2 against_wall south_wall"]),
+        ("Shelves on three walls: the left one holds jars, the right one holds cans, and the back one holds boxes.",
+         ["1 shelving_unit-2 against_wall right_wall", "3 jar inside shelving_unit", "3 box inside shelving_unit-3"]),
+        ("A dresser on the left wall and a sideboard mounted on the right wall.",
+         ["1 dresser against_wall left_wall", "1 sideboard on right_wall"]),
+        # What is spoken of again, and what several have or face together.
+        ("A TV mounted on the wall across from the sofa, a console table below the TV.",
+         ["1 console_table under wall_tv"]),
+        ("A fireplace. On each side of the fireplace is an armchair, and a rug lies in front of it.",
+         ["1 rug in_front_of fireplace"]),
+        ("Six recliners, all facing a projector screen.", ["6 recliner facing projector_screen"]),
+        ("Three tables, each with a stool beside it and a cabinet.", ["3 cabinet next_to dining_table"]),
+        ("36 desks, each with one chair, and a table at the front.", ["1 dining_table against_wall near_wall"]),
+        ("A sink with a mirror over it, a toilet beside the sink, and a stack of towels on a stool.",
+         ["3 towels on stool"]),
+        ("A chapel with an altar with two candlesticks.", ["2 candlestick on altar"]),
+        ("A chair, and display racks along the wall.", ["2 shelving_unit against_wall wall"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
@@ -53,6 +77,12 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("Three tables and a vase on the tables.", "which of them"),
         ("A lamp around the table.", "only one"),
         ("Plates above the desk.", "on what"),
+        ("A piano on a side table.", "hardly"),
+        ("Ten bookcases forming three aisles.", "forming three aisles"),
+        ("A table saw and a drill press arranged in a triangle.", "in a triangle"),
+        ("Four clusters of four desks.", "clusters of four desks"),
+        ("Two desks and a receptionist.", "a receptionist"),
+        ("An island with three bar stools on one side.", "on one side"),
         ("A waiting room with eight chairs: four along the walls and four back to back in the middle.", "back to back"),
     ],
 )
@@ -69,6 +99,11 @@ def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:
 )
 def test_the_room_is_named_in_passing(prompt: str, room: str) -> None:
     assert read_brief(prompt).room_type == room
+
+
+def test_colours_are_told_after_paint() -> None:
+    dresser = read_brief("A dresser painted yellow.", fill="named").requests[0]
+    assert (dresser.category, dresser.attributes) == ("dresser", ("yellow",))
 
 
 def test_a_table_is_round() -> None:

@@ -7,6 +7,7 @@ from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
+from thinkblox.reading.english.places import two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.turns import correction_at
 from thinkblox.reading.english.unread import unread_at
@@ -222,7 +223,7 @@ class Cutter:
         return None
 
     def _words(self) -> Chunk:
-        if (said := self._after_modal() or self._described() or self._said_round()) is not None:
+        if (said := self._set_phrase()) is not None:
             return said
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
@@ -254,6 +255,28 @@ class Cutter:
         if not self.tokens[self.at].glued or not self._after_noun() or not self._phrases.is_after_noun(self.at):
             return None
         return self._phrases.adjective(self.at)
+
+    def _set_phrase(self) -> Chunk | None:
+        """Read what is told by its first words alone."""
+        found = self._two_walls() or self._finish() or self._after_modal()
+        return found or self._described() or self._said_round()
+
+    def _two_walls(self) -> Noun | None:
+        """Read "the left and right walls"."""
+        value, length = two_walls_at([token.text for token in self.tokens[self.at : self.at + 5]])
+        if not length:
+            return None
+        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+        return Noun("place", value, self.at, self.at + length, text, det="the", plural=True)
+
+    def _finish(self) -> Connector | None:
+        """Go past the "painted" of "a dresser painted yellow"."""
+        token = self.tokens[self.at]
+        if token.text not in grammar().lists["finished"] or not self._after_noun():
+            return None
+        if self._phrases.adjective(self.at + 1) is None:
+            return None
+        return Connector("fillers", "words", self.at, self.at + 1, token.shown)
 
     def _said_round(self) -> Adjective | None:
         """Read "the table is round", where nothing comes that it could be around."""
@@ -306,7 +329,7 @@ class Cutter:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""
         if noun.kind == "pronoun":
             return self._is_pronoun(noun, link)
-        if noun.share or (link.value == "seat" and not self._number_follows(link)):
+        if self._is_name_of_verb(noun, link) or noun.share or (link.value == "seat" and not self._number_follows(link)):
             return True
         if link.length > 1 and link.sort in ("verbs", "participles") and self.tokens[self.at].text in ("that", "which"):
             return False
@@ -325,6 +348,14 @@ class Cutter:
         if link.sort in ("fillers", "joins"):
             return noun.kind in ("thing", "place", "room") and first is not None
         return False
+
+    def _is_name_of_verb(self, noun: Noun, link: Function) -> bool:
+        """Whether a verb begins the name of a listed thing: ", and display racks along the wall"."""
+        last = self.made[-1] if self.made else None
+        listed = isinstance(last, Connector) and (last.sort == "joins" or last.value in ("comma", "with"))
+        shown = link.sort == "verbs" and self.tokens[self.at].text in grammar().lists["naming_verbs"]
+        first = self._phrases.thing_at(self.at + 1) if self.at + 1 < len(self.tokens) else None
+        return listed and shown and first is not None and noun.kind == "thing" and noun.end - noun.start > 1
 
     def _participle(self) -> Connector | None:
         """Read a verb that no list has: "are chilling in the fridge", "a kiln humming in the corner"."""

@@ -16,8 +16,6 @@ def _sorts(text: str) -> list[tuple[str, str]]:
 
 _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
-_USES = ("tables", "desks", "beds", "lamps", "shelves", "storage", "plants", "wallpieces", "covers")
-"""Groups of things of which one may be another."""
 
 
 class Clauses(Audit):
@@ -89,6 +87,8 @@ class Clauses(Audit):
         said = next((at for at, word in enumerate(words) if word in grammar().lists["manners"]), None)
         named = self.frontier or self.subject is not None or self.clause.members
         if said is None or not named:
+            return
+        if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
             return
         before, start = self._before(), link.start
         if (
@@ -252,12 +252,7 @@ class Clauses(Audit):
             return False
         said = self.named_by.get(thing)
         told = (said is None or said.kind == "thing") and thing.asked and thing not in self.groups.values()
-        return told and thing.many == noun.many and self._are_of_one_use(thing.noun, noun.value)
-
-    def _are_of_one_use(self, one: str, other: str) -> bool:
-        """Whether two kinds of things are used alike, so that a thing can be called by both names."""
-        seats = all(self.habits.is_in(name, "seats", "chairs", "lounges") for name in (one, other))
-        return seats or any(all(self.habits.is_in(name, group) for name in (one, other)) for group in _USES)
+        return told and thing.many == noun.many and self._is_kin(thing, noun)
 
     def _take_kind(self, noun: Noun) -> None:
         """Call the subject what it is said to be."""

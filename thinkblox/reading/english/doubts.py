@@ -33,7 +33,7 @@ class Doubts(Corrections):
         for bond in self.draft.bonds:
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
-        self.draft.unknown += [*self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")
@@ -105,7 +105,8 @@ class Doubts(Corrections):
     def _on_what(self, bond: Bond, anchor: Mention) -> str:
         """What is said of a thing that has to lie on something, or cannot."""
         thing, carried = bond.subject, self._is_carried(bond.subject)
-        hovers = bond.kind == "above" and is_small(thing) and not self._has_carrier(thing)
+        hung = self.habits.is_in(thing.noun, "tops", "screens")
+        hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
         if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):
             return f"{thing.text} {bond.kind.replace('_', ' ')} {anchor.text} (on what?)"
         if bond.told and bond.kind == "on" and self._stands(thing) and not self._is_floor(anchor):
@@ -163,6 +164,13 @@ class Doubts(Corrections):
             kept = kept and not any(thing in b.anchors for b in self.draft.bonds_of(head))
             if kept and not self.named_by[thing].definite:
                 yield f"{head.text} with {thing.text} (where?)"
+
+    def _grouped(self) -> Iterator[str]:
+        """Things that are to stand in clusters or rings, which nothing sees to."""
+        for thing in self.draft.things:
+            rings, clusters = grammar().lists["rings"], grammar().lists["clusters"]
+            if thing.group in rings or (thing.group in clusters and thing.groups > 1):
+                yield f"{thing.group}s of {thing.text.rpartition(' of ')[2]}"
 
     def _carried_twice(self) -> Iterator[str]:
         """Single things that are to be on, or in, two others of which neither carries the other."""

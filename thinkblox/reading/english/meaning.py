@@ -237,10 +237,11 @@ class Meanings:
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
+        one_side = kind == "around" and said.value == "side" and _is_one(said)
+        kind, loose = ("at", True) if one_side else (kind, loose)
         if said.value == "in_shelf":
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
-        if where.word in ("above", "under", "behind") and said.value in ("head", "foot"):
-            kind = where.word
+        kind = where.word if _is_at_end(where, said) else kind
         lying = is_small(subjects[-1]) if subjects else is_small_name(noun)
         if where.word == "on" and kind == "next_to" and lying and any(w in said.text.lower() for w in ("edge", "rim")):
             return Meaning("on", meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
@@ -394,7 +395,10 @@ class Meanings:
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
-        return wall(word, said, name, several, each=each)
+        meaning = wall(word, said, name, several, each=each)
+        if meaning is not None and walls:
+            meaning.anchors = (name, *walls)
+        return meaning
 
     def _centre(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -495,6 +499,16 @@ def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:
     """Whether several seats at each of two sides of a table mean its long sides."""
     several = (seats.count or 0) > (1 if sides.det == "each" else 3)
     return several and sides.value == "side" and not _ROUNDED & set(table.attributes)
+
+
+def _is_at_end(where: Where, said: Noun) -> bool:
+    """Whether it is "above the headboard", "under the foot"."""
+    return where.word in ("above", "under", "behind") and said.value in ("head", "foot")
+
+
+def _is_one(side: Noun) -> bool:
+    """Whether it is "one side"."""
+    return side.count == 1 or side.text.lower().startswith("one ")
 
 
 def _is_open(shelves: Mention) -> bool:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
@@ -184,6 +185,8 @@ class Positions(Subjects):
     def _reword(self, where: Where) -> None:
         """Take "leaning on the wall" for against it, and "halfway down the room" for in its middle."""
         place = where.noun is not None and where.noun.kind == "place"
+        if where.word == "to" and place and self._is_mounted():
+            where.word = "on"
         if where.word == "on" and place and self._is_leaning():
             where.word = "against"
         if where.word == "halfway" and not (place and where.noun is not None and "wall" in where.noun.value):
@@ -249,6 +252,11 @@ class Positions(Subjects):
             else:
                 self._lose_where(where)
             return True
+        formation = {noun.word, *noun.text.lower().split()[-1:]} & grammar().lists["formations"]
+        if noun.kind in ("thing", "part") and formation and where.word in ("in", "into") and noun.det != "the":
+            self._spend(noun)
+            self._lose(where.start, noun.end)
+            return True
         if noun.kind == "room":
             if noun.count or noun.each or where.word not in _WITHIN:
                 self._lose(where.start, noun.end)
@@ -311,11 +319,25 @@ class Positions(Subjects):
             self._lose_where(where)
         if meaning is None:
             return
+        self._mount(subjects, where)
         self._relate(subjects, meaning, negated=where.negated)
         if meaning.loose:
             self._lose_where(where)
         if not where.negated:
             self._go_on_from(node, where, meaning)
+
+    def _is_mounted(self) -> bool:
+        said = self.chunks[self._began - 1] if self._began else None
+        words = said.text.lower().split() if isinstance(said, Connector) else []
+        return bool(words) and words[-1] in grammar().lists["mounted"]
+
+    def _mount(self, subjects: list[Mention], where: Where) -> None:
+        """Note that what else would stand is "mounted on the wall"."""
+        place = where.noun.value if where.noun is not None and where.noun.kind == "place" else ""
+        wall = where.word == "on" and "wall" in place
+        for subject in subjects if self._is_mounted() and wall and not where.negated else ():
+            if self.habits.is_in(subject.noun, "storage"):
+                subject.attributes.append(WALL_MOUNTED)
 
     def _go_on_from(self, node: Node, where: Where, meaning: Meaning) -> None:
         """Let what comes be about the things just placed, or about what they were placed by."""
@@ -340,7 +362,9 @@ class Positions(Subjects):
         anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
         if not anchors or where.noun is None:
             return
-        if self.each and not meaning.told and where.noun.det == "a":
+        said = self.chunks[self._began - 1] if self._began else None
+        together = isinstance(said, Noun) and said.value == "all" and where.word in ("facing", "opposite", "around")
+        if self.each and not meaning.told and where.noun.det == "a" and not together:
             anchors[0].count = sum(self.referents.total(t) for t in subjects)
             self.each = False
         if where.noun.kind in ("thing", "number") and not meaning.told:

@@ -215,6 +215,7 @@ class Subjects(Having):
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
         leaning = self._is_leaning()
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
+        taken += [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
         free: list[Mention] = []
         for member in reversed(frame.members):
             lies = each and (is_small(member) or not member.many)

@@ -62,8 +62,11 @@ class Ties(Relating):
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
-        if frame.told and tie not in _CARRIED:
+        alone = self.separator == "comma_and" and len(frame.members) == 1
+        if frame.each and tie == "next_to" and alone and not self.habits.tie(thing.noun, head.noun):
             return False
+        if frame.told and tie not in _CARRIED:
+            return pair
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
 
     def _is_told_by_pronoun(self) -> bool:
@@ -92,7 +95,7 @@ class Ties(Relating):
             case "thing" if noun.definite:
                 return self._is_of(frame, noun)
             case "part":
-                return self._is_part_of(frame, index)
+                return self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if frame.each and noun.value.split()[0] == "wall" else False
         return None
@@ -105,10 +108,11 @@ class Ties(Relating):
         carried = frame.kind in ("on", "hold", "carry", "inside") and not is_small(thing)
         return carried or (self.separator == "comma_and" and not any(member.many for member in frame.members))
 
-    def _is_part_of(self, frame: Listed, index: int) -> bool | None:
-        """Whether "on the side" is of the head: always, unless it goes on with "of the bed"."""
+    def _is_part_of(self, frame: Listed, index: int, part: Noun) -> bool | None:
+        """Whether "on the side" is of the head: not "of the bed", and not "at the front", which is of the room."""
         if not self._is_link(self.peek(index + 2), "prepositions", "of"):
-            return True
+            of_room = part.det == "the" and part.value in ("front", "back", "end")
+            return not (of_room and self._is_link(self.peek(index), "prepositions", "at", "in"))
         whole = self._next_noun(index + 3)
         return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
 
