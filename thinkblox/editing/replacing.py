@@ -12,7 +12,7 @@ from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.remaking import compared, otherwise
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.spots import Pose
+from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.wheres import Bound, bound, named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -27,7 +27,11 @@ from thinkblox.scene.scene import Scene
 
 _BY = ("with", "by", "for")
 NEW_PLACE = 0.75
-"""How far from the old one's middle the new one may stand that comes in its place, besides half its growth [m]."""
+"""How far from the old one's middle the new one may stand that comes in its place, besides half of what one is longer
+than the other [m].
+"""
+TRIES = 60
+"""Places about the old one's that are looked at."""
 
 
 def replace(work: Work, finder: Finder, order: Order) -> None:
@@ -128,11 +132,12 @@ def replace_one(work: Work, id: str, asset: Asset) -> bool:
     action = Replace(id=id, asset=asset)
     _, _, left = outcome(before, action)
     taken = take(work, left)
-    reach = NEW_PLACE + max(0.0, max(asset.size[:2]) - max(old.size[:2])) / 2
+    reach = NEW_PLACE + abs(max(asset.size[:2]) - max(old.size[:2])) / 2
     goals: list[Goal] = [At(old.position[:2], reach)]
     ties = work.usual_ties(id) or usual_ties(work.scene, asset.category)
     target = work.target(id, asset.category, ties, asset.attributes)
-    reaching = Reaching(work, target, asset, goals, direct=_same_place(work.scene, id, asset), search=False)
+    direct = _same_place(work.scene, id, asset, reach)
+    reaching = Reaching(work, target, asset, goals, direct=direct, search=False, tries=TRIES)
     if not reaching.run():
         work.restore(saved)
         work.failed.append(f"{id} was not replaced by {_article(asset.description)}: {reaching.why}")
@@ -155,11 +160,13 @@ def _replace_riders(work: Work, id: str, off: Sequence[Placement], before: Scene
                 work.failed.append(f"{rider.id}, which stood on {id}, was taken away: nothing else carries it")
 
 
-def _same_place(scene: Scene, id: str, asset: Asset) -> Iterator[Pose]:
-    """Where the old one stands, by its back; then the nearest places that are free."""
+def _same_place(scene: Scene, id: str, asset: Asset, reach: float) -> Iterator[Pose]:
+    """Where the old one stands, by its back; then the nearest places that are free, at a wall where that is at one."""
     new = scene.apply(Replace(id=id, asset=asset))[id]
     yield new.position, new.yaw
     empty = without(scene, (rider.id for rider in scene.riders(id)))
+    if at_wall(scene, id) and asset.mount == "floor":
+        yield from along_walls(without(empty, [id]), asset, scene[id].position[:2], reach)
     for near in nearest_poses(empty, asset, new):
         if near.yaw == new.yaw:
             yield near.position, near.yaw
