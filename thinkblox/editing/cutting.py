@@ -11,7 +11,9 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
-_ANYWHERE = ("nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places")
+_ANYWHERE = (
+    "nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places", "present",
+)  # fmt: skip
 _AT_END = ("round", "away", "places_of_both", "together", "there")
 _PUTTING = ("add", "put", "move", "ensure")
 _RANKED = ("the", "my", "that", "two", "both")

@@ -13,6 +13,7 @@ from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
+from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import Instruction, NounPhrase, Order
@@ -267,7 +268,9 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
     if order.away:
         remove(work, finder, order)
         return
+    fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
     new = [p.noun.kind == "thing" and not p.noun.definite and not finder.matching(p.noun) for p in order.things]
+    new = new if fetched else [False]
     (bring if order.things and all(new) else move)(work, finder, order)
 
 
@@ -319,7 +322,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
         finder.owners, finder.about = [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
         _DOERS[order.doing](work, finder, order)
-        _hold(work, order, before)
+        _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
         finder.vacated = gone[-1].position[:2] if gone else finder.vacated
         if said == (len(work.done), len(work.failed)):
@@ -364,12 +367,18 @@ def _taken_off(order: Order) -> bool:
     return _takes(order) and bool(off) and order.text.lower().startswith("take ")
 
 
-def _hold(work: Work, order: Order, before: Scene) -> None:
-    """Take an order back that has changed what is to stay as it is."""
+def _hold(work: Work, order: Order, before: Scene, said: int) -> None:
+    """Take an order back that has changed what is to stay as it is, with what was said of it since.
+
+    What rested on something that was taken away stays as far as it can: it is not taken away itself.
+    """
     there = {p.id: p for p in work.scene.placements}
+    lost = {p.id for p in before.placements if p.id not in there}
     changed = [p.id for p in before.placements if p.id in work.kept and there.get(p.id) != p]
+    changed = [id for id in changed if id in lost or not lost & set(before.carriers(id))]
     if changed:
         work.world = work.world.with_scene(before)
+        del work.done[said:]
         work.failed.append(f"'{order.text}' was not done: {', '.join(changed)} is to stay as it is")
 
 

@@ -24,6 +24,7 @@ from thinkblox.editing.goals import (
 )
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
+from thinkblox.editing.scattering import scatter
 from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
@@ -351,6 +352,10 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     ids = list(dict.fromkeys(id for ids, _ in _moved(work, finder, order) for id in ids))
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to, or away from")
+    if order.scatter and len(ids) > 2:
+        scatter(work, ids, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)
+        finder.recent = ids
+        return
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
     by = order.lengths[0][0] if order.lengths else None
     for id in rest:

@@ -3,16 +3,19 @@
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
-from thinkblox.editing.grammar import is_filler, means, verbs
+from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
+from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
@@ -37,6 +40,8 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_AREAS = ("area", "zone")
+"""Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
 _ACROSS = ("opposite", "far", "facing")
 
@@ -121,8 +126,15 @@ def _corrected(lexicon: Lexicon, token: Token) -> Token:
     if side := means("synonyms", token.text):
         return replace(token, text=side)
     known = token.kind != "word" or any(means(s, token.text) for s in _OWN_WORDS)
-    meant = "" if known else meant_by(lexicon, token.text)
+    meant = "" if known else meant_by(lexicon, token.text, _of_orders())
     return replace(token, text=meant) if meant else token
+
+
+@lru_cache(maxsize=1)
+def _of_orders() -> frozenset[str]:
+    """The words of instructions that may be meant by one with a slip: "repalce", "teh"."""
+    of_verbs = frozenset(word for words in sections()["verbs"] for word in words)
+    return of_verbs | frozenset(word for words in grammar().phrases for word in words)
 
 
 class _OrderReader:
@@ -137,6 +149,7 @@ class _OrderReader:
         )
         self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
         self.orders = [self.order]
+        self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
         self._items = self._cutter.items(clause.tokens)
         self._at = 0
@@ -328,19 +341,43 @@ class _OrderReader:
     def _is_of_room(self, noun: Noun) -> bool:
         """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
         order, part = self.order, noun.kind in ("place", "part")
-        if self._is_space(noun):
+        about = self._about(noun)
+        if about is not None:
+            order.places.append(Where("around", about, text="around"))
+        elif self._is_space(noun):
             order.space = True
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
             order.room = order.ceiling = True
         elif order.doing == "free" and part:
-            order.free.append(noun)
+            where = self._cornered(Where("in", noun, text="in"))
+            if where.whole is None and where.second is None:
+                order.free.append(noun)
+            else:
+                order.places.append(where)
         elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
             self._look_of(noun)
         else:
             return False
         return True
+
+    def _about(self, noun: Noun) -> Noun | None:
+        """The thing of which a phrase names the surroundings: "the sofa area"; None where it names none.
+
+        Raises:
+            InputError: it names a part of the room by what is no thing.
+        """
+        words = noun.text.lower().split()
+        if noun.kind != "room" or self.order.doing not in ("rearrange", "free") or words[-1] not in _AREAS:
+            return None
+        if words[:-1] == [noun.det] or not words[:-1]:
+            return None
+        chunks, _ = cut(self._lexicon, self._lexicon.tokens(" ".join(words[:-1])))
+        found = [chunk for chunk in chunks if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.named]
+        if len(found) != 1:
+            raise InputError(f"'{noun.text}': which part of the room that is is not known; name a thing that is there")
+        return replace(found[0], det="the")
 
     def _thing(self, phrase: NounPhrase) -> None:
         order, noun = self.order, phrase.noun

@@ -42,6 +42,8 @@ def keep_only(work: Work, finder: Finder, order: Order) -> None:
             alike = [p.id for p in finder.matching(phrase.noun)]
             if len(alike) < (phrase.noun.count or 0):
                 raise InputError(f"'{order.text}': there are only {len(alike)}: {', '.join(alike)}")
+            if any(where.word == "per" for where in phrase.places):
+                raise InputError(f"'{order.text}': so many for each are not told apart; say which are to go")
             kept = named(finder, phrase, phrase.places)
             take_away(work, work.touched(id for id in alike if id not in kept))
         return
