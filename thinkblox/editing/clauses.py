@@ -70,12 +70,16 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     tokens = _led(tokens)
     starts = list(_starts(tokens))
     lead = tokens[: starts[0].begin] if starts else tokens
+    about = _about(lead)
+    lead = () if about else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
     for number, start in enumerate(starts):
         end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
+        if not number and about and body[:1] and body[0].text in ("it", "them"):
+            body = (*about, *body[1:])
         if start.whose:
             body = _had(body, start.whose)
         clause = _settled(_turned_about(Clause(start.doing, start.change, body, text)))
@@ -85,6 +89,14 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
     return made
+
+
+def _about(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What a statement before an order is about, which "it" means there: "the desk is too close, move it back"."""
+    first = _first(lead)
+    told = next((n for n in range(first, len(lead)) if means("statements", lead[n].text)), first)
+    pointed = told > first and lead[first].text in _POINTERS
+    return tuple(lead[first:told]) if pointed else ()
 
 
 def _is_last(tokens: Sequence[Token], at: int) -> bool:

@@ -27,6 +27,8 @@ _AFTER_ORDER = (
 _CLEARED = ("keep", "put", "ensure", "make", "free")
 """Orders in which "free" at the end is how something is to be."""
 _DISTANT = ("away", "off", "apart", "from", "to", "in", "closer", "nearer", "further", "farther")
+_NEW = ("a", "an", "another", "some")
+"""Words before a comparative that is of a new thing."""
 _BEFORE_LENGTH = ("by", "to", "of")
 
 
@@ -138,7 +140,7 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
-        if self._doing in ("make", "put"):
+        if self._doing in ("make", "put") and not (at and tokens[at - 1].text in _NEW):
             for sort in ("comparatives", "absolutes"):
                 found = longest(sort, tokens, at)
                 if found is not None and (self._doing == "make" or self._ends(tokens, at + found[1])):

@@ -253,14 +253,21 @@ def _is_part_of(scene: Scene, made: Scene) -> bool:
 
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
-    known = [
-        p.id or p.noun.definite or p.noun.kind in ("pronoun", "number") or p.rank or p.noun.ordinal
-        for p in order.things
-    ]
+    known = [_is_known(phrase) for phrase in order.things]
     if order.things and not any(known) and not order.rest:
         bring(work, finder, order)
+    elif not all(known) and all(phrase.places for phrase in order.things):
+        for phrase, there in zip(order.things, known, strict=True):
+            (move if there else bring)(work, finder, dataclasses.replace(order, things=[phrase]))
+            finder.scene = work.before = work.scene
     else:
         move(work, finder, order)
+
+
+def _is_known(phrase: NounPhrase) -> bool:
+    """Whether a phrase points at something that is there."""
+    noun = phrase.noun
+    return bool(phrase.id or noun.definite or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal)
 
 
 def _bring(work: Work, finder: Finder, order: Order) -> None:
@@ -347,8 +354,10 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if last is not None and back and last.doing in _CARRYING and _keeps_by_it(order):
             last.company += [dataclasses.replace(phrase, places=[]) for phrase in order.things]
             continue
-        if order.doing == "make" and order.facing and order.things and not order.room:
-            order.doing = "turn"
+        if last is not None and last.doing == "remove" and _comes_there(order):
+            order.doing, order.instead, order.things, order.there = "replace", order.things, last.things, False
+            joined[-1] = order
+            continue
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
         if joined and order.doing == "turn" and same and order.turn is None and joined[-1].doing in _ONTO_KNOWN[:3]:
             facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
@@ -361,10 +370,17 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     return joined
 
 
+def _comes_there(order: Order) -> bool:
+    """Whether "a bigger one" is put where something was taken away."""
+    return order.doing in ("put", "add") and order.there and [p.noun.kind for p in order.things] == ["number"]
+
+
 def _taken_off(order: Order) -> bool:
     """Whether "take the lamp off the desk" is all that is said: it is taken away."""
     off = [w for phrase in order.things for w in phrase.places if w.word == "from"]
-    return _takes(order) and bool(off) and order.text.lower().startswith("take ")
+    everything = order.rest and not order.things and [w.word for w in order.places] == ["from"]
+    taken = (_takes(order) and bool(off)) or (order.doing == "move" and everything)
+    return taken and order.text.lower().startswith("take ")
 
 
 def _hold(work: Work, order: Order, before: Scene, said: int) -> None:

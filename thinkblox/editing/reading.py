@@ -113,12 +113,14 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
-    """Read "the front row of", "the back row of" as the first and the last."""
+    """Read "the front row of" and "the back row of" as the first and the last, and "a round one" as no preposition."""
     words = {"front": "first", "back": "last", "rear": "last"}
     read = list(tokens)
     for index in range(len(tokens) - 2):
         if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
             read[index] = replace(tokens[index], text=words[tokens[index].text])
+        if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
+            read[index + 1] = replace(tokens[index + 1], text="circular")
     return read
 
 
@@ -161,6 +163,7 @@ class _OrderReader:
         self._anchors: list[Noun] = []
         self._excepted: NounPhrase | None = None
         self._distance = False
+        self._around = False
 
     def read(self) -> list[Order]:
         """Read everything."""
@@ -210,6 +213,10 @@ class _OrderReader:
             order.doing = "make"
         if order.doing == "keep" and order.total:
             order.doing = "only"
+        if order.doing == "make" and (order.facing or order.mutual) and order.things and not order.room:
+            order.doing = "turn"
+        if self._around and order.facing:
+            order.turn = None
 
     def _is_about_looks(self) -> bool:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
@@ -305,7 +312,7 @@ class _OrderReader:
         """Read "turn it round", "make the table round"."""
         order = self.order
         if order.doing == "turn" and order.turn is None:
-            order.turn = 180.0
+            order.turn, self._around = 180.0, True
         elif order.doing == "make":
             order.looks.append("round")
         else:
@@ -518,8 +525,15 @@ class _OrderReader:
         return every and counted and self._mode == "things"
 
     def _mutual(self, link: Connector) -> None:
-        """Read "so that they face each other", "next to each other"."""
-        if (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange")) or (
+        """Read "so that they face each other", "next to each other", or not so."""
+        things = self.order.things
+        if self._negated:
+            self._negated = False
+            if link.value != "next_to" or len(things) != 2 or self.order.doing not in ("move", "put"):
+                self.order.lost.append(f"not {link.text}")
+                return
+            things[0].places.append(Where("next_to", things.pop().noun, negated=True, text=link.text))
+        elif (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
             self.order.mutual = link.value
@@ -676,6 +690,8 @@ class _OrderReader:
         self._negated = False
         noun = self._next_noun()
         where.noun = self._merged(noun) if noun is not None else None
+        if link.value == "per" and where.noun is not None:
+            where.word, where.noun = "to", replace(where.noun, det="each")
         item = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1

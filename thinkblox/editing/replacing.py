@@ -48,7 +48,7 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     first = order.instead[0]
     count = _how_many(order, ids, first.noun)
     for id in ids[:count]:
-        if replace_one(work, id, _successor(work, id, first.noun)):
+        if _comes_in_place(work, id, first.noun):
             _place(work, finder, order, id, first)
     if ids[count:]:
         take_away(work, ids[count:])
@@ -67,6 +67,27 @@ def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
     if new.count and new.count > 1:
         return new.count
     return len(ids) if each or new.plural or not (new.det == "a" or new.count) or new.kind == "number" else 1
+
+
+def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
+    """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
+    asset, said = _successor(work, id, new), len(work.failed)
+    if replace_one(work, id, asset):
+        return True
+    if new.size is not None or new.degree:
+        return False
+    if replace_one(work, id, _as_small(work, id, asset)):
+        del work.failed[said:]
+        return True
+    del work.failed[said + 1 :]
+    return False
+
+
+def _as_small(work: Work, id: str, asset: Asset) -> Asset:
+    """What is to come in place of an object, no longer and no deeper than that, as far as such a thing is made so."""
+    old, (least, _) = work.asset_of(id).size, work.source.size_range(asset.category)
+    depth, width, height = (max(min(own, there), low) for own, there, low in zip(asset.size, old, least, strict=True))
+    return work.source.fit(asset, (depth, width, max(height, asset.size[2])))
 
 
 def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase) -> None:
