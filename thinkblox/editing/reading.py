@@ -3,16 +3,19 @@
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
-from thinkblox.editing.grammar import is_filler, means, verbs
+from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
+from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
@@ -37,6 +40,8 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_AREAS = ("area", "zone")
+"""Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
 _ACROSS = ("opposite", "far", "facing")
 
@@ -108,12 +113,14 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
-    """Read "the front row of", "the back row of" as the first and the last."""
+    """Read "the front row of" and "the back row of" as the first and the last, and "a round one" as no preposition."""
     words = {"front": "first", "back": "last", "rear": "last"}
     read = list(tokens)
     for index in range(len(tokens) - 2):
         if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
             read[index] = replace(tokens[index], text=words[tokens[index].text])
+        if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
+            read[index + 1] = replace(tokens[index + 1], text="circular")
     return read
 
 
@@ -121,8 +128,15 @@ def _corrected(lexicon: Lexicon, token: Token) -> Token:
     if side := means("synonyms", token.text):
         return replace(token, text=side)
     known = token.kind != "word" or any(means(s, token.text) for s in _OWN_WORDS)
-    meant = "" if known else meant_by(lexicon, token.text)
+    meant = "" if known else meant_by(lexicon, token.text, _of_orders())
     return replace(token, text=meant) if meant else token
+
+
+@lru_cache(maxsize=1)
+def _of_orders() -> frozenset[str]:
+    """The words of instructions that may be meant by one with a slip: "repalce", "teh"."""
+    of_verbs = frozenset(word for words in sections()["verbs"] for word in words)
+    return of_verbs | frozenset(word for words in grammar().phrases for word in words)
 
 
 class _OrderReader:
@@ -137,6 +151,7 @@ class _OrderReader:
         )
         self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
         self.orders = [self.order]
+        self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
         self._items = self._cutter.items(clause.tokens)
         self._at = 0
@@ -148,6 +163,7 @@ class _OrderReader:
         self._anchors: list[Noun] = []
         self._excepted: NounPhrase | None = None
         self._distance = False
+        self._around = False
 
     def read(self) -> list[Order]:
         """Read everything."""
@@ -197,6 +213,10 @@ class _OrderReader:
             order.doing = "make"
         if order.doing == "keep" and order.total:
             order.doing = "only"
+        if order.doing == "make" and (order.facing or order.mutual) and order.things and not order.room:
+            order.doing = "turn"
+        if self._around and order.facing:
+            order.turn = None
 
     def _is_about_looks(self) -> bool:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
@@ -292,7 +312,7 @@ class _OrderReader:
         """Read "turn it round", "make the table round"."""
         order = self.order
         if order.doing == "turn" and order.turn is None:
-            order.turn = 180.0
+            order.turn, self._around = 180.0, True
         elif order.doing == "make":
             order.looks.append("round")
         else:
@@ -328,19 +348,43 @@ class _OrderReader:
     def _is_of_room(self, noun: Noun) -> bool:
         """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
         order, part = self.order, noun.kind in ("place", "part")
-        if self._is_space(noun):
+        about = self._about(noun)
+        if about is not None:
+            order.places.append(Where("around", about, text="around"))
+        elif self._is_space(noun):
             order.space = True
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
             order.room = order.ceiling = True
         elif order.doing == "free" and part:
-            order.free.append(noun)
+            where = self._cornered(Where("in", noun, text="in"))
+            if where.whole is None and where.second is None:
+                order.free.append(noun)
+            else:
+                order.places.append(where)
         elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
             self._look_of(noun)
         else:
             return False
         return True
+
+    def _about(self, noun: Noun) -> Noun | None:
+        """The thing of which a phrase names the surroundings: "the sofa area"; None where it names none.
+
+        Raises:
+            InputError: it names a part of the room by what is no thing.
+        """
+        words = noun.text.lower().split()
+        if noun.kind != "room" or self.order.doing not in ("rearrange", "free") or words[-1] not in _AREAS:
+            return None
+        if words[:-1] == [noun.det] or not words[:-1]:
+            return None
+        chunks, _ = cut(self._lexicon, self._lexicon.tokens(" ".join(words[:-1])))
+        found = [chunk for chunk in chunks if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.named]
+        if len(found) != 1:
+            raise InputError(f"'{noun.text}': which part of the room that is is not known; name a thing that is there")
+        return replace(found[0], det="the")
 
     def _thing(self, phrase: NounPhrase) -> None:
         order, noun = self.order, phrase.noun
@@ -481,8 +525,15 @@ class _OrderReader:
         return every and counted and self._mode == "things"
 
     def _mutual(self, link: Connector) -> None:
-        """Read "so that they face each other", "next to each other"."""
-        if (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange")) or (
+        """Read "so that they face each other", "next to each other", or not so."""
+        things = self.order.things
+        if self._negated:
+            self._negated = False
+            if link.value != "next_to" or len(things) != 2 or self.order.doing not in ("move", "put"):
+                self.order.lost.append(f"not {link.text}")
+                return
+            things[0].places.append(Where("next_to", things.pop().noun, negated=True, text=link.text))
+        elif (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
             self.order.mutual = link.value
@@ -639,6 +690,8 @@ class _OrderReader:
         self._negated = False
         noun = self._next_noun()
         where.noun = self._merged(noun) if noun is not None else None
+        if link.value == "per" and where.noun is not None:
+            where.word, where.noun = "to", replace(where.noun, det="each")
         item = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1

@@ -34,10 +34,12 @@ GoalsOf = Callable[[str], Sequence[Goal]]
 
 def rearrange(work: Work, finder: Finder, order: Order) -> None:
     """Rearrange the room, a region of it or some things; keep free what is to stay free."""
+    region = _region(work, finder, order)
     if order.free:
+        if region is not None:
+            raise InputError(f"'{order.text}' names {region[0].name} and what is to stay free; give two orders")
         free(work, finder, order)
         return
-    region = _region(work, finder, order)
     if region is not None:
         _rearrange_region(work, region[0], region[1], order)
         return

@@ -18,7 +18,7 @@ from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
 from thinkblox.scene.bearings import ground_gap
-from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -245,11 +245,10 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
         found = [c for c in found if c.name != nearest.name]
     if mark is not None:
         name = mark.value if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
-        marks = things(finder.scene, name)
-        if not marks or not found:
+        if not things(finder.scene, name) or not found:
             raise InputError(f"the room has no corner {where.text} {mark.text}")
-        sign = -1.0 if where.second is not None else 1.0
-        found.sort(key=lambda c: sign * min(m.footprint.distance(c.footprint) for m in marks))
+        found = _corners_by(finder.scene, found, name)
+        found = found[::-1] if where.second is not None else found
     elif other and len(found) > 1 and "opposite" in noun.text.lower().split():
         found.sort(key=lambda c: -math.dist(c.centre, here.position[:2]))
     elif len(found) > 1:
@@ -295,11 +294,29 @@ def corner_near(scene: Scene, name: str) -> tuple[str, ...]:
     Raises:
         InputError: the scene has no such thing, or no corner.
     """
-    marks, corners = things(scene, name), things(scene, "corner")
-    if not marks or not corners:
+    found = corners(scene.room)
+    if not things(scene, name) or not found:
         raise InputError(f"the room has no corner by the {name.replace('_', ' ')}")
-    best = min(corners, key=lambda c: min(mark.footprint.distance(c.footprint) for mark in marks))
-    return tuple(best.name.removeprefix("corner of ").split(" and "))
+    return tuple(_corners_by(scene, found, name)[0].name.removeprefix("corner of ").split(" and "))
+
+
+def _corners_by(scene: Scene, found: Sequence[Landmark], name: str) -> list[Landmark]:
+    """Corners by their distance from a thing or part of the room; of those at a window what is at a door comes last.
+
+    Of two that are as near, the emptier one comes first.
+    """
+    marks = things(scene, name)
+    others = [mark for kind in _OPENINGS if name in _OPENINGS and kind != name for mark in things(scene, kind)]
+
+    def away(corner: Landmark, marks: Sequence[Landmark]) -> float:
+        return min((float(mark.footprint.distance(corner.footprint)) for mark in marks), default=math.inf)
+
+    def rank(corner: Landmark) -> tuple[bool, float, int]:
+        near = away(corner, marks)
+        crowd = sum(math.dist(p.position[:2], corner.centre) < CROWDED for p in scene.placements)
+        return away(corner, others) < near, round(near, 1), crowd
+
+    return sorted(found, key=rank)
 
 
 def _walls_of(scene: Scene, place: str) -> str:
@@ -389,6 +406,8 @@ NEARNESS = (
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""
+CROWDED = 1.7
+"""How far from a corner what stands in it is counted [m]."""
 
 
 def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: Sequence[Picks] = ()) -> tuple[str, ...]:
