@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 
 from thinkblox.exporters.beside import texture_files, write_beside
 from thinkblox.exporters.cameras import lights_of
-from thinkblox.exporters.frames import add, inertia_attributes, numbers, xml_text
+from thinkblox.exporters.frames import add, in_xml, inertia_attributes, numbers, xml_text
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryGeom, InventoryLook, InventoryObject
 from thinkblox.exporters.mjcf_meshes import obj_file
 from thinkblox.exporters.solids import SolidFiles
@@ -15,7 +15,8 @@ from thinkblox.scene.textured_mesh import mesh_of
 from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.verdict.settle import Pose
 
-_DRAKE = "http://drake.mit.edu"
+_DRAKE, _OURS = "http://drake.mit.edu", "urn:thinkblox"
+"""Namespaces of what SDF itself has no element for."""
 
 
 def write_sdf(inventory: Inventory, path: Path) -> None:
@@ -33,7 +34,7 @@ class _World:
 
     def __init__(self, inventory: Inventory) -> None:
         self.files, self._looks = SolidFiles(), inventory.looks
-        self._root = ElementTree.Element("sdf", {"version": "1.9", "xmlns:drake": _DRAKE})
+        self._root = ElementTree.Element("sdf", {"version": "1.9", "xmlns:drake": _DRAKE, "xmlns:thinkblox": _OURS})
         world = add(self._root, "world", name="thinkblox")
         physics = add(world, "physics", name="default", type="ignored")
         add(physics, "max_step_size", numbers((inventory.physics.timestep,)))
@@ -66,6 +67,7 @@ class _World:
             _join(model, f"{item.name}_mount", "fixed", "world", first.name)
         for body in joined:
             _add_joint(model, body)
+        _say(model, item)
 
     def _link(self, model: ElementTree.Element, body: InventoryBody) -> None:
         link = add(model, "link", name=body.name)
@@ -118,6 +120,14 @@ class _World:
             add(made, "radius", numbers((x / 2,)))
             if shape.kind != "sphere":
                 add(made, "length", numbers((z if shape.kind == "cylinder" else max(z - x, 1e-6),)))
+
+
+def _say(model: ElementTree.Element, item: InventoryObject) -> None:
+    """Keep what the scene calls an object and its links, which readers pass over."""
+    said = {"id": item.id, "category": item.category, "asset": item.asset}
+    told = add(model, "thinkblox:object", **{key: in_xml(value) for key, value in said.items()})
+    for body in item.bodies[1:]:
+        add(told, "thinkblox:part", name=body.name, called=in_xml(body.link))
 
 
 def _pose(parent: ElementTree.Element, pose: Pose) -> None:

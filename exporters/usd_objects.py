@@ -3,7 +3,7 @@
 from thinkblox.exporters.inventory import InventoryBody, InventoryObject
 from thinkblox.exporters.usd_assets import Shelf
 from thinkblox.exporters.usd_joints import add_joint, fix_to_room
-from thinkblox.exporters.usd_prims import Prim, T, quaternion, vector
+from thinkblox.exporters.usd_prims import Prim, T, quaternion, said, vector
 
 LABELS = "SemanticsLabelsAPI:class"
 _BODY = ("PhysicsRigidBodyAPI", "PhysicsMassAPI")
@@ -18,7 +18,7 @@ def add_object(parent: Prim, item: InventoryObject, shelf: Shelf) -> None:
     rigid = item.free and not joined
     apis = [LABELS, *(_BODY if rigid else ()), *(["PhysicsArticulationRootAPI"] if joined else [])]
     prim = parent.child(item.name, "Xform", apis=apis, kind="component").place(*first.settled)
-    prim.spec.customData = {"id": item.id, "asset": item.asset, "licence": item.licence, "author": item.author}
+    prim.spec.customData = said({"id": item.id, "asset": item.asset, "licence": item.licence, "author": item.author})
     add_label(prim, item.category)
     if joined:
         _add_links(prim, item, shelf)
@@ -50,7 +50,7 @@ def _add_links(prim: Prim, item: InventoryObject, shelf: Shelf) -> None:
 def _add_link(parent: Prim, item: InventoryObject, body: InventoryBody, shelf: Shelf) -> Prim:
     apis = [LABELS, *_BODY, *(["PhysicsFilteredPairsAPI"] if body.joint is not None else [])]
     prim = parent.child(body.name, "Xform", apis=apis).place(*body.in_object)
-    prim.spec.customData = {"link": body.link}
+    prim.spec.customData = said({"link": body.link})
     add_label(prim, body.label)
     _fill(prim, item, body, shelf, weighs=True)
     return prim
