@@ -1,6 +1,7 @@
 """A scene as a world of SDF 1.9, for Gazebo and Drake: a model for each object, with its joints and frictions."""
 
 import math
+from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -50,10 +51,20 @@ class _World:
                 self._shapes(add(room, "link", name=wall.name), wall.geoms, wall.look)
         for item in inventory.objects:
             self._model(world, item)
+        self._say(inventory.objects)
 
     def text(self) -> str:
         """The document."""
         return xml_text(self._root)
+
+    def _say(self, items: Iterable[InventoryObject]) -> None:
+        """Keep what the scene calls objects and their links, beside the world, which readers pass over."""
+        every = add(self._root, "thinkblox:objects")
+        for item in items:
+            said = {"model": item.name, "id": item.id, "category": item.category, "asset": item.asset}
+            told = add(every, "thinkblox:object", **{key: in_xml(value) for key, value in said.items()})
+            for body in item.bodies[1:]:
+                add(told, "thinkblox:part", name=body.name, called=in_xml(body.link))
 
     def _model(self, world: ElementTree.Element, item: InventoryObject) -> None:
         model = add(world, "model", name=item.name)
@@ -67,7 +78,6 @@ class _World:
             _join(model, f"{item.name}_mount", "fixed", "world", first.name)
         for body in joined:
             _add_joint(model, body)
-        _say(model, item)
 
     def _link(self, model: ElementTree.Element, body: InventoryBody) -> None:
         link = add(model, "link", name=body.name)
@@ -120,14 +130,6 @@ class _World:
             add(made, "radius", numbers((x / 2,)))
             if shape.kind != "sphere":
                 add(made, "length", numbers((z if shape.kind == "cylinder" else max(z - x, 1e-6),)))
-
-
-def _say(model: ElementTree.Element, item: InventoryObject) -> None:
-    """Keep what the scene calls an object and its links, which readers pass over."""
-    said = {"id": item.id, "category": item.category, "asset": item.asset}
-    told = add(model, "thinkblox:object", **{key: in_xml(value) for key, value in said.items()})
-    for body in item.bodies[1:]:
-        add(told, "thinkblox:part", name=body.name, called=in_xml(body.link))
 
 
 def _pose(parent: ElementTree.Element, pose: Pose) -> None:

@@ -4,8 +4,9 @@ from thinkblox.exporters.inventory import InventoryBody, InventoryObject
 from thinkblox.exporters.usd_assets import Shelf
 from thinkblox.exporters.usd_joints import add_joint, fix_to_room
 from thinkblox.exporters.usd_prims import Prim, T, quaternion, said, vector
+from thinkblox.exporters.wikidata import wikidata_item
 
-LABELS = "SemanticsLabelsAPI:class"
+LABELS, _CONCEPT = "SemanticsLabelsAPI:class", "SemanticsLabelsAPI:wikidata_qcode"
 _BODY = ("PhysicsRigidBodyAPI", "PhysicsMassAPI")
 
 
@@ -16,10 +17,14 @@ def add_object(parent: Prim, item: InventoryObject, shelf: Shelf) -> None:
     """
     first, *joined = item.bodies
     rigid = item.free and not joined
+    concept = wikidata_item(item.category)
     apis = [LABELS, *(_BODY if rigid else ()), *(["PhysicsArticulationRootAPI"] if joined else [])]
+    apis += [_CONCEPT] if concept else []
     prim = parent.child(item.name, "Xform", apis=apis, kind="component").place(*first.settled)
     prim.spec.customData = said({"id": item.id, "asset": item.asset, "licence": item.licence, "author": item.author})
     add_label(prim, item.category)
+    if concept:
+        prim.put("semantics:labels:wikidata_qcode", T.TokenArray, [concept])
     if joined:
         _add_links(prim, item, shelf)
     else:
