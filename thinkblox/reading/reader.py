@@ -108,7 +108,15 @@ def _settle_carriers(draft: Draft) -> None:
         elif bond.kind == "on" and isinstance(anchor, Mention) and not bond.negated:
             _prop(bond.subject, kind_of(anchor.noun))
         elif bond.kind == "above" and isinstance(anchor, Mention) and not bond.negated:
-            _hang_over(bond.subject, draft)
+            if _spans(kind_of(bond.subject.noun), kind_of(anchor.noun)):
+                bond.kind, bond.subject, bond.anchors = "under", anchor, (bond.subject,)
+            else:
+                _hang_over(bond.subject, draft)
+
+
+def _spans(kind: Category, other: Category) -> bool:
+    """Whether something stands on the floor over another thing there, as a loft bed over a desk."""
+    return kind.mount == other.mount == "floor" and "over" in kind.forms
 
 
 def _hang(bond: Bond, place: str) -> None:
