@@ -34,6 +34,9 @@ class Doubts(Corrections):
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
         self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        for thing, link in self.circles:
+            if not any(bond.kind == "around" for bond in self.draft.bonds_of(thing)):
+                self._lose(link.start, link.end)
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")

@@ -130,7 +130,8 @@ class Meanings:
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         kind = self._kind(where.word)
-        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything":
+        of_many = said.value == "all" and len(self.referents.standing(subjects)) > 1
+        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything" or of_many:
             return None
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
@@ -327,6 +328,8 @@ class Meanings:
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
+            return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:
             return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
         if said.value == "middle" and whole.kind == "place" and whole.value.endswith("wall"):

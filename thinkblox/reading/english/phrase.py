@@ -98,7 +98,10 @@ class PhraseReader(Heads):
         verb = grammar().at(self.tokens, at, "verbs")
         if verb is None:
             return False
-        return grammar().at(self.tokens, at + verb.length, "determiners", "quantifiers", "count", "vague") is not None
+        after = at + verb.length
+        if grammar().at(self.tokens, after, "determiners", "quantifiers", "count", "vague") is not None:
+            return True
+        return grammar().at(self.tokens, after, "evaluative") is not None and self._starts_noun(after + 1)
 
     def _units(self, noun: Noun, at: int, units: Units) -> int:
         if noun.ordinal and grammar().at(self.tokens, at, "verbs", "participles") is not None:
@@ -214,6 +217,8 @@ class PhraseReader(Heads):
         """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
         text = self.tokens[at].text
         if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+            return True
+        if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
             return True
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
