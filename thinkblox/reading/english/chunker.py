@@ -10,7 +10,6 @@ from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.places import two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.turns import correction_at
-from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -147,7 +146,7 @@ class Cutter:
         return isinstance(last, Connector) and last.value == "leave"
 
     def _unread(self) -> Stray | None:
-        unread = unread_at(self.tokens, self.at)
+        unread = self._phrases.unread_at(self.at)
         if not unread or self._is_said_of_it():
             return None
         text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])

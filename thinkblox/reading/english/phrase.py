@@ -137,9 +137,15 @@ class PhraseReader(Heads):
         said = self._known(at, "attribute", "style") is not None or bool(adjective_kinds(word) or degree_of(word))
         return said or grammar().at(self.tokens, at, "evaluative", "states") is not None
 
+    def unread_at(self, at: int) -> int:
+        """How many tokens a stretch that asks for what no room shows has at `at`; 0 where none begins there."""
+        if at not in self._unread:
+            self._unread[at] = unread_at(self.tokens, at)
+        return self._unread[at]
+
     def _is_unread(self, at: int) -> bool:
         """Whether words begin that nothing is made of; an animal after other words names a thing: "a porcelain dog"."""
-        return bool(unread_at(self.tokens, at)) and self.tokens[at].text not in grammar().lists["animals"]
+        return bool(self.unread_at(at)) and self.tokens[at].text not in grammar().lists["animals"]
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""

@@ -401,7 +401,7 @@ class Positions(Subjects):
             return
         for bond in self.draft.bonds:
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
-                bond.subject = carrier
+                self.draft.hand_over(bond, carrier)
         for front in self.front:
             place = isinstance(front.anchors[0], str) and front.kind != "on"
             front.used |= place

@@ -25,7 +25,9 @@ def unread_at(tokens: Sequence[Token], at: int) -> int:
         if length := reader(words):
             return _to_end(tokens, at, length) if reader is _painted else length
     before = tokens[at - 1].text if at else ""
-    return 0 if _is_in(before, "before_animals") else _animal(tokens, at, words)
+    if grammar().lists["animals"].isdisjoint(words) or _is_in(before, "before_animals"):
+        return 0
+    return _animal(tokens, at, words)
 
 
 def _is_in(word: str, name: str) -> bool:
