@@ -45,6 +45,10 @@ from thinkblox.reading import read_brief
         ("A bed. On either side stand identical nightstands with lamps.", ["2 table_lamp on nightstand"]),
         ("A vanity with a stool is to the left of the door.",
          ["1 stool at dressing_table", "1 dressing_table left_of door"]),
+        # What people do there.
+        ("A room where a person can work at a desk. The desk faces the window.", ["1 desk facing window"]),
+        ("People can work at a desk and relax on a sofa. The sofa is against the wall, and the desk near the window.",
+         ["1 sofa against_wall wall", "1 desk near window"]),
         # Walls.
         ("Fridge, stove and sink along the same wall.",
          ["1 fridge against_wall one_wall", "1 stove against_wall one_wall"]),
@@ -89,6 +93,10 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("Plates above the desk.", "on what"),
         ("A piano on a side table.", "hardly"),
         ("Two armchairs, a sofa, a rug under all of them.", "under all of them"),
+        ("A dining table with six chairs, with one chair missing.", "one chair missing"),
+        ("Cakes in a glass counter.", "in a glass counter"),
+        ("Shelves with paint.", "paint"),
+        ("A fridge with magnets on it.", "stuck to it"),
         ("A fridge, a stove and a sink along the wall with the sink in the middle.", "the sink in the middle"),
         ("Twelve chairs arranged in a semicircle facing the piano.", "in a semicircle"),
         ("Two lamps at 45 degrees to the backdrop.", "45 degrees"),

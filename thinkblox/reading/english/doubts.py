@@ -112,6 +112,8 @@ class Doubts(Corrections):
         hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
         if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):
             return f"{thing.text} {bond.kind.replace('_', ' ')} {anchor.text} (on what?)"
+        if bond.kind in ("on", "inside") and last_word(thing) in grammar().lists["sticking"]:
+            return f"{thing.text} on {anchor.text} (stuck to it?)"
         if bond.told and bond.kind == "on" and self._stands(thing) and not self._is_floor(anchor):
             return f"{thing.text} {bond.kind} {anchor.text} (hardly)"
         return ""

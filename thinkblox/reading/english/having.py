@@ -18,6 +18,7 @@ class Having(Groups):
         self.negating = False
         noun = self._next_noun()
         if noun is not None and noun.kind == "abstract" and kind == "with":
+            self._hold_matter(noun)
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
@@ -73,6 +74,17 @@ class Having(Groups):
         """Whether the list before was of each: "tables, each covered with a cloth and set with two plates"."""
         said = [n.frame for n in self.frontier if n.frame is not None and n.frame.head is head]
         return self.separator in ("and", "comma", "comma_and") and any(frame.each for frame in said)
+
+    def _hold_matter(self, noun: Noun) -> None:
+        """Say of shelves "with supplies" that they are filled; of what, as "with paint", is not understood."""
+        node = next((n for n in reversed(self.frontier) if n.things), None)
+        head = node.things[-1] if node is not None else None
+        if head is None or not self._contains(head):
+            return
+        if noun.word in grammar().lists["goods"]:
+            head.attributes += ["filled"] if "filled" not in head.attributes else []
+        elif noun.word in grammar().lists["matter"]:
+            self._lose(noun.start, noun.end)
 
     def _is_among(self, noun: Noun) -> bool:
         """Take "with the sink in the middle" for where something just named is; among others that is not understood."""

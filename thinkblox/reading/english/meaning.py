@@ -471,6 +471,7 @@ class Meanings:
         elif meaning.kind in ("per", "for"):
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
+            meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"
         elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"

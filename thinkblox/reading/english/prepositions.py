@@ -111,6 +111,8 @@ class Prepositions(Negation):
             return
         head = self.frontier[-1].thing if self.frontier else None
         if noun.kind != "thing" or head is None:
+            if noun.kind == "abstract":
+                self._hold_matter(noun)
             self._of_no_thing(noun)
             return
         word = last_word(head)
@@ -148,6 +150,8 @@ class Prepositions(Negation):
         if noun is None:
             return
         thing = self.frontier[-1].thing if self.frontier else None
+        awaited = [a for f in self.front[-1:] for a in f.anchors if isinstance(a, Mention)]
+        thing = awaited[0] if awaited and not self.frontier else thing
         if noun.kind in ("people", "number") and noun.count and thing is not None:
             if thing.seats and thing.seats != noun.count:
                 self._lose(link.start, noun.end)
