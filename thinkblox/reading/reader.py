@@ -97,8 +97,9 @@ def _finish(draft: Draft, fill: Fill) -> None:
 def _settle_carriers(draft: Draft) -> None:
     """What has no inside carries on top, and furniture "on" a wall stands against it."""
     opposite = any(bond.anchors == ("opposite_wall",) for bond in draft.bonds)
+    shared = len({id(bond.subject) for bond in draft.bonds if bond.anchors == ("one_wall",)}) > 1
     for bond in draft.bonds:
-        if bond.anchors == ("one_wall",) and not opposite:
+        if bond.anchors == ("one_wall",) and not (opposite or shared):
             bond.anchors = ("wall",)
         anchor = bond.anchors[0] if bond.anchors else None
         if bond.kind == "inside" and isinstance(anchor, Mention) and load_habits().is_in(anchor.noun, *_TOPS):

@@ -34,6 +34,9 @@ class Doubts(Corrections):
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
         self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        for thing, link in self.circles:
+            if not any(bond.kind == "around" for bond in self.draft.bonds_of(thing)):
+                self._lose(link.start, link.end)
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")
@@ -109,6 +112,8 @@ class Doubts(Corrections):
         hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
         if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):
             return f"{thing.text} {bond.kind.replace('_', ' ')} {anchor.text} (on what?)"
+        if bond.kind in ("on", "inside") and last_word(thing) in grammar().lists["sticking"]:
+            return f"{thing.text} on {anchor.text} (stuck to it?)"
         if bond.told and bond.kind == "on" and self._stands(thing) and not self._is_floor(anchor):
             return f"{thing.text} {bond.kind} {anchor.text} (hardly)"
         return ""

@@ -130,7 +130,8 @@ class Meanings:
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         kind = self._kind(where.word)
-        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything":
+        of_many = said.value == "all" and len(self.referents.standing(subjects)) > 1
+        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything" or of_many:
             return None
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
@@ -327,6 +328,8 @@ class Meanings:
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
+            return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:
             return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
         if said.value == "middle" and whole.kind == "place" and whole.value.endswith("wall"):
@@ -468,6 +471,7 @@ class Meanings:
         elif meaning.kind in ("per", "for"):
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
+            meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"
         elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"

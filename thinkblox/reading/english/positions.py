@@ -318,6 +318,7 @@ class Positions(Subjects):
         if meaning is None or self._is_elsewhere_named(subjects):
             self._lose_where(where)
         if meaning is None:
+            self._ask_all_the_same(where)
             return
         self._mount(subjects, where)
         self._relate(subjects, meaning, negated=where.negated)
@@ -325,6 +326,12 @@ class Positions(Subjects):
             self._lose_where(where)
         if not where.negated:
             self._go_on_from(node, where, meaning)
+
+    def _ask_all_the_same(self, where: Where) -> None:
+        """Ask for what a relation that is not understood is to."""
+        noun = where.noun if where.word == "from" and not where.negated else None
+        if noun is not None and noun.kind == "thing" and noun.det != "no":
+            self.anchors(noun, [])
 
     def _is_mounted(self) -> bool:
         said = self.chunks[self._began - 1] if self._began else None
@@ -401,7 +408,7 @@ class Positions(Subjects):
             return
         for bond in self.draft.bonds:
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
-                bond.subject = carrier
+                self.draft.hand_over(bond, carrier)
         for front in self.front:
             place = isinstance(front.anchors[0], str) and front.kind != "on"
             front.used |= place
@@ -439,6 +446,7 @@ class Positions(Subjects):
             self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
         else:
             self._lose_where(where)
+            self._ask_all_the_same(where)
         self.frontier = []
         self.clause = Listed(times=self.clause.times)
         self.subject = None

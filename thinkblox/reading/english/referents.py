@@ -158,6 +158,10 @@ class Referents:
             return (standing[1], standing[0])
         return tuple(standing[:1])
 
+    def standing(self, besides: Sequence[Mention]) -> list[Mention]:
+        """The furniture that was spoken of last, `besides` some."""
+        return [t for t in self._recent() if not is_small(t) and t not in besides]
+
     def last(self, subject: Sequence[Mention]) -> Mention | None:
         """What was spoken of last, furniture before what lies on it."""
         recent = [t for t in self._recent() if t not in subject]

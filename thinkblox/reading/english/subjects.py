@@ -198,6 +198,8 @@ class Subjects(Having):
         frame = node.frame
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
+        if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
+            return Node([m for m in frame.members if m in self.draft.things], frame)
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
             "against_wall"

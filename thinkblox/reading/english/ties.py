@@ -152,6 +152,7 @@ class Ties(Relating):
         usual = self.habits.tie(thing.noun, head.noun)
         lies = self._belongs(thing.noun, "small")
         lies |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
+        lies &= not (self.habits.is_in(thing.noun, "fitted") and is_small(head))
         lies_here = lies or first or usual == "on"
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
@@ -182,7 +183,7 @@ class Ties(Relating):
             return seated
         contains = self._contains(head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
-        flat = last_word(head) in grammar().lists["flat"]
+        flat = last_word(head) in grammar().lists["flat"] or head in self.tables
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
         lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
         if lies and carries and thing.noun != "tv":
