@@ -61,6 +61,23 @@ def test_a_block_near_the_edge_of_a_table_walks_round() -> None:
     assert "tilt" in verdict.reasons
 
 
+def test_what_hops_is_still_between_two_hops() -> None:
+    """A heavy block on three slabs, each of which lies on less than itself: after 1.4 s they hop on for 2 s more."""
+    first = asset("slab0", (0.1063998, 0.2273136, 0.0081568), mass=13.477149, friction=0.5680058)
+    second = asset("slab1", (0.2920978, 0.1194879, 0.0623097), mass=1.5621619, friction=0.6397147)
+    third = asset("slab2", (0.3701738, 0.1114093, 0.0155345), mass=0.8242795, friction=0.5085650)
+    foot = box((0.1354567, 0.0523832, 0.05), (0.0, 0.0, 0.025))
+    mast = box((0.0121359, 0.0121359, 0.1921701), (0.0315155, -0.0060065, 0.1460851))
+    bust = asset("bust", (0.1354567, 0.0523832, 0.2421701), foot, mast, mass=0.2003114, friction=0.9137924)
+    places = (put(first, 2.0, 2.0, 0.0077363, 14.3705532), put(second, 2.0003192, 1.9910081, 0.0187413, 38.8662214))
+    room = scene(
+        None, (places[0], first), (places[1], second), (put(third, 1.9967634, 2.0001631, 0.081576, 37.2256375), third)
+    )
+    verdict, share = judged(room, put(bust, 1.9896463, 2.0077671, 0.0971105, 308.2726867), bust)
+    assert share > 1.0
+    assert not verdict.valid
+
+
 def test_what_rocks_is_not_read_where_it_turns_round() -> None:
     """A heavy pole rocks on a light slab; for an instant it lies still on one side, and presses the slab in less."""
     slab = asset("slab", (0.201, 0.2772, 0.0133), mass=0.24, friction=0.263)

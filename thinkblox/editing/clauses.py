@@ -71,7 +71,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     starts = list(_starts(tokens))
     lead = tokens[: starts[0].begin] if starts else tokens
     about = _about(lead)
-    lead = () if about else lead
+    lead = [] if about else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
     for number, start in enumerate(starts):

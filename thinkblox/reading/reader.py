@@ -11,6 +11,7 @@ from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.assumptions import anticipated, assume, draw_up, stock
+from thinkblox.reading.carriers import too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
@@ -82,6 +83,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     choose_senses(draft, anticipated(draft) if fill != "named" else ())
     emphasise(draft)
     _settle_carriers(draft)
+    draft.unknown += too_large(draft)
     assume(draft, fill)
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
@@ -119,7 +121,8 @@ def _hang(bond: Bond, place: str) -> None:
     if f"{mount}_{kind.name}" in CATALOGUE:
         bond.subject.noun = f"{mount}_{kind.name}"
         return
-    if mount_of(kind, (word,)) == mount and not _stands_up_to_walls(kind):
+    stands = _stands_up_to_walls(kind) or (_stands_at_walls(kind) and word not in bond.subject.attributes)
+    if mount_of(kind, (word,)) == mount and not stands:
         thing.attributes += [word] if word not in thing.attributes else []
     elif mount == "wall" and kind.mount == "floor":
         bond.kind = "against_wall"
@@ -128,6 +131,11 @@ def _hang(bond: Bond, place: str) -> None:
 def _stands_up_to_walls(kind: Category) -> bool:
     """Whether it is tall storage, which stands before a wall where it is said to be on one."""
     return kind.size[2] > _TALL and kind.is_in("storage")
+
+
+def _stands_at_walls(kind: Category) -> bool:
+    """Whether it is storage that stands at a wall where nobody says that it hangs there."""
+    return kind.mount == "floor" and kind.is_in("storage")
 
 
 def _hang_over(thing: Mention, draft: Draft) -> None:

@@ -72,11 +72,14 @@ class PhraseReader(Heads):
         after = at + part.length
         if place is not None and place.length > part.length:
             return False
+        if grammar().at(self.tokens, at, "mutual") is not None:
+            return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
             if self._verb_follows(after) or self._adjective_ends(after):
                 pass
             elif self._starts_noun(after) or self._is_one(after):
-                noun.side = part.value if part.value in ("left", "right", "middle") else ""
+                outer = ("back", "front") if self._is_one(after) else ()
+                noun.side = part.value if part.value in ("left", "right", "middle", *outer) else ""
                 return False
         if part.value == "in_shelf" and part.length < 2:
             return False
@@ -211,6 +214,8 @@ class PhraseReader(Heads):
         """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
         text = self.tokens[at].text
         if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+            return True
+        if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
         stands = text == "stands" and not units.nouns and people

@@ -32,6 +32,7 @@ class Rooms(Memberships):
             self.draft.sizes.append(noun.size)
         if not self.draft.things:
             self.frontier = []
+            self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
 
     def _several_spots(self, noun: Noun) -> None:
         """Read "four reading spots" as groups, of which each is told later; several rooms are not understood."""
@@ -104,6 +105,9 @@ class Rooms(Memberships):
         if counted and self._is_link(self.peek(), "participles", "stand"):
             self._lose(noun.start, noun.end)
             return
+        if counted and self._is_listed_person():
+            self._lose(noun.start, noun.end)
+            return
         if noun.count and not self.draft.things and not noun.each:
             self.draft.people = noun.count
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
@@ -115,6 +119,13 @@ class Rooms(Memberships):
                 self._lose(noun.start, noun.end)
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
+
+    def _is_listed_person(self) -> bool:
+        """Whether somebody is listed among things: "two saws, with a dust collector between them"."""
+        led = self._is_link(self._before(), "prepositions", "with") or self.pending is not None
+        listed = bool(self.separator) and any(node.things for node in self.frontier)
+        doing = self._is_link(self.peek(), "verbs") or self._is_link(self.peek(), "joins", "which")
+        return (led or listed or self.existential) and bool(self.draft.things) and not doing
 
     def _place(self, noun: Noun) -> None:
         if self._stays_free():
@@ -146,7 +157,7 @@ class Rooms(Memberships):
             self.frontier = []
             wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Connector)
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
-                self.front = [Awaited(Where("on", noun), Meaning("on", (name,)))]
+                self.front = [Awaited(Where("on", noun), Meaning("on", tuple(noun.value.split())))]
 
     def _stays_free(self) -> bool:
         """Whether "the middle should stay empty" comes."""

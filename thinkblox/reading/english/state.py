@@ -48,6 +48,7 @@ class State(Namer):
         each: what comes is said of each.
         per_group, crowd: so many of what comes, for so many groups, or people.
         together: with what that was said to be somewhere what comes is ("along with three candles").
+        of_room: the clause lists what the room has.
         adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last.
@@ -117,6 +118,7 @@ class State(Namer):
         self.leaving = False
         self.each = False
         self.excepting = False
+        self.of_room = False
         self.existential = False
         self.per_group = 0
         self.outer: Node | None = None

@@ -93,7 +93,7 @@ class Verbs(Prepositions):
     def _form(self, link: Connector) -> None:
         """Go past what things serve as; how they are arranged ("forming a U") is not understood."""
         noun = self.peek()
-        if isinstance(noun, Noun) and noun.text.lower().split()[-1] in grammar().lists["formations"]:
+        if isinstance(noun, Noun) and {noun.word, noun.text.lower().split()[-1]} & grammar().lists["formations"]:
             self._go_past(noun)
             self._spend(noun)
             self._lose(link.start, noun.end)
