@@ -156,6 +156,9 @@ class ClauseCutter:
     def _moving(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
         if self._doing not in ("move", "put", "turn", "make"):
             return None
+        flank = longest("flanks", tokens, at)
+        if flank is not None and at and self._ends(tokens, at + flank[1]):
+            return OrderMark("flanks", flank[0]), flank[1]
         few = longest("few", tokens, at)
         if few is not None:
             return OrderMark("few", few[0]), few[1]

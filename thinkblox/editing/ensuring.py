@@ -22,6 +22,9 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
         along = [Where("with", phrase.noun, text="with") for phrase in order.company]
         last = dataclasses.replace(order.things[-1], places=[*order.things[-1].places, *along])
         order = dataclasses.replace(order, things=[*order.things[:-1], last], company=[])
+    if order.text.lower().startswith("hang ") and not any(p.places for p in order.things) and not order.places:
+        wall = Noun("place", "wall", 0, 0, "a wall", det="a")
+        order = dataclasses.replace(order, places=[Where("on", wall, text="on")])
     compared = [p for p in order.things if p.noun.degree and not p.noun.id]
     if not compared:
         add(work, finder, order)

@@ -217,7 +217,9 @@ def _goals(
         goals.append(At(work.scene[id].position[:2], SLIGHT))
     if order.seated:
         goals += _seated(work, id, order)
-    goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in order.closer]
+    said = [phrase.noun for _, phrase in order.apart]
+    closer = [(nearer, phrase) for nearer, phrase in order.closer if not any(noun is phrase.noun for noun in said)]
+    goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in closer]
     goals += [Apart(mark_names(finder, phrase), away, order.bound) for away, phrase in order.apart]
     return goals + [looking(finder, noun) for noun in order.facing]
 
@@ -365,6 +367,10 @@ def ways_of(placement: Placement) -> dict[str, Vec3]:
 def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
     """In a direction: its own left, right, front and back; up and down; or by the compass."""
     way = ways_of(placement)[order.direction]
+    if order.direction in ("forward", "back") and any(phrase.noun.rows for phrase in order.things):
+        gaze = math.radians(things(work.scene, placement.id)[0].gaze)
+        sign = 1.0 if order.direction == "forward" else -1.0
+        way = (sign * math.cos(gaze), sign * math.sin(gaze), 0.0)
     if order.direction in ("up", "down") and work.asset_of(placement.id).free:
         raise InputError(
             f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"

@@ -40,6 +40,7 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
@@ -196,6 +197,8 @@ class _OrderReader:
 
     def _finish(self) -> None:
         order = self.order
+        if self._pending is False and order.direction:
+            self._pending = None
         if self._pending is not None:
             order.together, order.scatter = self._pending, not self._pending
         about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
@@ -251,6 +254,8 @@ class _OrderReader:
     def _mark(self, mark: OrderMark) -> None:
         order = self.order
         match mark.sort:
+            case "few" | "seated" | "flanks":
+                self._how(mark)
             case "lengths":
                 self._length(mark)
             case "turn":
@@ -259,18 +264,28 @@ class _OrderReader:
                 if order.direction:
                     order.lost.append(mark.key)
                 order.direction = order.direction or mark.key
-            case "few":
-                order.slight = True
             case "clear":
                 self._adjective(Adjective(0, 0, "free"))
             case "rows":
                 self._row(int(mark.key))
-            case "seated":
-                order.seated = mark.key
             case "comparatives" | "absolutes":
                 order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
             case _:
                 self._marker(mark.key)
+
+    def _how(self, mark: OrderMark) -> None:
+        order = self.order
+        order.slight |= mark.sort == "few"
+        order.seated = mark.key if mark.sort == "seated" else order.seated
+        if mark.sort == "flanks":
+            self._flank(mark.key)
+
+    def _flank(self, side: str) -> None:
+        """Read "next to the laptop, on its left"; where nothing was named but the thing itself, it is a direction."""
+        if self._anchors and self.order.things:
+            self.order.things[-1].places.append(Where(f"{side}_of", self._anchors[-1], text=f"to the {side} of"))
+        else:
+            self.order.direction = self.order.direction or side
 
     def _row(self, number: int) -> None:
         """Read "in the front row" of what was named last."""
@@ -467,6 +482,7 @@ class _OrderReader:
             phrase = NounPhrase(self._anchors[-1])
         elif phrase.noun.kind == "pronoun" and phrase.noun.value == "each":
             order.lost.append(phrase.noun.text)
+        self._anchors += [phrase.noun] if phrase.noun.kind in ("thing", "place") else []
         if again and not self._pending and order.lengths:
             order.apart.append((order.lengths.pop()[0], phrase))
         else:
@@ -577,10 +593,17 @@ class _OrderReader:
             self._at += 1
         elif towards and order.doing in ("move", "put"):
             self._pending = True
+        elif order.doing == "turn" and link.value == "at" and not towards and self._faces_later():
+            self._placed(self._where(link))
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
         elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
             self._placed(self._where(link))
+
+    def _faces_later(self) -> bool:
+        """Whether what things are to face is still to come: "turn the chairs at the table towards the door"."""
+        later = self._items[self._at :]
+        return any(isinstance(item, Connector) and item.text.lower() in _TOWARDS for item in later)
 
     def _becomes(self, link: Connector, following: Noun) -> bool:
         """Read "into a reading corner"; "in the room" says nothing."""

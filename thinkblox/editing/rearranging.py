@@ -203,6 +203,9 @@ def _placed(work: Work, before: Scene, id: str, company: dict[str, str], goals: 
     if table:
         ties = (Tie(kind="around", anchors=(table,), index=mates.index(id), count=len(mates)),)
         wanted.append(Related("near", (table,)))
+    carriers = before.carriers(id)
+    if carriers and carriers[-1] in work.scene:
+        wanted.append(Related("on", (carriers[-1],)))
     if work.freed:
         ties = tuple(tie for tie in ties if tie.kind not in AMID)
     why = ""

@@ -4,11 +4,12 @@ import dataclasses
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import cast, get_args
+from typing import Literal, cast, get_args
 
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
+from thinkblox.editing.goals import PartOfTop
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -43,12 +44,16 @@ class Bound:
 
     Attributes:
         of_room: it is turned into the room ("facing the room").
+        part: on which part of the top of its anchor; empty where any will do.
+        side: at which side of its anchor a seat is drawn up to it.
     """
 
     kind: RelationKind
     anchors: tuple[str, ...] = ()
     negated: bool = False
     of_room: bool = False
+    part: PartOfTop | Literal[""] = ""
+    side: RelationKind | None = None
 
     def holds(self, scene: Scene, id: str) -> bool:
         """Whether an object has the relation, or has it not where it is negated."""
@@ -92,7 +97,7 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         return [bound(where, category, finder)]
     scene = finder.scene
     if noun.kind == "part":
-        return _sides(where, noun, finder)
+        return _sides(where, noun, finder, category)
     if noun.kind == "place":
         name = noun.value.split()[0]
         one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
@@ -118,7 +123,7 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
     return noun.kind == "place" and several
 
 
-def _sides(where: Where, noun: Noun, finder: Finder) -> list[Bound]:
+def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Bound]:
     """The two sides, or the two ends, of a thing, a door or a window."""
     whole = where.whole
     if whole is None or whole.kind not in ("thing", "pronoun", "place"):
@@ -134,7 +139,10 @@ def _sides(where: Where, noun: Noun, finder: Finder) -> list[Bound]:
         deep, wide, _ = finder.scene[anchor].size
         across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
-        bounds += [Bound(kind, (anchor,)) for kind in kinds]
+        if facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in("tables", "desks"):
+            bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
+        else:
+            bounds += [Bound(kind, (anchor,)) for kind in kinds]
     return bounds
 
 
@@ -167,8 +175,27 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (_walls_of(finder.scene, side),), where.negated) if side else None
     anchors = finder.ids(NounPhrase(whole), picks=(usual_anchor(category),))
+    if part := _part_of_top(where, noun, category, finder, anchors[0]):
+        return Bound("on", anchors, where.negated, part=part)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
+
+
+def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor: str) -> PartOfTop | Literal[""]:
+    """Which part of a thing's top something small is to stand on: "on the left side of the desk"."""
+    thing = finder.scene[anchor]
+    on_top = where.word in ("on", "at") and facts_of(category).is_in("small") and finder.scene.asset_of(thing).surfaces
+    if not on_top or noun.value not in (*get_args(PartOfTop), "side"):
+        return ""
+    sided = cast(PartOfTop, noun.value)
+    if noun.value not in ("end", "side"):
+        return sided
+    if noun.det != "other":
+        return "end" if noun.value == "end" else ""
+    ahead, left = thing.to_local(_here(finder, _text(where)).position[:2])
+    if thing.size[0] > thing.size[1]:
+        return "back" if ahead > 0 else "front"
+    return "right" if left > 0 else "left"
 
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
