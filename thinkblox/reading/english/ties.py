@@ -179,7 +179,8 @@ class Ties(Relating):
             return "inside"
         if usual:
             return usual
-        if self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
+        upright = not self.habits.is_in(thing.noun, "lounges") or self.habits.is_in(head.noun, "lounged_at")
+        if upright and self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
             return seated
         contains = self._contains(head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
