@@ -232,7 +232,7 @@ class Cutter:
                 return Connector("prepositions", "in", self.at, self.at + 1, "in")
         if (doing := self._participle()) is not None:
             return doing
-        if noun is not None and (link is None or self._is_noun(noun, link)):
+        if noun is not None and (link is None or (not self._is_placing(link) and self._is_noun(noun, link))):
             return noun
         last = self.made[-1] if self.made else None
         if link is not None and link.sort == "verbs" and link.value == "other" and self._after_preposition():
@@ -339,6 +339,10 @@ class Cutter:
         end = self.at + function.length
         cut = function.sort == "fillers" and function.length > 1 and self._text_at(end - 1) == "all"
         return cut and end < len(self.tokens) and self.tokens[end].kind != "mark"
+
+    def _is_placing(self, link: Function) -> bool:
+        """Whether "around six" after a noun is around them: "chairs around six tables", "a desk under two lamps"."""
+        return link.sort == "prepositions" and link.value in ("around", "under", "above") and self._after_noun()
 
     def _is_noun(self, noun: Noun, link: Function) -> bool:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""

@@ -68,7 +68,7 @@ class Doubts(Corrections):
 
     def _numbers(self) -> set[int]:
         """Every number that something of the draft has: things, all of a kind together, rows, places, people."""
-        draft, found = self.draft, {self.draft.people}
+        draft, found = self.draft, {self.draft.people, *self.numbers}
         kinds: dict[str, int] = {}
         for thing in draft.things:
             total = self.referents.total(thing)

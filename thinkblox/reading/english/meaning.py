@@ -32,6 +32,8 @@ _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
 _ROUNDED = {"round", "oval", "square"}
 """Shapes of tables that have no two long sides."""
+_NUMBERS = {"three": 3, "four": 4}
+"""How many "all three" are."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -147,6 +149,16 @@ class Meanings:
             return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
             return self._other(kind, subjects)
+        return self._them(where, said, subjects, likely, noun)
+
+    def _them(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        """What "them", "all three" and "each of them" mean."""
+        kind = self._kind(where.word)
+        if (number := _NUMBERS.get(said.text.lower().split()[-1])) and said.value == "them":
+            three = self.referents.latest(number, subjects)
+            return self._fitting(Meaning(kind, three, told=True), subjects, noun) if three else None
         two = self.referents.both(subjects) if said.text.lower().startswith("both") else ()
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
@@ -448,6 +460,8 @@ class Meanings:
         each = said.each or where.word == "per"
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])
+        if where.text.lower() == "across" and subjects and load_habits().is_in(subjects[-1].noun, "covers", "small"):
+            return None
         self.anchor, self.place = (kind, anchors[0]), None
         meaning = Meaning(kind, anchors, each=each, told=told)
         return self._fitting(meaning, subjects, word=where.word)

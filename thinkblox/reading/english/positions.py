@@ -120,6 +120,8 @@ class Positions(Subjects):
 
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""
+        if where.noun is not None and where.noun.kind == "place" and where.noun.value in ("window", "door"):
+            self._note_side(where.noun)
         before, self.laid = self._state_of_reading(), False
         self._say_where(where)
         if self._state_of_reading() == before and not self.laid:

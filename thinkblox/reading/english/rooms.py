@@ -12,6 +12,9 @@ from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
 from thinkblox.reading.sizes import Size
 
+_COMPASS = ("north", "south", "east", "west")
+"""What tells in which wall an opening is."""
+
 
 class Rooms(Memberships):
     """Reads what is said of the room."""
@@ -179,6 +182,18 @@ class Rooms(Memberships):
             if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
                 self.opening.wall = front.anchors[0]
         self.frontier = []
+
+    def _note_side(self, noun: Noun) -> None:
+        """Ask for the window of "under the east window" in that wall."""
+        wall = next((f"{word}_wall" for word in noun.text.lower().split() if word in _COMPASS), "")
+        same = [gap for gap in self.draft.openings if gap.kind == noun.value and gap.count]
+        if not wall or any(gap.wall == wall for gap in same):
+            return
+        loose = next((gap for gap in same if not gap.wall), None)
+        if loose is not None and loose.count == 1:
+            loose.wall = wall
+        else:
+            self.draft.openings.append(Gap(noun.value, 1, wall))
 
     def _stands_on_wall(self) -> bool:
         """Whether what comes says which wall an opening is in: "the door is on the north wall"."""
