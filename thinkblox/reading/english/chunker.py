@@ -323,6 +323,9 @@ class Cutter:
         found = grammar().all_at(self.tokens, self.at, *_LINKS)
         if not found:
             return None
+        found = [function for function in found if not self.tokens[self.at + function.length - 1].glued]
+        if not found:
+            return None
         found = [function for function in found if not self._takes_bound(function)] or found
         found = [function for function in found if not self._takes_all(function)] or found
         longest = [function for function in found if function.length == found[0].length]

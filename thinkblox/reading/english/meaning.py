@@ -317,6 +317,9 @@ class Meanings:
             return Meaning("on", (other,), told=True)
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
+        alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        if said.value == "middle" and said.det == "the" and alone and likely and not self._is_top(likely[0]):
+            return Meaning("on", self._middle_of_top(likely).anchors, told=True)
         carried = said.value in _CARRYING
         kind = "on" if carried else _WHOLE_BY.get(said.value, "")
         its = said.det == "my" and "their" not in said.text.lower()
@@ -389,7 +392,8 @@ class Meanings:
         wall = ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):
             return None
-        return Meaning("against_wall", (wall,))
+        hangs = self.place is not None and self.place.kind == "on" and str(self.place.anchors[0]).endswith("_wall")
+        return Meaning("on" if hangs else "against_wall", (wall,))
 
     # --- places
 
@@ -432,6 +436,9 @@ class Meanings:
         if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
             return self._middle_of_top(likely)
         return Meaning("in_centre", ("centre",))
+
+    def _is_top(self, thing: Mention) -> bool:
+        return load_habits().is_in(thing.noun, *_TOPS)
 
     def _middle_of_top(self, likely: list[Mention]) -> Meaning:
         """In the middle of what has a top: the likeliest, or what was named last."""

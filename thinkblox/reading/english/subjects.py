@@ -189,7 +189,8 @@ class Subjects(Having):
         ):
             return inner
         if self._is_pronominal(where) and where.noun is not None:
-            return subject if not is_small(thing) and is_small(subject.things[-1]) else inner
+            aside = not is_small(thing) and is_small(subject.things[-1])
+            return subject if aside and (inner.known or where.word not in _BY_OWNER) else inner
         return inner
 
     def _joined(self, node: Node, where: Where) -> Node:
