@@ -237,6 +237,8 @@ class Naming(Several):
             self.groups[word] = thing
         if cornered:
             self.draft.bonds.append(Bond("in_corner", thing, ("corner",)))
+        if "facing" in noun.text.lower().split()[:-1] and noun.many:
+            self.draft.bonds.append(Bond("facing", thing, (thing,)))
         if noun.rows:
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
         self.referents.speak(thing)

@@ -90,7 +90,7 @@ class Positions(Subjects):
 
     def _stand(self, word: str) -> None:
         """Read what follows as what the subject stands to as `word` says."""
-        said = self._before(0)
+        said, self._began = self._before(0), self.at - 1
         start, text = (said.start, said.text) if isinstance(said, Connector) else (self.at, "")
         self._where(self._read_where(Connector("prepositions", word, start, start, text)))
 
@@ -122,8 +122,8 @@ class Positions(Subjects):
 
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""
-        if where.noun is not None and where.noun.kind == "place" and where.noun.value in ("window", "door"):
-            self._note_side(where.noun)
+        if where.noun is not None and where.noun.kind == "place":
+            self._note_place(where.noun)
         before, self.laid = self._state_of_reading(), False
         self._say_where(where)
         if self._state_of_reading() == before and not self.laid:

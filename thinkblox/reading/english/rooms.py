@@ -3,6 +3,8 @@
 from dataclasses import replace
 
 from thinkblox.assets.names import identifier_of
+from thinkblox.assets.plurals import singular
+from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.sizing import people
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
@@ -12,6 +14,8 @@ from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
 from thinkblox.reading.sizes import Size
 
+_PARTS = ("wall", "floor", "corner", "ceiling")
+"""Parts of a room that words before them tell apart."""
 _COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
 
@@ -142,8 +146,10 @@ class Rooms(Memberships):
         if name in ("centre", "corner") and not self.separator and self._is_link(self.peek(), "mark", "colon"):
             self._label_place(noun)
             return
+        self._lose_wall_of(noun)
         looks = [*noun.attributes, *noun.unshown]
-        if name in ("floor", "wall", "ceiling") and not noun.definite and looks:
+        strange = name in ("floor", "wall") and self._strange_word(noun) != ""
+        if name in ("floor", "wall", "ceiling") and not noun.definite and (looks or strange):
             self.draft.unknown.append(noun.text.lower())
             return
         if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
@@ -182,6 +188,33 @@ class Rooms(Memberships):
             if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
                 self.opening.wall = front.anchors[0]
         self.frontier = []
+
+    def _lose_wall_of(self, noun: Noun) -> None:
+        """Say of "a wall of monitors" that the monitors are no wall."""
+        of = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if noun.value == "wall" and of is not None and of.kind == "thing":
+            self._lose(noun.start, of.start)
+
+    def _note_place(self, noun: Noun) -> None:
+        """Say of "the third wall", "the adjacent wall" that we do not know which that is."""
+        if noun.value in ("window", "door"):
+            self._note_side(noun)
+        strange = self._strange_word(noun)
+        if strange and not self.account.is_lost(noun.start, noun.end):
+            self._lose(noun.start, noun.end)
+
+    def _strange_word(self, noun: Noun) -> str:
+        """A word before "wall", "floor", "corner" that says which or what it is like and means nothing to us."""
+        words = noun.text.lower().replace("-", " ").split()
+        if not words or noun.value.split()[0] in ("window", "door", "centre"):
+            return ""
+        last = next((n for n, word in enumerate(words) if singular(word) in _PARTS), 0)
+        known = grammar().lists["place_words"]
+        return next((word for word in words[:last] if not self._is_plain_word(word, known)), "")
+
+    def _is_plain_word(self, word: str, known: frozenset[str]) -> bool:
+        said = word in known or word in LOOKS or word[:1].isdigit() or "'" in word or "\u2019" in word
+        return said or grammar().knows(word, "determiners", "count", "evaluative", "fillers", "vague")
 
     def _note_side(self, noun: Noun) -> None:
         """Ask for the window of "under the east window" in that wall."""
