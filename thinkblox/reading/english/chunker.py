@@ -299,7 +299,8 @@ class Cutter:
         known = self._phrases.thing_at(self.at) is not None and not infinitive
         if known or grammar().at(self.tokens, self.at, *_LINKS, "determiners", "pronouns", "states"):
             return None
-        return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        people = isinstance(subject := self.made[-2] if len(self.made) > 1 else None, Noun) and subject.kind == "people"
+        return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
 
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None

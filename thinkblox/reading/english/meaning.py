@@ -290,7 +290,10 @@ class Meanings:
     def _lies_at_side(self, said: Noun, subjects: list[Mention], noun: str, whole: Mention) -> bool:
         """Whether "the left end of the desk" is a place on its top, for what usually lies there."""
         habits = load_habits()
-        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det in ("my", "other"):
+        ends = said.text.lower().endswith((" end", " edge"))
+        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det == "other":
+            return False
+        if said.det == "my" and not ends:
             return False
         name = subjects[-1].noun if subjects else noun
         lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))

@@ -123,6 +123,9 @@ class Positions(Subjects):
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""
         if where.noun is not None and where.noun.kind == "place":
+            if where.noun.det == "my" and where.noun.word == "side":
+                self._lose_where(where)
+                return
             self._note_place(where.noun)
         before, self.laid = self._state_of_reading(), False
         self._say_where(where)

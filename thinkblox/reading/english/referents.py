@@ -326,6 +326,8 @@ def fits(thing: Mention, kind: str, noun: str = "") -> bool:
             )
         case "at_foot_of":
             return habits.is_in(thing.noun, "beds")
+        case "in_front_of" | "behind" if noun and habits.is_in(noun, *_FLOOR):
+            return not habits.is_in(thing.noun, "wallpieces")
         case "above" | "under":
             return not is_small(thing)
         case "at_long_side" | "at_short_side":
