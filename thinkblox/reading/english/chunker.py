@@ -232,7 +232,7 @@ class Cutter:
                 return Connector("prepositions", "in", self.at, self.at + 1, "in")
         if (doing := self._participle()) is not None:
             return doing
-        if noun is not None and (link is None or self._is_noun(noun, link)):
+        if noun is not None and (link is None or (not self._is_placing(link) and self._is_noun(noun, link))):
             return noun
         last = self.made[-1] if self.made else None
         if link is not None and link.sort == "verbs" and link.value == "other" and self._after_preposition():
@@ -299,7 +299,8 @@ class Cutter:
         known = self._phrases.thing_at(self.at) is not None and not infinitive
         if known or grammar().at(self.tokens, self.at, *_LINKS, "determiners", "pronouns", "states"):
             return None
-        return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        people = isinstance(subject := self.made[-2] if len(self.made) > 1 else None, Noun) and subject.kind == "people"
+        return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
 
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None
@@ -323,6 +324,9 @@ class Cutter:
         found = grammar().all_at(self.tokens, self.at, *_LINKS)
         if not found:
             return None
+        found = [function for function in found if not self.tokens[self.at + function.length - 1].glued]
+        if not found:
+            return None
         found = [function for function in found if not self._takes_bound(function)] or found
         found = [function for function in found if not self._takes_all(function)] or found
         longest = [function for function in found if function.length == found[0].length]
@@ -339,6 +343,10 @@ class Cutter:
         end = self.at + function.length
         cut = function.sort == "fillers" and function.length > 1 and self._text_at(end - 1) == "all"
         return cut and end < len(self.tokens) and self.tokens[end].kind != "mark"
+
+    def _is_placing(self, link: Function) -> bool:
+        """Whether "around six" after a noun is around them: "chairs around six tables", "a desk under two lamps"."""
+        return link.sort == "prepositions" and link.value in ("around", "under", "above") and self._after_noun()
 
     def _is_noun(self, noun: Noun, link: Function) -> bool:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""

@@ -191,7 +191,8 @@ class Clauses(Audit):
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""
-        if self._is_capacity(noun):
+        done = self._is_link(self._before(), "fillers", "doing") and noun.count is None and not noun.det
+        if self._is_capacity(noun) or done:
             return True
         if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
             return True

@@ -68,7 +68,7 @@ class Doubts(Corrections):
 
     def _numbers(self) -> set[int]:
         """Every number that something of the draft has: things, all of a kind together, rows, places, people."""
-        draft, found = self.draft, {self.draft.people}
+        draft, found = self.draft, {self.draft.people, *self.numbers}
         kinds: dict[str, int] = {}
         for thing in draft.things:
             total = self.referents.total(thing)
@@ -145,8 +145,9 @@ class Doubts(Corrections):
         return lies and not above and self.habits.is_in(anchor.noun, *_FURNITURE) and not is_small(anchor)
 
     def _are_many(self, bond: Bond) -> bool:
-        """Whether a bond is of several, of which some may have been told apart."""
-        return bond.subject.many or len(self.referents.family(bond.subject)) > 1
+        """Whether a bond is of several, of which some may have been told apart, or one of several that are so."""
+        alike = [b for b in self.draft.bonds if b.kind == bond.kind and b.anchors == bond.anchors]
+        return bond.subject.many or len(self.referents.family(bond.subject)) > 1 or len(alike) > 1
 
     def _is_lone_of_several(self, thing: Mention, anchors: list[Mention]) -> bool:
         """Whether one thing is said to be on, in or at several, and nothing tells which."""

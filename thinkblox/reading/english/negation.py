@@ -123,6 +123,11 @@ class Negation(Positions):
             self.draft.empty = True
 
     def _exclude_next(self) -> None:
+        noun = self.peek()
+        if isinstance(noun, Noun) and noun.kind == "part" and noun.det in ("a", "") and self.frontier:
+            self._go_past(noun)
+            self._lose(noun.start - 1, noun.end)
+            return
         self.excluding = True
 
     def _denies(self, noun: Noun) -> bool:

@@ -281,7 +281,8 @@ class PhraseReader(Heads):
 
     def _may_be_doing(self, noun: Noun, at: int, stop: Function) -> bool:
         """Whether a verb after what begins a phrase may belong to it: "the facing desks", not "two of them stand"."""
-        facing = self.tokens[at].text == "facing" and noun.det != "" and self._starts_noun(at + 1)
+        several = noun.det != "" or noun.count is not None
+        facing = self.tokens[at].text == "facing" and several and self._starts_noun(at + 1)
         before = self.tokens[at - 1].text
         ends = noun.det in ("other", "both", "all", "half", "none") or before in ("this", "that", "these", "those")
         ends |= noun.of_known and before in ("them", "which", "whom")

@@ -3,6 +3,8 @@
 from dataclasses import replace
 
 from thinkblox.assets.names import identifier_of
+from thinkblox.assets.plurals import singular
+from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.sizing import people
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
@@ -14,6 +16,10 @@ from thinkblox.reading.sizes import Size
 
 _THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
 """What rooms are called that are for children."""
+_PARTS = ("wall", "floor", "corner", "ceiling")
+"""Parts of a room that words before them tell apart."""
+_COMPASS = ("north", "south", "east", "west")
+"""What tells in which wall an opening is."""
 
 
 class Rooms(Memberships):
@@ -150,8 +156,10 @@ class Rooms(Memberships):
         if name in ("centre", "corner") and not self.separator and self._is_link(self.peek(), "mark", "colon"):
             self._label_place(noun)
             return
+        self._lose_wall_of(noun)
         looks = [*noun.attributes, *noun.unshown]
-        if name in ("floor", "wall", "ceiling") and not noun.definite and looks:
+        strange = name in ("floor", "wall") and self._strange_word(noun) != ""
+        if name in ("floor", "wall", "ceiling") and not noun.definite and (looks or strange):
             self.draft.unknown.append(noun.text.lower())
             return
         if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
@@ -190,6 +198,45 @@ class Rooms(Memberships):
             if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
                 self.opening.wall = front.anchors[0]
         self.frontier = []
+
+    def _lose_wall_of(self, noun: Noun) -> None:
+        """Say of "a wall of monitors" that the monitors are no wall."""
+        of = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if noun.value == "wall" and of is not None and of.kind == "thing":
+            self._lose(noun.start, of.start)
+
+    def _note_place(self, noun: Noun) -> None:
+        """Say of "the third wall", "the adjacent wall" that we do not know which that is."""
+        if noun.value in ("window", "door"):
+            self._note_side(noun)
+        strange = self._strange_word(noun)
+        if strange and not self.account.is_lost(noun.start, noun.end):
+            self._lose(noun.start, noun.end)
+
+    def _strange_word(self, noun: Noun) -> str:
+        """A word before "wall", "floor", "corner" that says which or what it is like and means nothing to us."""
+        words = noun.text.lower().replace("-", " ").split()
+        if not words or noun.value.split()[0] in ("window", "door", "centre"):
+            return ""
+        last = next((n for n, word in enumerate(words) if singular(word) in _PARTS), 0)
+        known = grammar().lists["place_words"]
+        return next((word for word in words[:last] if not self._is_plain_word(word, known)), "")
+
+    def _is_plain_word(self, word: str, known: frozenset[str]) -> bool:
+        said = word in known or word in LOOKS or word[:1].isdigit() or "'" in word or "\u2019" in word
+        return said or grammar().knows(word, "determiners", "count", "evaluative", "fillers", "vague")
+
+    def _note_side(self, noun: Noun) -> None:
+        """Ask for the window of "under the east window" in that wall."""
+        wall = next((f"{word}_wall" for word in noun.text.lower().split() if word in _COMPASS), "")
+        same = [gap for gap in self.draft.openings if gap.kind == noun.value and gap.count]
+        if not wall or any(gap.wall == wall for gap in same):
+            return
+        loose = next((gap for gap in same if not gap.wall), None)
+        if loose is not None and loose.count == 1:
+            loose.wall = wall
+        else:
+            self.draft.openings.append(Gap(noun.value, 1, wall))
 
     def _stands_on_wall(self) -> bool:
         """Whether what comes says which wall an opening is in: "the door is on the north wall"."""

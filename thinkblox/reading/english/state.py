@@ -56,6 +56,7 @@ class State(Namer):
         meant: what the phrase at a token was taken for.
         unsure: phrases for one thing that several were named by, and these.
         circles: things that were said to stand in a circle.
+        numbers: how many of each member of a list were said.
         tables: things that serve as tables.
         spoken_of: what a pronoun of this sentence meant.
         untied: things that others were said to have, and no relation of ours says how, with their owners.
@@ -94,6 +95,7 @@ class State(Namer):
         self.spoken_of: Mention | None = None
         self.meant: dict[int, list[Mention]] = {}
         self.circles: list[tuple[Mention, Connector]] = []
+        self.numbers: set[int] = set()
         self.tables: set[Mention] = set()
         self.unsure: list[tuple[Noun, Mention]] = []
         self.untied: list[tuple[Mention, Mention]] = []

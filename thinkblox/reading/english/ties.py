@@ -107,8 +107,16 @@ class Ties(Relating):
             case "part":
                 return self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
-                return None if frame.each and noun.value.split()[0] == "wall" else False
+                return None if self._may_share_place(frame, noun, thing) else False
         return None
+
+    def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
+        """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
+        head = frame.head.thing if frame.head is not None else None
+        seated = head is not None and self.habits.tie(thing.noun, head.noun) in ("at", "around")
+        if frame.each:
+            return place.value.split()[0] == "wall"
+        return seated and self.separator == "and" and frame.kind == "with"
 
     def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
         """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""

@@ -77,6 +77,8 @@ class Verbs(Prepositions):
         match link.value:
             case "have" | "consist":
                 self._have(link.value)
+            case "hold" | "carry" if self._is_link(self.peek(), "mark"):
+                self._lose(link.start, link.end)
             case "hold" | "carry":
                 self._open_of_subject(_held(link))
             case verb if verb in _STANDS:
