@@ -425,6 +425,10 @@ def test_an_edited_room_has_its_score_and_so_has_one_taken_back() -> None:
         ("give the desk a lamp", "add"),
         ("provide every desk with a lamp", "add"),
         ("make all the chairs face the window", "turn"),
+        ("the plant next to the wardrobe please", "put"),
+        ("turn the stool into a plant", "replace"),
+        ("i'd rather have a bench instead of the sofa", "replace"),
+        ("get the stool out of the way", "resite"),
     ],
 )
 def test_an_order_is_told_however_it_is_said(said: str, doing: str) -> None:
@@ -496,6 +500,12 @@ def test_all_neighbours_go_apart() -> None:
     after = done(before, "Move the stools a bit further apart").scene
     ids = [p.id for p in before.placements if p.category == "stool"]
     assert all(gap(after, a, b) > gap(before, a, b) for a, b in pairwise(ids))
+
+
+def test_of_two_that_go_away_the_one_in_front_goes_first() -> None:
+    before = living()
+    after = done(before, "Move the sofa and the coffee table 20 cm away from the door").scene
+    assert [after[id].yaw for id in ("sofa_1", "coffee_table_1")] == [90.0, 90.0]
 
 
 def test_a_way_is_as_wide_as_is_said_or_wider() -> None:
