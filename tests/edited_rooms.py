@@ -34,6 +34,13 @@ def built(floor: Room, *rows: tuple[str, float, float, float, str]) -> Scene:
     return scene
 
 
+def placed(scene: Scene, category: str, x: float, y: float, yaw: float = 0.0) -> Scene:
+    """One thing more on the floor."""
+    asset = SOURCE.make(category, seed=3)
+    id = f"{category}_{1 + sum(p.category == category for p in scene.placements)}"
+    return scene.with_placement(placed_at(scene, asset, id=id, position=(x, y, 0.0), yaw=yaw), asset)
+
+
 def bedroom() -> Scene:
     """A bed between two nightstands with lamps at the north wall, a wardrobe, and a window in the west."""
     window = Opening(id="window_1", kind="window", wall=3, offset=1.5, width=1.6, height=1.2, sill=0.9)

@@ -1,13 +1,15 @@
 """What instructions can say of which things, how many, how far and how: done as it is said, or said not to be done."""
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
-from tests.edited_rooms import bedroom, bytes_of, dining, living, same_but
+from tests.edited_rooms import bedroom, bytes_of, dining, living, placed, same_but
 from thinkblox import Edit, Scene, edit_room, save_room, undo_edit
 from thinkblox.cli import main
+from thinkblox.editing.edit import _joined
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.scene.bearings import ground_gap
@@ -399,3 +401,118 @@ def test_an_edited_room_has_its_score_and_so_has_one_taken_back() -> None:
     result = edit_room(living(), "Remove the rug.")
     assert result.report.score is not None
     assert undo_edit(result).report.score is not None
+
+
+# --- other ways to say it
+
+
+@pytest.mark.parametrize(
+    ("said", "doing"),
+    [
+        ("have the lamp and the plant trade places", "swap"),
+        ("Could the sofa and the desk switch places?", "swap"),
+        ("instead of the armchair I want a bench", "replace"),
+        ("a round one instead of the table would be nice", "replace"),
+        ("replace the table with a round one", "replace"),
+        ("swap the sofa out for a bench", "replace"),
+        ("repalce teh sofa with a bench", "replace"),
+        ("next to the bed put a stool", "put"),
+        ("line the chairs up along the wall", "move"),
+        ("throw the rug away", "remove"),
+        ("I don't need the trash can anymore", "remove"),
+        ("take everything off the desk", "remove"),
+        ("one candle is enough", "only"),
+        ("give the desk a lamp", "add"),
+        ("provide every desk with a lamp", "add"),
+        ("make all the chairs face the window", "turn"),
+        ("the plant next to the wardrobe please", "put"),
+        ("turn the stool into a plant", "replace"),
+        ("i'd rather have a bench instead of the sofa", "replace"),
+        ("get the stool out of the way", "resite"),
+    ],
+)
+def test_an_order_is_told_however_it_is_said(said: str, doing: str) -> None:
+    read = read_instruction(said)
+    assert [order.doing for order in _joined(read.orders)] == [doing]
+    assert not read.unknown
+
+
+def test_it_is_what_was_told_of_before() -> None:
+    (order,) = read_instruction("The desk is too close to the bed, move it back half a metre").orders
+    assert [phrase.noun.value for phrase in order.things] == ["desk"]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "I want the sofa by the wall and the rug gone",
+        "I don't want the sofa to face the door",
+        "rearrange the sofa area so there is more space in the middle",
+        "move the harp next to the sofa",
+    ],
+)
+def test_what_can_be_meant_in_two_ways_or_is_not_there_changes_nothing(said: str) -> None:
+    with pytest.raises(InputError):
+        edit_room(living(), said)
+
+
+def test_what_is_kept_may_rest_on_something_else() -> None:
+    after = done(bedroom(), "Get rid of both nightstands but keep the lamps").scene
+    assert {"table_lamp_1", "table_lamp_2"} <= {p.id for p in after.placements}
+    assert not {"nightstand_1", "nightstand_2"} & {p.id for p in after.placements}
+
+
+def test_what_was_taken_back_is_not_told_as_done() -> None:
+    result = edit_room(living(), "Remove the sofa. Keep the sofa where it is.")
+    assert not any("taken away" in text for text in result.done)
+    assert "sofa_1" in result.scene
+
+
+def test_each_gets_its_own_and_what_comes_along_comes() -> None:
+    before = bedroom()
+    after = done(before, "Each nightstand should have a bowl").scene
+    assert {p.support for p in after.placements if p.id not in before} == {"nightstand_1", "nightstand_2"}
+    after = done(living(), "I need a second desk with a chair").scene
+    assert {"desk_2", "chair_1"} <= {p.id for p in after.placements}
+    assert measure(after, "at", "chair_1", ("desk_2",)).holds
+
+
+def test_a_chair_at_an_end_looks_at_the_table() -> None:
+    before = dining(2)
+    after = done(before, "Put a chair at each end of the table").scene
+    new = [p.id for p in after.placements if p.id not in before]
+    assert len(new) == 2
+    assert all(measure(after, "facing", id, ("dining_table_1",)).holds for id in new)
+
+
+def test_the_other_end_of_a_top_is_the_other_one() -> None:
+    before = done(living(), "Put the vase on the left end of the sideboard").scene
+    after = done(before, "Put the vase on the other end of the sideboard").scene
+    ends = [scene["sideboard_1"].to_local(scene["vase_1"].position[:2])[1] for scene in (before, after)]
+    assert ends[0] > 0.1
+    assert ends[1] < -0.1
+
+
+def test_all_neighbours_go_apart() -> None:
+    before = dining(0)
+    for x in (1.0, 2.0, 3.0):
+        before = placed(before, "stool", x, 4.4)
+    after = done(before, "Move the stools a bit further apart").scene
+    ids = [p.id for p in before.placements if p.category == "stool"]
+    assert all(gap(after, a, b) > gap(before, a, b) for a, b in pairwise(ids))
+
+
+def test_of_two_that_go_away_the_one_in_front_goes_first() -> None:
+    before = living()
+    after = done(before, "Move the sofa and the coffee table 20 cm away from the door").scene
+    assert [after[id].yaw for id in ("sofa_1", "coffee_table_1")] == [90.0, 90.0]
+
+
+def test_a_way_is_as_wide_as_is_said_or_wider() -> None:
+    before = living()
+    assert done(before, "Leave a path half a metre wide between the sofa and the window").scene == before
+
+
+def test_what_hangs_hangs() -> None:
+    after = done(living(), "Hang a clock").scene
+    assert after["clock_1"].support.endswith("wall")

@@ -10,7 +10,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
-from thinkblox.editing.spots import likely, spots
+from thinkblox.editing.spots import Pose, likely, spots
 from thinkblox.editing.wheres import Bound, anchored, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -21,6 +21,9 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
+from thinkblox.scene.nearby import BACK_GAP, EYE
+from thinkblox.scene.scene import Scene
+from thinkblox.value import Vec2
 
 THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
@@ -172,7 +175,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> str
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = spots(work.scene, asset, goals) if seated else ()
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
-    begin = ((*spot, 0.0), 0.0) if spot is not None else None
+    begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
     if not reaching.run():
         work.failed.append(f"{id} was not added: {reaching.why}")
@@ -183,6 +186,15 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> str
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _begin(scene: Scene, asset: Asset, spot: Vec2) -> Pose:
+    """Where the search for a place at a spot begins: what hangs begins at the wall that is nearest, at eye height."""
+    if asset.mount != "wall":
+        return (*spot, 0.0), 0.0
+    wall = min(scene.room.walls, key=lambda wall: abs(wall.coordinates(spot)[1]))
+    x, y = wall.point(wall.coordinates(spot)[0], asset.size[0] / 2 + BACK_GAP)
+    return (x, y, max(0.0, EYE - asset.size[2] / 2)), wall.yaw
 
 
 def _asset(work: Work, target: Target, noun: Noun) -> Asset:

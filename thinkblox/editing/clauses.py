@@ -68,7 +68,7 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     tokens = _gathered(_without_courtesy(tokens))
     _check(tokens, named)
     tokens = _led(tokens)
-    starts = list(_starts(tokens))
+    starts = list(_starts(tokens)) or _asked_for(tokens)
     lead = tokens[: starts[0].begin] if starts else tokens
     about = _about(lead)
     lead = [] if about else lead
@@ -97,6 +97,13 @@ def _about(lead: Sequence[Token]) -> tuple[Token, ...]:
     told = next((n for n in range(first, len(lead)) if means("statements", lead[n].text)), first)
     pointed = told > first and lead[first].text in _POINTERS
     return tuple(lead[first:told]) if pointed else ()
+
+
+def _asked_for(tokens: Sequence[Token]) -> list[_Start]:
+    """What is asked for without a verb: "a bigger bed please"."""
+    asked = any(token.text in ("please", "pls", "plz") for token in tokens)
+    first = _first(tokens)
+    return [_Start(first, first, "want")] if asked and first < len(tokens) else []
 
 
 def _is_last(tokens: Sequence[Token], at: int) -> bool:

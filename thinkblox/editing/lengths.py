@@ -10,6 +10,7 @@ from thinkblox.reading.sizes import METRES, read_size
 from thinkblox.reading.tokens import Token
 
 _DEGREES = ("degrees", "degree", "deg", "°")
+_AXES = {("longer", 1): "length", ("wider", 1): "width", ("deeper", 1): "depth", ("higher", 1): "height"}
 _HALF = ("and", "a", "half")
 _SHARES = {("half",): 0.5, ("a", "half"): 0.5, ("a", "quarter"): 0.25, ("one", "quarter"): 0.25,
            ("three", "quarters"): 0.75, ("a", "third"): 1 / 3, ("quarter",): 0.25}  # fmt: skip
@@ -29,7 +30,11 @@ def is_number(token: Token) -> bool:
 
 def lengths_at(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> SaidLengths | None:
     """The lengths that begin at a token; None when none does."""
-    return _shared(lexicon, tokens, at) or _halved(lexicon, tokens, at) or _in_figures(lexicon, tokens, at)
+    said = _shared(lexicon, tokens, at) or _halved(lexicon, tokens, at)
+    if said is None:
+        return _in_figures(lexicon, tokens, at)
+    axis = _AXES.get(longest("absolutes", tokens, at + said.tokens) or ("", 0))
+    return said if axis is None else SaidLengths(((said.lengths[0][0], axis),), said.tokens + 1)
 
 
 def _in_figures(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> SaidLengths | None:

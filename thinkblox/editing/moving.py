@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
 from thinkblox.assets import facts_of
@@ -66,9 +66,9 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         _line_up(work, finder, order, wall)
         return
     seen: set[tuple[str, str]] = set()
-    for ids, places in _moved(work, finder, order):
+    for ids, places in _groups(work, finder, order):
         _check_says_where(order, places)
-        for index, id in enumerate(_foremost_first(work, order, ids)):
+        for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
                 continue
@@ -110,10 +110,25 @@ def _line_up(work: Work, finder: Finder, order: Order, where: Where) -> None:
         work.failed += [f"no wall has room for all of them: {failed[0]}"]
 
 
-def _foremost_first(work: Work, order: Order, ids: Sequence[str]) -> Sequence[str]:
-    """Things that are shifted one way, those in front first, so that none runs into the next."""
-    if not order.direction or len(ids) < 2:
+def _groups(work: Work, finder: Finder, order: Order) -> Iterable[tuple[tuple[str, ...], list[Where]]]:
+    """What is moved; of several that go nearer to something, or away from it, those in front first."""
+    if not order.closer or order.direction or len(order.things) < 2:
+        return _moved(work, finder, order)
+    groups = [group for group in _moved(work, finder, order) if group[0]]
+    ranks = {id: n for n, id in enumerate(_foremost_first(work, finder, order, [ids[0] for ids, _ in groups]))}
+    return sorted(groups, key=lambda group: ranks[group[0][0]])
+
+
+def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]) -> Sequence[str]:
+    """Things that go one way, those in front first, so that none runs into the next."""
+    if len(ids) < 2 or not (order.direction or order.closer):
         return ids
+    if not order.direction:
+        nearer, phrase = order.closer[0]
+        if phrase.noun.det == "my":
+            return ids
+        gap = Nearing(mark_names(finder, phrase), nearer)
+        return sorted(ids, key=lambda id: gap.of(work.scene, id) * (1.0 if nearer else -1.0))
     x, y, _ = ways_of(work.scene[ids[0]])[order.direction]
     return sorted(ids, key=lambda id: -(work.scene[id].position[0] * x + work.scene[id].position[1] * y))
 

@@ -608,6 +608,11 @@ class _OrderReader:
     def _becomes(self, link: Connector, following: Noun) -> bool:
         """Read "into a reading corner"; "in the room" says nothing."""
         order = self.order
+        into = link.text.lower() == "into" and order.doing in ("turn", "make")
+        if into and following.kind == "thing" and order.things:
+            order.doing, self._mode = "replace", "instead"
+            self._at -= 1
+            return True
         if following.kind != "room":
             return False
         turned = order.doing == "turn" and following.det == "the"

@@ -166,7 +166,8 @@ def replace_one(work: Work, id: str, asset: Asset) -> bool:
     new = work.scene[id]
     x, y, _ = new.position
     size = " by ".join(f"{side:.2f}" for side in asset.size)
-    work.done.append(f"{id} is now {_article(asset.description)} of {size} m at ({x:.2f}, {y:.2f})")
+    turned = f", turned to yaw {new.yaw:g}" if new.yaw != old.yaw else ""
+    work.done.append(f"{id} is now {_article(asset.description)} of {size} m at ({x:.2f}, {y:.2f}){turned}")
     _replace_riders(work, id, taken, before)
     return True
 
