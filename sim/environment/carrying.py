@@ -285,6 +285,6 @@ def _spots(errand: Errand, goal: CarryGoal, load: Load) -> list[Array]:
     points = np.column_stack([x, y])[shapely.contains_xy(free, x, y)]
     if not len(points):
         points = shapely.get_coordinates(free.representative_point())
-    points = points[np.argsort(shapely.distance(outline.exterior, shapely.points(points)))]
+    points = points[np.argsort(shapely.distance(shapely.boundary(outline), shapely.points(points)))]
     top = height + load.height + CUP
     return [np.array([px, py, top]) for px, py in points[:: max(len(points) // 40, 1)]]
