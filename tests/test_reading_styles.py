@@ -197,7 +197,7 @@ PROMPTS = {
     ),
     "Two single beds with a shared nightstand, a double desk with two chairs, and two wardrobes on the opposite wall": (
         "2 bed, 1 nightstand, 1 desk, 2 chair, 2 wardrobe",
-        "nightstand between bed, chair at desk, wardrobe against_wall opposite_wall",
+        "nightstand between bed, chair at desk, wardrobe against_wall wall, wardrobe opposite desk",
         "",
     ),
     "A court room with a judge's desk and twelve chairs in two rows to the left of it.": (
@@ -227,7 +227,7 @@ PROMPTS = {
     ),
     "Classroom: 3 rows of 5 desks with chairs, all facing the blackboard; teacher's desk in front of the "
     "blackboard with an apple and a laptop on it; cabinet in the back corner; two windows on the left wall.": (
-        "15 school_desk, 15 chair, 1 blackboard, 1 desk, 1 apple, 1 laptop, 1 cabinet",
+        "15 school_desk, 16 chair, 1 blackboard, 1 desk, 1 apple, 1 laptop, 1 cabinet",
         (
             "school_desk in_rows, chair at school_desk, school_desk facing blackboard, desk in_front_of "
             "blackboard, laptop on desk, cabinet in_corner far_wall"
@@ -252,7 +252,7 @@ PROMPTS = {
     "A meeting room with a rectangular table, four chairs on each side and one at each end, a TV on the wall at "
     "the end of the table, and a whiteboard next to the door.": (
         "1 conference_table, 10 chair, 1 wall_tv, 1 whiteboard",
-        "chair around conference_table, wall_tv near conference_table, whiteboard next_to door",
+        "chair at_long_side conference_table, wall_tv near conference_table, whiteboard next_to door",
         "",
     ),
     "Living room with fireplace; two sofas facing each other in front of the fireplace, rug between them, coffee "
@@ -319,7 +319,7 @@ PROMPTS = {
     ),
     "A dining table, eight chairs: three on each side and one at each end.": (
         "1 dining_table, 8 chair",
-        "chair around dining_table",
+        "chair at_long_side dining_table",
         "",
     ),
     "Una camera da letto con un letto matrimoniale, due comodini con una lampada su ciascuno e un armadio contro "

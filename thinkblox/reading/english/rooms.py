@@ -12,6 +12,9 @@ from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
 from thinkblox.reading.sizes import Size
 
+_THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
+"""What rooms are called that are for children."""
+
 
 class Rooms(Memberships):
     """Reads what is said of the room."""
@@ -32,6 +35,7 @@ class Rooms(Memberships):
             self.draft.sizes.append(noun.size)
         if not self.draft.things:
             self.frontier = []
+            self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
 
     def _several_spots(self, noun: Noun) -> None:
         """Read "four reading spots" as groups, of which each is told later; several rooms are not understood."""
@@ -59,7 +63,7 @@ class Rooms(Memberships):
             self.at += 1
             self._room(replace(noun, kind="room", value="room"))
             return True
-        if noun.room:
+        if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
@@ -104,8 +108,12 @@ class Rooms(Memberships):
         if counted and self._is_link(self.peek(), "participles", "stand"):
             self._lose(noun.start, noun.end)
             return
-        if noun.count and not self.draft.things and not noun.each:
-            self.draft.people = noun.count
+        if counted and self._is_listed_person():
+            self._lose(noun.start, noun.end)
+            return
+        listed = not self.draft.people and self.separator in ("comma", "and", "comma_and") and not noun.definite
+        if noun.count and not noun.each and (listed or not self.draft.things):
+            self._for_people(noun)
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
         if everyone and self._is_link(self.peek(), "verbs", "have"):
             seats = (t.seats for t in reversed(self.draft.things) if t.seats)
@@ -115,6 +123,20 @@ class Rooms(Memberships):
                 self._lose(noun.start, noun.end)
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
+
+    def _is_listed_person(self) -> bool:
+        """Whether somebody is listed among things: "two saws, with a dust collector between them"."""
+        led = self._is_link(self._before(), "prepositions", "with") or self.pending is not None
+        listed = bool(self.separator) and any(node.things for node in self.frontier)
+        doing = self._is_link(self.peek(), "verbs") or self._is_link(self.peek(), "joins", "which")
+        return (led or listed or self.existential) and bool(self.draft.things) and not doing
+
+    def _for_people(self, noun: Noun) -> None:
+        """The room is for so many; children have one of their own."""
+        self.draft.people = noun.count or 0
+        children = noun.text.lower().split()[-1] in grammar().lists["children"]
+        if children and self.draft.room in _THEIRS:
+            self.draft.room = _THEIRS[self.draft.room]
 
     def _place(self, noun: Noun) -> None:
         if self._stays_free():
@@ -146,7 +168,7 @@ class Rooms(Memberships):
             self.frontier = []
             wall = name.endswith("wall") and isinstance(verb := self._verb_ahead(), Connector)
             if wall and verb is not None and verb.value in ("hold", "carry", "have"):
-                self.front = [Awaited(Where("on", noun), Meaning("on", (name,)))]
+                self.front = [Awaited(Where("on", noun), Meaning("on", tuple(noun.value.split())))]
 
     def _stays_free(self) -> bool:
         """Whether "the middle should stay empty" comes."""
