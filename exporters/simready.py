@@ -10,13 +10,14 @@ from typing import Any
 
 from thinkblox.exporters.inventory import Inventory, InventoryObject
 from thinkblox.exporters.naming import Names
+from thinkblox.exporters.saving import THUMBS
 from thinkblox.exporters.usd import write_prop
 from thinkblox.exporters.usd_prims import IDENTITY, said
 from thinkblox.exporters.wikidata import wikidata_item
 from thinkblox.scene.asset import Asset
 from thinkblox.sim.render import render_asset
 
-FOLDER, _STAGES, _THUMBS = "simready", "usd", ".thumbs/256x256"
+FOLDER, _STAGES = "simready", "usd"
 _SIZE = 256
 """Of a thumbnail [pixels]."""
 _FIXED = "it is fixed to the room and has no part that moves: a prop is a body"
@@ -57,7 +58,7 @@ def _each(inventory: Inventory) -> Iterator[tuple[InventoryObject, Asset]]:
 
 
 def _write(inventory: Inventory, item: InventoryObject, asset: Asset, stage: Path, concept: str) -> None:
-    name, thumbs = stage.stem, stage.parent / _THUMBS
+    name, thumbs = stage.stem, stage.parent / THUMBS
     thumbs.mkdir(parents=True)
     told = {"asset_name": name, "asset_type": "prop", "source_file": stage.name}
     told["usd_date_generated"] = datetime.datetime.now(tz=datetime.UTC).date().isoformat()

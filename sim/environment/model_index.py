@@ -16,6 +16,8 @@ Array = NDArray[np.float64]
 FRAME = f"{PREFIX}/"
 """The name of the body that a robot is attached by."""
 _PAST = 0.001
+_COLLIDING = np.array([0, 0, 0, 1, 0, 0], np.uint8)
+"""The group of what collides."""
 HIT = 0.0005
 """Deeper than this the robot is in something [m]."""
 
@@ -164,6 +166,25 @@ class ModelIndex:
         """The box round some geoms, along the room's axes [m]."""
         low, high = self._boxes(parts)
         return low.min(0), high.max(0)
+
+    def corners(self, id: str) -> tuple[Array, Array]:
+        """The box round an object, along the room's axes [m]."""
+        return self.box(self._parts[id])
+
+    def foot(self, id: str) -> float:
+        """The height of an object's origin [m]."""
+        return float(self.data.body(self.first_body(id)).xpos[2])
+
+    def first_body(self, id: str) -> str:
+        """The name of an object's first body."""
+        return self._item(id).name
+
+    def top_at(self, id: str, x: float, y: float) -> float | None:
+        """The height at which an object is first met from above [m]; None where something else is, or nothing."""
+        high = float(self.corners(id)[1][2])
+        start = np.array([x, y, high + _PAST])
+        away = self.first_hit(start, np.array([0.0, 0.0, -1.0]), set(self._parts[id].tolist()), _COLLIDING)
+        return None if away is None else high + _PAST - away
 
     def first_hit(self, start: Array, along: Array, parts: set[int], groups: NDArray[np.uint8]) -> float | None:
         """How far it is to the first geom of some groups on a line, where that is one of the parts [m]; else None."""

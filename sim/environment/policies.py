@@ -9,6 +9,7 @@ import shapely
 from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
+from thinkblox.sim.environment.carrying import Carrier
 from thinkblox.sim.environment.driving import Driver
 from thinkblox.sim.environment.goals import AT_HAND
 from thinkblox.sim.environment.opening import Opener
@@ -113,6 +114,20 @@ class ScriptedReach:
         if told.first() or self._reacher is None:
             self._reacher = Reacher(self._environment.task.errand, _names(self._environment))
         return self._reacher.action()
+
+
+class ScriptedCarry:
+    """Solves `carry` with "picker" for things with a flat top: takes them by that, and carries them over everything."""
+
+    def __init__(self, environment: Any) -> None:
+        self._environment = environment
+        self._carrier: Carrier | None = None
+
+    def __call__(self, told: Any) -> NDArray[np.float64]:
+        """The next action; raises InputError at the beginning of an episode when it cannot be done by this script."""
+        if told.first() or self._carrier is None:
+            self._carrier = Carrier(self._environment.task.errand, _names(self._environment))
+        return self._carrier.action()
 
 
 def _names(environment: Any) -> list[str]:

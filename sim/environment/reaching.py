@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import Point
+from shapely.geometry.base import BaseGeometry
 
 from thinkblox.errors import InputError
 from thinkblox.sim.environment.driving import Driver, limited, turn_to
@@ -111,18 +112,25 @@ def _ways(errand: Errand, id: str) -> Iterator[tuple[Reach, NDArray[np.float64]]
 def reaches(errand: Errand, id: str) -> Iterator[Reach]:
     """From where the tool can come to an object, the places nearest to the robot first."""
     index, floor, goal = errand.index, errand.places.floor, errand.places.outline(id)
-    area = shapely.intersection(floor, shapely.buffer(goal, LAST))
-    if area.is_empty:
-        return
-    x0, y0, x1, y1 = area.bounds
-    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(x0, x1 + _GRID, _GRID), np.arange(y0, y1 + _GRID, _GRID)))
-    points = np.column_stack([x, y])[shapely.contains_xy(area, x, y)]
-    points = points[np.argsort(np.hypot(*(points - index.pose[:2]).T))]
-    for middle in points[:: max(len(points) // _PLACES, 1)]:
+    for middle in places_near(floor, goal, LAST, index.pose[:2]):
         near = shapely.get_coordinates(shapely.shortest_line(Point(middle), goal))[-1]
         straight = math.atan2(near[1] - middle[1], near[0] - middle[0])
         for aside in ASIDE:
             yield from _from(index, id, middle, straight + aside)
+
+
+def places_near(
+    floor: BaseGeometry, goal: BaseGeometry, within: float, start: tuple[float, float]
+) -> NDArray[np.float64]:
+    """Places (n, 2) on a floor that are so near a goal [m], those nearest to a start first."""
+    area = shapely.intersection(floor, shapely.buffer(goal, within))
+    if area.is_empty:
+        return np.zeros((0, 2))
+    x0, y0, x1, y1 = area.bounds
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(x0, x1 + _GRID, _GRID), np.arange(y0, y1 + _GRID, _GRID)))
+    points = np.column_stack([x, y])[shapely.contains_xy(area, x, y)]
+    points = points[np.argsort(np.hypot(*(points - start).T))]
+    return np.asarray(points[:: max(len(points) // _PLACES, 1)])
 
 
 def _from(index: ModelIndex, id: str, middle: Array, angle: float) -> Iterator[Reach]:
@@ -130,7 +138,7 @@ def _from(index: ModelIndex, id: str, middle: Array, angle: float) -> Iterator[R
     along = np.array([math.cos(angle), math.sin(angle), 0.0])
     for height in sorted(_HEIGHTS, key=lambda height: abs(height - 0.6)):
         foot = np.array([*middle, height])
-        farthest = min(_free(index, foot + _BEGINS * along, along) + _BEGINS - CUP - 0.005, LAST)
+        farthest = min(arm_free(index, middle, angle, height) - CUP - 0.005, LAST)
         for away in np.arange(farthest, FIRST + 0.01, -0.04):
             tool = foot + away * along
             if index.distance(id, tool) <= NEAR:
@@ -138,8 +146,9 @@ def _from(index: ModelIndex, id: str, middle: Array, angle: float) -> Iterator[R
                 return
 
 
-def _free(index: ModelIndex, start: Array, along: Array) -> float:
-    """How far the arm can go on a line before any part of it meets something [m]."""
-    across, up = np.array([-along[1], along[0], 0.0]), np.array([0.0, 0.0, 1.0])
+def arm_free(index: ModelIndex, middle: Array, angle: float, height: float) -> float:
+    """How far from the base's middle the arm can go in a direction [rad] before any part of it meets something [m]."""
+    along, up = np.array([math.cos(angle), math.sin(angle), 0.0]), np.array([0.0, 0.0, 1.0])
+    across, start = np.array([-along[1], along[0], 0.0]), np.array([*middle, height]) + _BEGINS * along
     shifts = [np.zeros(3), *(sign * BEAM * way for way in (across, up) for sign in (-1.0, 1.0))]
-    return min(index.free_way(start + shift, along, _SOLID) for shift in shifts)
+    return _BEGINS + min(index.free_way(start + shift, along, _SOLID) for shift in shifts)
