@@ -117,7 +117,7 @@ def test_what_has_no_room_in_a_room_of_a_given_size_is_left_out_and_said():
     brief = read_brief("A bedroom, 2.4 by 2.6 m")
     less = fitted(brief)
     assert {r.category for r in less.requests} < {r.category for r in brief.requests}
-    assert any("bed" == r.category for r in less.requests)
+    assert any(r.category == "bed" for r in less.requests)
     assert set(less.left_out) <= set(plan_brief(less, plan_room(less, rng=1)).notes)
 
 
