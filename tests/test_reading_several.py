@@ -284,3 +284,8 @@ def test_the_desk_of_the_teacher_is_another_one() -> None:
 
 def test_a_fan_on_the_ceiling_is_a_ceiling_fan() -> None:
     assert _counts(read_brief("A table and a fan hanging from the ceiling.")) == {"dining_table": 1, "ceiling_fan": 1}
+
+
+def test_a_bed_over_a_desk_has_the_desk_under_it() -> None:
+    brief = read_brief("A child's room with a loft bed over a desk.")
+    assert [(r.kind, r.subject, r.anchors) for r in brief.relations if r.asked] == [("under", "desk", ("bunk_bed",))]

@@ -197,7 +197,7 @@ PROMPTS = {
     ),
     "Two single beds with a shared nightstand, a double desk with two chairs, and two wardrobes on the opposite wall": (
         "2 bed, 1 nightstand, 1 desk, 2 chair, 2 wardrobe",
-        "nightstand between bed, chair at desk, wardrobe against_wall opposite_wall",
+        "nightstand between bed, chair at desk, wardrobe against_wall wall, wardrobe opposite desk",
         "",
     ),
     "A court room with a judge's desk and twelve chairs in two rows to the left of it.": (
@@ -252,7 +252,7 @@ PROMPTS = {
     "A meeting room with a rectangular table, four chairs on each side and one at each end, a TV on the wall at "
     "the end of the table, and a whiteboard next to the door.": (
         "1 conference_table, 10 chair, 1 wall_tv, 1 whiteboard",
-        "chair around conference_table, wall_tv near conference_table, whiteboard next_to door",
+        "chair at_long_side conference_table, wall_tv near conference_table, whiteboard next_to door",
         "",
     ),
     "Living room with fireplace; two sofas facing each other in front of the fireplace, rug between them, coffee "
@@ -319,7 +319,7 @@ PROMPTS = {
     ),
     "A dining table, eight chairs: three on each side and one at each end.": (
         "1 dining_table, 8 chair",
-        "chair around dining_table",
+        "chair at_long_side dining_table",
         "",
     ),
     "Una camera da letto con un letto matrimoniale, due comodini con una lampada su ciascuno e un armadio contro "

@@ -368,7 +368,8 @@ def _build_in(draft: Draft) -> None:
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
         for bond in draft.bonds:
-            bond.subject = cabinet if bond.subject is thing else bond.subject
+            if bond.subject is thing:
+                draft.hand_over(bond, cabinet)
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))

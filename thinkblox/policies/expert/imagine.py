@@ -64,6 +64,8 @@ _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
 """Relations that decide where those stand who look at each other."""
 PILED = 4.0
 """Cost of lying on what is inside a container, rather than on its bottom."""
+SEATED = 0.2
+"""Free floor behind a seat that is drawn up to a table by the wall [m]."""
 ELSEWHERE = 12.0
 """Cost of a place that gives up the relation that decides where a thing goes."""
 
@@ -252,7 +254,8 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
     off = () if walled else walls.clear_of_windows(situation, before)
     served = situation.facts.is_in("served_over")
     flush = (_dearer(idea, UNSERVED if served else 0.0) for idea in walls.along_walls(situation))
-    candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation) if served else ())]
+    behind = walls.BEHIND if served else _seats_behind(situation)
+    candidates = [*flush, *walls.corners(situation), *off, *(walls.off_walls(situation, behind) if behind else ())]
     for idea in candidates:
         if not centres:
             yield idea
@@ -260,6 +263,13 @@ def _near_openings(situation: Situation, kind: str) -> Iterator[Idea]:
         x, y, _ = idea.position
         distance = min(((x - cx) ** 2 + (y - cy) ** 2) ** 0.5 for cx, cy in centres)
         yield _dearer(idea, max(0.0, 0.9 * (distance - situation.size[0] / 2 - 0.2)))
+
+
+def _seats_behind(situation: Situation) -> float:
+    """How much floor those need who sit all round what is placed [m]; 0 where nobody does."""
+    own = situation.target.id
+    round_it = (t for t in situation.followers for tie in t.ties if tie.kind == "around" and own in tie.anchors)
+    return max((situation.kind(t).size[0] + SEATED for t in round_it), default=0.0)
 
 
 def _far_from_place(situation: Situation, place: str) -> Iterable[Idea]:

@@ -8,6 +8,7 @@ from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
+from thinkblox.reading.english.across import settle_opposite_walls
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.doubts import Doubts
 
@@ -27,6 +28,7 @@ class Audit(Doubts):
                 continue
             if not self.account.is_lost(chunk.start, chunk.end):
                 self._lose(chunk.start, chunk.end)
+        settle_opposite_walls(self.draft)
         self._doubts()
         for thing in list(self.draft.things):
             self._find_each(thing)

@@ -7,9 +7,9 @@ from thinkblox.brief import SurfaceRequest
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface, Stray
 from thinkblox.reading.english.grammar import Function, grammar
 from thinkblox.reading.english.phrase import PhraseReader
+from thinkblox.reading.english.places import two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.turns import correction_at
-from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -31,6 +31,8 @@ _MARKS = {
     "&": "and",
     "+": "and",
 }
+_ITEM_ENDS = ("stop", "semicolon", "colon", "comma", "and")
+"""After what a numbered item can begin."""
 _QUOTES = ('"', "“", "”", "„", "«", "»")
 _BEFORE_NOUNS = ("on", "on_top", "at", "with", "of", "from", "to", "by", "against", "along", "for")
 """Prepositions that a noun has to follow."""
@@ -144,7 +146,7 @@ class Cutter:
         return isinstance(last, Connector) and last.value == "leave"
 
     def _unread(self) -> Stray | None:
-        unread = unread_at(self.tokens, self.at)
+        unread = self._phrases.unread_at(self.at)
         if not unread or self._is_said_of_it():
             return None
         text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
@@ -185,8 +187,17 @@ class Cutter:
         return last.sort in ("prepositions", "inverses", "participles") and last.value not in ("with", "of", "as")
 
     def _numbering(self) -> int:
-        """How many tokens a number has that counts nothing: "(a)", "the 1950s"."""
-        return 3 if self._is_item() else 2 if self._is_decade() else 0
+        """How many tokens a number has that counts nothing: "(a)", "2.", "the 1950s"."""
+        return 3 if self._is_item() else 2 if self._is_decade() or self._is_numbered() else 0
+
+    def _is_numbered(self) -> bool:
+        """Whether "2." or "b)" numbers what is listed."""
+        token, mark = self.tokens[self.at], self._text_at(self.at + 1)
+        last = self.made[-1] if self.made else None
+        begins = last is None or (isinstance(last, Connector) and last.value in _ITEM_ENDS)
+        if not begins or self.at + 2 >= len(self.tokens) or (mark != ")" and (mark != "." or token.kind != "number")):
+            return False
+        return token.kind == "number" or (len(token.text) == 1 and token.text.isalpha())
 
     def _is_item(self) -> bool:
         """Whether "(a)", "(2)" numbers what is listed."""
@@ -211,7 +222,7 @@ class Cutter:
         return None
 
     def _words(self) -> Chunk:
-        if (said := self._after_modal() or self._described()) is not None:
+        if (said := self._set_phrase()) is not None:
             return said
         link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
@@ -244,11 +255,43 @@ class Cutter:
             return None
         return self._phrases.adjective(self.at)
 
+    def _set_phrase(self) -> Chunk | None:
+        """Read what is told by its first words alone."""
+        found = self._two_walls() or self._finish() or self._after_modal()
+        return found or self._described() or self._said_round()
+
+    def _two_walls(self) -> Noun | None:
+        """Read "the left and right walls"."""
+        value, length = two_walls_at([token.text for token in self.tokens[self.at : self.at + 5]])
+        if not length:
+            return None
+        text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
+        return Noun("place", value, self.at, self.at + length, text, det="the", plural=True)
+
+    def _finish(self) -> Connector | None:
+        """Go past the "painted" of "a dresser painted yellow"."""
+        token = self.tokens[self.at]
+        if token.text not in grammar().lists["finished"] or not self._after_noun():
+            return None
+        if self._phrases.adjective(self.at + 1) is None:
+            return None
+        return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+
+    def _said_round(self) -> Adjective | None:
+        """Read "the table is round", where nothing comes that it could be around."""
+        ends = self.at + 1 >= len(self.tokens) or self.tokens[self.at + 1].kind == "mark"
+        joined = grammar().at(self.tokens, self.at + 1, "joins") is not None
+        if self._text_at(self.at) != "round" or not (ends or joined):
+            return None
+        return self._phrases.adjective(self.at)
+
     def _after_modal(self) -> Connector | None:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""
         before, token = self._text_at(self.at - 1) if self.at else "", self.tokens[self.at]
         modal = grammar().lists["modals"]
-        if token.text in modal and before in grammar().lists["speakers"]:
+        if token.text in modal and (before in grammar().lists["speakers"] or self._after_people()):
+            return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        if before == "and" and self._goes_on_doing(modal):
             return Connector("fillers", "words", self.at, self.at + 1, token.shown)
         infinitive = before == "to" and self.at > 1 and self._text_at(self.at - 2) in grammar().lists["wishes"]
         if token.kind != "word" or not (before in modal or infinitive):
@@ -257,6 +300,20 @@ class Cutter:
         if known or grammar().at(self.tokens, self.at, *_LINKS, "determiners", "pronouns", "states"):
             return None
         return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+
+    def _after_people(self) -> bool:
+        last = self.made[-1] if self.made else None
+        return isinstance(last, Noun) and last.kind == "people"
+
+    def _goes_on_doing(self, modal: frozenset[str]) -> bool:
+        """Whether a second verb follows "can work at a desk and": "relax on the sofa"."""
+        start = self.at
+        while start and self.tokens[start - 1].text not in ".;:!?":
+            start -= 1
+        wished = any(t.text in modal for t in self.tokens[start : self.at])
+        placed = grammar().at(self.tokens, self.at + 1, "prepositions") is not None
+        named = self._phrases.thing_at(self.at) is not None or self.tokens[self.at].text.endswith("s")
+        return wished and placed and not named and self.tokens[self.at].kind == "word"
 
     def _after_preposition(self) -> bool:
         last = self.made[-1] if self.made else None
@@ -287,7 +344,7 @@ class Cutter:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""
         if noun.kind == "pronoun":
             return self._is_pronoun(noun, link)
-        if noun.share or (link.value == "seat" and not self._number_follows(link)):
+        if self._is_name_of_verb(noun, link) or noun.share or (link.value == "seat" and not self._number_follows(link)):
             return True
         if link.length > 1 and link.sort in ("verbs", "participles") and self.tokens[self.at].text in ("that", "which"):
             return False
@@ -306,6 +363,26 @@ class Cutter:
         if link.sort in ("fillers", "joins"):
             return noun.kind in ("thing", "place", "room") and first is not None
         return False
+
+    def _is_name_of_verb(self, noun: Noun, link: Function) -> bool:
+        """Whether a verb begins the name of a listed thing: ", and display racks along the wall"."""
+        last = self.made[-1] if self.made else None
+        if self._is_plural_name(noun, link):
+            return True
+        listed = isinstance(last, Connector) and (last.sort == "joins" or last.value in ("comma", "with"))
+        shown = link.sort == "verbs" and self.tokens[self.at].text in grammar().lists["naming_verbs"]
+        first = self._phrases.thing_at(self.at + 1) if self.at + 1 < len(self.tokens) else None
+        return listed and shown and first is not None and noun.kind == "thing" and noun.end - noun.start > 1
+
+    def _is_plural_name(self, noun: Noun, link: Function) -> bool:
+        """Whether a verb on -s is the plural of a thing: "watches and rings inside"."""
+        joint, before = self.made[-1:], self.made[-2:-1]
+        joined = bool(joint) and isinstance(joint[0], Connector) and joint[0].sort == "joins"
+        bare = bool(before) and isinstance(before[0], Noun) and before[0].kind == "thing" and before[0].plural
+        verb = link.sort == "verbs" and self.tokens[self.at].text.endswith("s")
+        if not (joined and bare and verb) or grammar().at(self.tokens, self.at + 1, "determiners", "count") is not None:
+            return False
+        return noun.kind == "thing" and self._phrases.thing_at(self.at) is not None
 
     def _participle(self) -> Connector | None:
         """Read a verb that no list has: "are chilling in the fridge", "a kiln humming in the corner"."""

@@ -14,6 +14,10 @@ def _sorts(text: str) -> list[tuple[str, str]]:
     return [(sort, text) for sort, _ in grammar().phrases.get(tuple(text.split()[-1:]), ())]
 
 
+_TURNING = ("against", "facing", "to")
+"""Prepositions that say how a thing stands by one of its sides."""
+
+
 class Clauses(Audit):
     """Reads the chunks of one text."""
 
@@ -84,6 +88,8 @@ class Clauses(Audit):
         named = self.frontier or self.subject is not None or self.clause.members
         if said is None or not named:
             return
+        if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
+            return
         before, start = self._before(), link.start
         if (
             said == 0
@@ -127,8 +133,15 @@ class Clauses(Audit):
         if noun.value == "side" and noun.det in ("either", "both", "each") and self.frontier:
             self.at -= 1
             self._where(self._read_where(Connector("prepositions", "on", 0, 0)))
-        else:
+        elif not self._is_turned_part(noun):
             self._bare_part(noun)
+
+    def _is_turned_part(self, noun: Noun) -> bool:
+        """Whether it tells how the thing before it stands: "a bed, its headboard against the wall"."""
+        if noun.det != "my" or not self.frontier or not self._is_link(self.peek(), "prepositions", *_TURNING):
+            return False
+        self._turn_by_part(noun)
+        return True
 
     def _thing(self, noun: Noun) -> None:
         if noun.det == "no" or (self.excluding and not self.excepting):
@@ -146,11 +159,9 @@ class Clauses(Audit):
                 self._spend(noun)
                 self._go_past(whole)
                 noun = whole
-        if self._is_adjective(noun):
-            self._spend(noun)
-            self._adjective(Adjective(noun.start, noun.end, noun.text, [noun.material]))
+        if self._is_said_of_subject(noun):
             return
-        if self.separator and self._is_new_clause(noun):
+        if self.separator and (self._is_verb_left_out(noun) or self._is_new_clause(noun)):
             kept = self.separator
             topic = self.clause.members[:1] or (self.subject.things[:1] if self.subject else [])
             self.referents.topics += topic
@@ -220,6 +231,48 @@ class Clauses(Audit):
         last = self._before()
         bare = not noun.det and noun.count is None and not noun.plural and noun.material != ""
         return bare and self._is_link(last, "verbs", "be") and self.predicate
+
+    def _is_verb_left_out(self, noun: Noun) -> bool:
+        """Whether a known thing is where a preposition says: "the sofa is by the wall, and the desk by the window"."""
+        placed = self.predicate and self.verb in ("be", "stand", "hang") and noun.definite and not noun.each
+        if not placed or self.subject is None or not self._is_link(self.peek(), "prepositions"):
+            return False
+        if self._is_link(self.peek(), "prepositions", "with", "of", "for", "as", "without"):
+            return False
+        told = any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
+        known = self.referents.named(noun)
+        return told and known is not None and known not in self.subject.things
+
+    def _is_said_of_subject(self, noun: Noun) -> bool:
+        """Take "a recliner", "glass" after "is" for what the subject is."""
+        if self._is_kind_told(noun):
+            self._take_kind(noun)
+            return True
+        if self._is_adjective(noun):
+            self._spend(noun)
+            self._adjective(Adjective(noun.start, noun.end, noun.text, [noun.material]))
+            return True
+        return False
+
+    def _is_kind_told(self, noun: Noun) -> bool:
+        """Whether it says of which kind the subject is: "two of which are recliners", "the bed is a cot"."""
+        thing = self.subject.thing if self.subject is not None and len(self.subject.things) == 1 else None
+        if thing is None or not self.predicate or not self._is_link(self._before(), "verbs", "be") or self.negating:
+            return False
+        if noun.definite or noun.each or noun.det == "another" or noun.count not in (None, 1, thing.count):
+            return False
+        said = self.named_by.get(thing)
+        told = (said is None or said.kind == "thing") and thing.asked and thing not in self.groups.values()
+        return told and thing.many == noun.many and self._is_kin(thing, noun)
+
+    def _take_kind(self, noun: Noun) -> None:
+        """Call the subject what it is said to be."""
+        self._spend(noun)
+        things = self.subject.things if self.subject is not None else []
+        for thing in things:
+            thing.noun, thing.text = noun.value, noun.text
+            thing.size = thing.size or noun.size
+            self._look(thing, noun)
 
     def _is_new_clause(self, noun: Noun) -> bool:
         """Whether a verb of its own follows the noun: ", and two guitars hang on the wall"."""

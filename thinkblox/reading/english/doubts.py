@@ -13,6 +13,8 @@ _FURNITURE = ("seats", "chairs", "tables", "desks", "beds", "lounges", "storage"
 """What stands on the floor."""
 _BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind")
 """Relations that say nothing of what something lies on."""
+_SHARED = ("on", "inside", "at")
+"""Relations to one thing, so that fewer subjects than anchors leave open to which."""
 _PLATFORMS = ("covers",)
 """What furniture can stand on."""
 _PLAIN_SIDES = 2
@@ -31,7 +33,10 @@ class Doubts(Corrections):
         for bond in self.draft.bonds:
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
-        self.draft.unknown += [*self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        for thing, link in self.circles:
+            if not any(bond.kind == "around" for bond in self.draft.bonds_of(thing)):
+                self._lose(link.start, link.end)
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")
@@ -86,24 +91,45 @@ class Doubts(Corrections):
 
     def _hardly(self, bond: Bond) -> str:
         """What is said of a relation that can hardly be meant; empty for one that can."""
-        anchors = parts_of(bond)
         if not bond.asked or bond.negated or bond.implied:
             return ""
-        carried = self._is_carried(bond.subject)
-        tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
-        if bond.kind == "in_centre" and bond.anchors == ("centre",) and is_small(bond.subject) and carried and tops:
-            return f"{bond.subject.text} in the middle (of what?)"
+        anchors = parts_of(bond)
         if not anchors:
-            return ""
-        if bond.kind in _BESIDE and carried and self._lies_nowhere(bond.subject, anchors[0]):
-            return f"{bond.subject.text} {bond.kind.replace('_', ' ')} {anchors[0].text} (on what?)"
-        lone = len(anchors) == 1 and self.referents.total(anchors[0]) == 1 and not anchors[0].per
-        if bond.each and lone and not anchors[0].many:
-            return f"each {anchors[0].text} (only one named)"
-        if bond.kind == "between" and len(anchors) == 1 and not anchors[0].many:
-            return f"{bond.subject.text} between {anchors[0].text} and what?"
-        if bond.told and bond.kind == "on" and self._stands(bond.subject) and not self._is_floor(anchors[0]):
-            return f"{bond.subject.text} {bond.kind} {anchors[0].text} (hardly)"
+            return self._middle_of_what(bond)
+        return self._on_what(bond, anchors[0]) or self._of_how_many(bond, anchors)
+
+    def _middle_of_what(self, bond: Bond) -> str:
+        """What is said of what has to lie on something and is only in the middle."""
+        tops = any(self.habits.is_in(t.noun, "tables", "desks", "counters", "worktops") for t in self.draft.things)
+        middle = bond.kind == "in_centre" and bond.anchors == ("centre",) and tops
+        lies = is_small(bond.subject) and self._is_carried(bond.subject)
+        return f"{bond.subject.text} in the middle (of what?)" if middle and lies else ""
+
+    def _on_what(self, bond: Bond, anchor: Mention) -> str:
+        """What is said of a thing that has to lie on something, or cannot."""
+        thing, carried = bond.subject, self._is_carried(bond.subject)
+        hung = self.habits.is_in(thing.noun, "tops", "screens")
+        hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
+        if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):
+            return f"{thing.text} {bond.kind.replace('_', ' ')} {anchor.text} (on what?)"
+        if bond.kind in ("on", "inside") and last_word(thing) in grammar().lists["sticking"]:
+            return f"{thing.text} on {anchor.text} (stuck to it?)"
+        if bond.told and bond.kind == "on" and self._stands(thing) and not self._is_floor(anchor):
+            return f"{thing.text} {bond.kind} {anchor.text} (hardly)"
+        return ""
+
+    def _of_how_many(self, bond: Bond, anchors: list[Mention]) -> str:
+        """What is said of a relation to one, or to several, that its kind or number does not allow."""
+        thing, anchor = bond.subject, anchors[0]
+        lone = len(anchors) == 1 and self.referents.total(anchor) == 1 and not anchor.per
+        if bond.each and lone and not anchor.many:
+            return f"each {anchor.text} (only one named)"
+        if bond.kind == "around" and not (bond.each or self._is_floor(thing) or self._are_many(bond)):
+            return f"{thing.text} around {anchor.text} (only one)"
+        if bond.kind in _SHARED and not bond.each and self._is_lone_of_several(thing, anchors):
+            return f"{thing.text} {bond.kind} {anchor.text} (which of them?)"
+        if bond.kind == "between" and len(anchors) == 1 and not anchor.many:
+            return f"{thing.text} between {anchor.text} and what?"
         return ""
 
     def _is_carried(self, thing: Mention) -> bool:
@@ -114,9 +140,21 @@ class Doubts(Corrections):
 
     def _lies_nowhere(self, thing: Mention, anchor: Mention) -> bool:
         """Whether what has to lie on something is only said to be beside what carries nothing."""
-        lies = is_small(thing) and not thing.per
-        on = any(b.kind in ("on", "inside", "in_centre", "above") for b in self.draft.bonds_of(thing))
-        return lies and not on and self.habits.is_in(anchor.noun, *_FURNITURE) and not is_small(anchor)
+        lies = is_small(thing) and not thing.per and not self._has_carrier(thing)
+        above = any(b.kind == "above" for b in self.draft.bonds_of(thing))
+        return lies and not above and self.habits.is_in(anchor.noun, *_FURNITURE) and not is_small(anchor)
+
+    def _are_many(self, bond: Bond) -> bool:
+        """Whether a bond is of several, of which some may have been told apart."""
+        return bond.subject.many or len(self.referents.family(bond.subject)) > 1
+
+    def _is_lone_of_several(self, thing: Mention, anchors: list[Mention]) -> bool:
+        """Whether one thing is said to be on, in or at several, and nothing tells which."""
+        single = thing.count == 1 and not thing.per and not thing.vague and self.referents.total(thing) == 1
+        return single and len(anchors) == 1 and self.referents.total(anchors[0]) > 1
+
+    def _has_carrier(self, thing: Mention) -> bool:
+        return any(b.kind in ("on", "inside", "in_centre") for b in self.draft.bonds_of(thing))
 
     def _stands(self, thing: Mention) -> bool:
         return self.habits.is_in(thing.noun, *_FURNITURE) and not is_small(thing)
@@ -131,6 +169,13 @@ class Doubts(Corrections):
             kept = kept and not any(thing in b.anchors for b in self.draft.bonds_of(head))
             if kept and not self.named_by[thing].definite:
                 yield f"{head.text} with {thing.text} (where?)"
+
+    def _grouped(self) -> Iterator[str]:
+        """Things that are to stand in clusters or rings, which nothing sees to."""
+        for thing in self.draft.things:
+            rings, clusters = grammar().lists["rings"], grammar().lists["clusters"]
+            if thing.group in rings or (thing.group in clusters and thing.groups > 1):
+                yield f"{thing.group}s of {thing.text.rpartition(' of ')[2]}"
 
     def _carried_twice(self) -> Iterator[str]:
         """Single things that are to be on, or in, two others of which neither carries the other."""

@@ -1,8 +1,10 @@
 """Opens lists of what things have: "with", "surrounded by", "holds"."""
 
+from dataclasses import replace
+
 from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Adjective, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.groups import Groups
 from thinkblox.reading.english.nodes import Listed, Node
@@ -16,6 +18,7 @@ class Having(Groups):
         self.negating = False
         noun = self._next_noun()
         if noun is not None and noun.kind == "abstract" and kind == "with":
+            self._hold_matter(noun)
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
@@ -24,8 +27,10 @@ class Having(Groups):
             if node is not None:
                 self._features(node.things[-1], noun)
                 return
+        if kind == "with" and noun is not None and self._is_among(noun):
+            return
         head = self._head_for(noun, kind)
-        if head is None:
+        if head is None or (kind == "with" and noun is not None and self._is_of_room_again(noun, head)):
             return
         if kind == "inside" and noun is not None and self._is_described(noun, head):
             head.things[-1].attributes.append("filled")
@@ -35,6 +40,7 @@ class Having(Groups):
         if noun is not None and noun.kind == "part" and noun.det == "my" and kind == "with":
             self._go_past(noun)
             self.frontier = self.frontier[: self.frontier.index(head) + 1] if head in self.frontier else [head]
+            self._turn_by_part(noun)
             return
         thing = head.thing
         if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
@@ -43,7 +49,69 @@ class Having(Groups):
         several = head.frame is not None and head.frame.times > 1
         several |= thing in self.multiplied
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
+        several |= self._goes_on_with_each(head)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _turn_by_part(self, part: Noun) -> None:
+        """Go on with "against the wall" after "its back"; a side that we turn to nothing is not understood."""
+        link, what = self.peek(), self._next_noun(1)
+        if not isinstance(link, Connector) or link.sort != "prepositions" or what is None:
+            return
+        wall = what.kind == "place" and ("wall" in what.value or "corner" in what.value)
+        if part.value in ("head", "back") and (link.value == "against" or (link.value in ("to", "facing") and wall)):
+            if link.value == "facing":
+                self.chunks[self.at] = replace(link, value="against")
+        elif part.value == "front" and link.value in ("facing", "to"):
+            self.chunks[self.at] = replace(link, value="facing")
+        elif link.value in ("against", "facing", "to"):
+            self._go_past(what)
+            if what.kind == "thing":
+                self.anchors(what, [])
+            self._spend(what)
+            self._lose(part.start, what.end)
+
+    def _goes_on_with_each(self, head: Node) -> bool:
+        """Whether the list before was of each: "tables, each covered with a cloth and set with two plates"."""
+        said = [n.frame for n in self.frontier if n.frame is not None and n.frame.head is head]
+        return self.separator in ("and", "comma", "comma_and") and any(frame.each for frame in said)
+
+    def _hold_matter(self, noun: Noun) -> None:
+        """Say of shelves "with supplies" that they are filled; of what, as "with paint", is not understood."""
+        node = next((n for n in reversed(self.frontier) if n.things), None)
+        head = node.things[-1] if node is not None else None
+        if head is None or not self._contains(head):
+            return
+        if noun.word in grammar().lists["goods"]:
+            head.attributes += ["filled"] if "filled" not in head.attributes else []
+        elif noun.word in grammar().lists["matter"]:
+            self._lose(noun.start, noun.end)
+
+    def _is_among(self, noun: Noun) -> bool:
+        """Take "with the sink in the middle" for where something just named is; among others that is not understood."""
+        known = self.referents.named(noun) if noun.kind == "thing" and noun.det == "the" else None
+        if known is None or known not in self.clause.members or not self._is_link(self.peek(1), "prepositions"):
+            return False
+        place = self._next_noun(2)
+        alone = not self._is_link(self.peek(3), "prepositions")
+        if alone and place is not None and place.value in ("middle", "centre"):
+            self._spend(noun)
+            self._go_past(place)
+            self._lose(noun.start, place.end)
+        return True
+
+    def _is_of_room_again(self, noun: Noun, head: Node) -> bool:
+        """Whether the room has it: "a sunroom full of plants, with two armchairs"."""
+        if self.separator != "comma" or self.each or noun.kind != "thing" or head.frame is None or head.each:
+            return False
+        if head.frame.head is not None or self.predicate:
+            return False
+        index = self.chunks.index(noun, self.at) + 1
+        index += self._is_link(self.peek(index - self.at), "participles")
+        place = self._next_noun(index + 1 - self.at)
+        if self._is_link(self.peek(index - self.at), "prepositions") and place is not None and place.kind == "place":
+            return place.value != "centre"
+        usual = self.habits.tie(noun.value, head.things[-1].noun)
+        return self.of_room and not usual and not self._belongs(noun.value, "small")
 
     def _pend(self, frame: Listed, head: Node) -> None:
         """Let what comes next begin a list of what `head` has."""
@@ -66,7 +134,8 @@ class Having(Groups):
 
     def _is_feature(self, noun: Noun) -> bool:
         """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
-        return noun.word in grammar().lists["features"] and not self.each
+        own = noun.kind == "part" and noun.det == "my"
+        return noun.word in grammar().lists["features"] and not self.each and not own
 
     def _features(self, thing: Mention, noun: Noun) -> None:
         """Take "two doors and three drawers" for parts of a thing."""
@@ -93,6 +162,9 @@ class Having(Groups):
             return self.subject if self.subject is not None and self.subject.things else None
         if self.each:
             return next((n for n in nodes if any(t.many for t in n.things)), nodes[0])
+        told = self._before(0)
+        if isinstance(told, Connector) and told.text.lower().startswith(("which ", "that ")) and not self.separator:
+            return nodes[0]
         covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
         if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not covers:
             outer = [n for n in nodes if n.frame is not None]

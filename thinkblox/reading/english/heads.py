@@ -62,7 +62,7 @@ class Heads(Modifiers):
             noun.kind, noun.value = "people", "people"
             return
         if last.known is not None:
-            self._known_head(noun, last.known)
+            self._known_head(noun, self._kind_of_room(nouns) or last.known)
             self._modifiers(noun, named[:-1])
             self._kind_of_its_own(noun, named[:-1], last)
             return
@@ -72,6 +72,12 @@ class Heads(Modifiers):
         noun.kind, noun.named = "thing", False
         noun.plural |= singular(words[-1]) != words[-1]
         noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
+
+    def _kind_of_room(self, nouns: list[Unit]) -> Known | None:
+        """The gym of "a gym room"."""
+        last, kind = nouns[-1].known, nouns[-2].known if len(nouns) > 1 else None
+        of_room = last is not None and last.entry.value == "room" and kind is not None and kind.entry.sort == "room"
+        return kind if of_room else None
 
     def _is_columns(self, noun: Noun, nouns: list[Unit]) -> bool:
         """Read "in two columns" as rows."""

@@ -133,7 +133,9 @@ class Descriptions(Rooms):
         kind = relation_kind(link.value)
         if kind in ("facing", "next_to"):
             bind(self.draft, Bond(kind, thing, (thing,)))
-        elif link.value != "around":
+        elif link.value == "around":
+            self.circles.append((thing, link))
+        else:
             self._lose(link.start, link.end)
 
     def _not_mutual(self, link: Connector, things: list[Mention]) -> None:

@@ -30,6 +30,8 @@ _WHOLE_BY = {"head": "at_foot_of", "foot": "at_foot_of", "long_side": "at_long_s
 
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
+_ROUNDED = {"round", "oval", "square"}
+"""Shapes of tables that have no two long sides."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -128,7 +130,8 @@ class Meanings:
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         kind = self._kind(where.word)
-        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything":
+        of_many = said.value == "all" and len(self.referents.standing(subjects)) > 1
+        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything" or of_many:
             return None
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
@@ -197,7 +200,10 @@ class Meanings:
         found = self.name.some_of(said, besides=subjects)
         if found is None:
             return None
-        return self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
+        meaning = self._fitting(Meaning(self._kind(where.word), (found,), told=True), subjects, noun)
+        single = bool(subjects) and subjects[-1].count == 1
+        meaning.each = single and found.many and found.count is not None and meaning.kind in ("on", "inside", "at")
+        return meaning
 
     def _other_wall(self, where: Where, said: Noun) -> Meaning | None:
         """Read "along the right one" after "along the left wall"."""
@@ -230,10 +236,13 @@ class Meanings:
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
+            kind = "at_long_side"
+        one_side = kind == "around" and said.value == "side" and _is_one(said)
+        kind, loose = ("at", True) if one_side else (kind, loose)
         if said.value == "in_shelf":
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
-        if where.word in ("above", "under", "behind") and said.value in ("head", "foot"):
-            kind = where.word
+        kind = where.word if _is_at_end(where, said) else kind
         lying = is_small(subjects[-1]) if subjects else is_small_name(noun)
         if where.word == "on" and kind == "next_to" and lying and any(w in said.text.lower() for w in ("edge", "rim")):
             return Meaning("on", meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
@@ -319,6 +328,8 @@ class Meanings:
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
+            return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:
             return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
         if said.value == "middle" and whole.kind == "place" and whole.value.endswith("wall"):
@@ -387,7 +398,10 @@ class Meanings:
             return Meaning("on", ("ceiling",)) if word in ("on", "from", "under", "at", "to", "near") else None
         if name == "floor":
             return Meaning("on", ("floor",)) if word in ("on", "in", "from") else None
-        return wall(word, said, name, several, each=each)
+        meaning = wall(word, said, name, several, each=each)
+        if meaning is not None and walls:
+            meaning.anchors = (name, *walls)
+        return meaning
 
     def _centre(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -457,6 +471,7 @@ class Meanings:
         elif meaning.kind in ("per", "for"):
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
+            meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"
         elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"
@@ -482,6 +497,22 @@ class Namer:
 def is_seat(thing: Mention) -> bool:
     """Whether one sits on it."""
     return load_habits().is_in(thing.noun, "seats")
+
+
+def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:
+    """Whether several seats at each of two sides of a table mean its long sides."""
+    several = (seats.count or 0) > (1 if sides.det == "each" else 3)
+    return several and sides.value == "side" and not _ROUNDED & set(table.attributes)
+
+
+def _is_at_end(where: Where, said: Noun) -> bool:
+    """Whether it is "above the headboard", "under the foot"."""
+    return where.word in ("above", "under", "behind") and said.value in ("head", "foot")
+
+
+def _is_one(side: Noun) -> bool:
+    """Whether it is "one side"."""
+    return side.count == 1 or side.text.lower().startswith("one ")
 
 
 def _is_open(shelves: Mention) -> bool:

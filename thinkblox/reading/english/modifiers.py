@@ -77,7 +77,7 @@ class Modifiers(Quantities):
         """Read the "left" of "the left nightstand"."""
         text = self.tokens[at].text
         if noun.det not in ("the", "my") or text not in ("left", "right", "middle") or noun.side:
-            return 1 if noun.side == text else 0
+            return 1 if noun.side and noun.side in (text, {"rear": "back"}.get(text)) else 0
         following = self._known(at + 1, "object", "missing")
         if following is None and not self._is_one(at + 1):
             return 0

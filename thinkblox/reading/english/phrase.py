@@ -72,11 +72,14 @@ class PhraseReader(Heads):
         after = at + part.length
         if place is not None and place.length > part.length:
             return False
+        if grammar().at(self.tokens, at, "mutual") is not None:
+            return False
         if part.value in ("left", "right", "middle", "back", "front", "side", "end", "top", "inside", "head", "foot"):
             if self._verb_follows(after) or self._adjective_ends(after):
                 pass
             elif self._starts_noun(after) or self._is_one(after):
-                noun.side = part.value if part.value in ("left", "right", "middle") else ""
+                outer = ("back", "front") if self._is_one(after) else ()
+                noun.side = part.value if part.value in ("left", "right", "middle", *outer) else ""
                 return False
         if part.value == "in_shelf" and part.length < 2:
             return False
@@ -95,7 +98,10 @@ class PhraseReader(Heads):
         verb = grammar().at(self.tokens, at, "verbs")
         if verb is None:
             return False
-        return grammar().at(self.tokens, at + verb.length, "determiners", "quantifiers", "count", "vague") is not None
+        after = at + verb.length
+        if grammar().at(self.tokens, after, "determiners", "quantifiers", "count", "vague") is not None:
+            return True
+        return grammar().at(self.tokens, after, "evaluative") is not None and self._starts_noun(after + 1)
 
     def _units(self, noun: Noun, at: int, units: Units) -> int:
         if noun.ordinal and grammar().at(self.tokens, at, "verbs", "participles") is not None:
@@ -131,9 +137,15 @@ class PhraseReader(Heads):
         said = self._known(at, "attribute", "style") is not None or bool(adjective_kinds(word) or degree_of(word))
         return said or grammar().at(self.tokens, at, "evaluative", "states") is not None
 
+    def unread_at(self, at: int) -> int:
+        """How many tokens a stretch that asks for what no room shows has at `at`; 0 where none begins there."""
+        if at not in self._unread:
+            self._unread[at] = unread_at(self.tokens, at)
+        return self._unread[at]
+
     def _is_unread(self, at: int) -> bool:
         """Whether words begin that nothing is made of; an animal after other words names a thing: "a porcelain dog"."""
-        return bool(unread_at(self.tokens, at)) and self.tokens[at].text not in grammar().lists["animals"]
+        return bool(self.unread_at(at)) and self.tokens[at].text not in grammar().lists["animals"]
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
@@ -211,6 +223,10 @@ class PhraseReader(Heads):
         """Whether "a bench for four | stands by the door", "a TV | wall-mounted opposite it" is parted here."""
         text = self.tokens[at].text
         if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
+            return True
+        if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
+            return True
+        if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
         stands = text == "stands" and not units.nouns and people

@@ -1,10 +1,27 @@
 """What prepositions mean with corners, openings and walls."""
 
+from collections.abc import Sequence
+
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning
 
 _AT_WALL = ("against", "along", "at", "by", "next_to", "near", "around", "in", "to", "from", "under", "above")
 _CORNERED = ("in", "at", "on", "to", "by", "near", "next_to", "against", "along", "between")
+
+
+_WALLS = {
+    "left": "left_wall", "right": "right_wall", "north": "north_wall", "south": "south_wall", "east": "east_wall",
+    "west": "west_wall", "back": "far_wall", "rear": "far_wall", "far": "far_wall", "front": "near_wall",
+}  # fmt: skip
+
+
+def two_walls_at(words: Sequence[str]) -> tuple[str, int]:
+    """The walls that "the left and right walls" are, and how many words that takes; "" and 0 where it is not that."""
+    start = 1 if words[:1] in (["the"], ["both"]) else 0
+    said = list(words[start : start + 4])
+    if len(said) < 4 or said[1] != "and" or said[3] not in ("wall", "walls") or not {said[0], said[2]} <= _WALLS.keys():
+        return "", 0
+    return f"{_WALLS[said[0]]} {_WALLS[said[2]]}", start + 4
 
 
 def corner(word: str, said: Noun, walls: list[str], several: int) -> Meaning | None:
@@ -43,7 +60,7 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
             several = several or 2
         elif "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
             name = "opposite_wall"
-        elif said.count == 1 and text.startswith("one"):
+        elif (said.count == 1 and text.startswith("one")) or "same" in text.split():
             name = "one_wall"
     if word in ("facing", "opposite", "far"):
         return Meaning(word, (name,))

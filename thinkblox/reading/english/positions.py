@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
@@ -52,6 +53,8 @@ class Positions(Subjects):
             where.whole = self._next_noun(1)
             if where.whole is not None:
                 self._go_past(where.whole)
+                if where.whole.kind == "room" and not self.draft.room and not where.negated:
+                    self._room(where.whole)
         if link.value == "between":
             where.second = self._second(chunk)
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
@@ -141,7 +144,7 @@ class Positions(Subjects):
         if where.word == "turned":
             self._turned_to(where)
             return
-        if self._stands_on_part(where):
+        if self._stands_on_part(where) or self._seats_people(where):
             return
         if self._is_side_of_owner(where):
             self._lose_where(where)
@@ -182,6 +185,8 @@ class Positions(Subjects):
     def _reword(self, where: Where) -> None:
         """Take "leaning on the wall" for against it, and "halfway down the room" for in its middle."""
         place = where.noun is not None and where.noun.kind == "place"
+        if where.word == "to" and place and self._is_mounted():
+            where.word = "on"
         if where.word == "on" and place and self._is_leaning():
             where.word = "against"
         if where.word == "halfway" and not (place and where.noun is not None and "wall" in where.noun.value):
@@ -209,6 +214,19 @@ class Positions(Subjects):
         self._spend(noun)
         return True
 
+    def _seats_people(self, where: Where) -> bool:
+        """Take the table of "a room that seats twelve around an oval table" for one of that many places."""
+        noun, said = where.noun, self.chunks[self._began - 1] if self._began else None
+        people = isinstance(said, Noun) and said.kind in ("people", "number") and self.draft.people > 0
+        if not people or where.word not in ("around", "at") or noun is None or noun.kind != "thing":
+            return False
+        if noun.definite or self.draft.things or self.front:
+            return False
+        table = self._new(noun)
+        table.seats = table.seats or self.draft.people
+        self._take(table, noun)
+        return True
+
     def _is_side_of_owner(self, where: Where) -> bool:
         """Whether "the far side" is rather that of what has the thing: "an island with four stools on the far side"."""
         noun, node = where.noun, self.frontier[-1] if self.frontier else None
@@ -233,6 +251,11 @@ class Positions(Subjects):
                 bind(self.draft, Bond("in_rows", rowed.things[-1], rows=max(noun.rows, 0)))
             else:
                 self._lose_where(where)
+            return True
+        formation = {noun.word, *noun.text.lower().split()[-1:]} & grammar().lists["formations"]
+        if noun.kind in ("thing", "part") and formation and where.word in ("in", "into") and noun.det != "the":
+            self._spend(noun)
+            self._lose(where.start, noun.end)
             return True
         if noun.kind == "room":
             if noun.count or noun.each or where.word not in _WITHIN:
@@ -295,12 +318,33 @@ class Positions(Subjects):
         if meaning is None or self._is_elsewhere_named(subjects):
             self._lose_where(where)
         if meaning is None:
+            self._ask_all_the_same(where)
             return
+        self._mount(subjects, where)
         self._relate(subjects, meaning, negated=where.negated)
         if meaning.loose:
             self._lose_where(where)
         if not where.negated:
             self._go_on_from(node, where, meaning)
+
+    def _ask_all_the_same(self, where: Where) -> None:
+        """Ask for what a relation that is not understood is to."""
+        noun = where.noun if where.word == "from" and not where.negated else None
+        if noun is not None and noun.kind == "thing" and noun.det != "no":
+            self.anchors(noun, [])
+
+    def _is_mounted(self) -> bool:
+        said = self.chunks[self._began - 1] if self._began else None
+        words = said.text.lower().split() if isinstance(said, Connector) else []
+        return bool(words) and words[-1] in grammar().lists["mounted"]
+
+    def _mount(self, subjects: list[Mention], where: Where) -> None:
+        """Note that what else would stand is "mounted on the wall"."""
+        place = where.noun.value if where.noun is not None and where.noun.kind == "place" else ""
+        wall = where.word == "on" and "wall" in place
+        for subject in subjects if self._is_mounted() and wall and not where.negated else ():
+            if self.habits.is_in(subject.noun, "storage"):
+                subject.attributes.append(WALL_MOUNTED)
 
     def _go_on_from(self, node: Node, where: Where, meaning: Meaning) -> None:
         """Let what comes be about the things just placed, or about what they were placed by."""
@@ -325,7 +369,9 @@ class Positions(Subjects):
         anchors = [a for a in meaning.anchors if isinstance(a, Mention)]
         if not anchors or where.noun is None:
             return
-        if self.each and not meaning.told and where.noun.det == "a":
+        said = self.chunks[self._began - 1] if self._began else None
+        together = isinstance(said, Noun) and said.value == "all" and where.word in ("facing", "opposite", "around")
+        if self.each and not meaning.told and where.noun.det == "a" and not together:
             anchors[0].count = sum(self.referents.total(t) for t in subjects)
             self.each = False
         if where.noun.kind in ("thing", "number") and not meaning.told:
@@ -362,7 +408,7 @@ class Positions(Subjects):
             return
         for bond in self.draft.bonds:
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
-                bond.subject = carrier
+                self.draft.hand_over(bond, carrier)
         for front in self.front:
             place = isinstance(front.anchors[0], str) and front.kind != "on"
             front.used |= place
@@ -400,6 +446,7 @@ class Positions(Subjects):
             self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
         else:
             self._lose_where(where)
+            self._ask_all_the_same(where)
         self.frontier = []
         self.clause = Listed(times=self.clause.times)
         self.subject = None

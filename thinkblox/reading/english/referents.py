@@ -46,6 +46,7 @@ class Referents:
         self.parts: dict[Mention, list[Mention]] = {}
         self.shared: set[Mention] = set()
         self.centre: Mention | None = None
+        self.flanking: set[Mention] = set()
         self._whole_of: dict[Mention, Mention] = {}
 
     def speak(self, thing: Mention) -> None:
@@ -61,7 +62,7 @@ class Referents:
         said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
-            lambda t: t.noun == noun.value,
+            lambda t: t.noun in (noun.value, f"wall_{noun.value}"),
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value),
         )
@@ -130,6 +131,8 @@ class Referents:
 
     def _may_be_one(self, thing: Mention, subject: Mention | None) -> bool:
         """Whether "it" can be said of a thing: of a single one, or of each of several that are spoken of one by one."""
+        if thing in self.flanking:
+            return False
         if not thing.many or thing in self.shared or thing.rows or thing.groups:
             return True
         return subject is not None and any(b.each and thing in b.anchors for b in self.draft.bonds_of(subject))
@@ -154,6 +157,10 @@ class Referents:
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
         return tuple(standing[:1])
+
+    def standing(self, besides: Sequence[Mention]) -> list[Mention]:
+        """The furniture that was spoken of last, `besides` some."""
+        return [t for t in self._recent() if not is_small(t) and t not in besides]
 
     def last(self, subject: Sequence[Mention]) -> Mention | None:
         """What was spoken of last, furniture before what lies on it."""

@@ -1,5 +1,7 @@
 """Binds things to what they are related to."""
 
+from dataclasses import replace
+
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.naming import Naming
@@ -15,7 +17,7 @@ class Relating(Naming):
 
     def _relate(self, subjects: list[Mention], meaning: Meaning, *, negated: bool = False) -> None:
         """Bind subjects to what they are related to."""
-        if not negated and self._flanks(subjects, meaning):
+        if not negated and (self._flanks(subjects, meaning) or self._are_on_two_walls(subjects, meaning)):
             return
         anchors = tuple(a for a in meaning.anchors if a not in subjects) or meaning.anchors
         for subject in subjects:
@@ -59,6 +61,22 @@ class Relating(Naming):
         if kind in ("next_to", "facing", "opposite", "left_of", "right_of"):
             self.referents.pairs += [(subject, anchor) for anchor in anchors if isinstance(anchor, Mention)]
 
+    def _are_on_two_walls(self, subjects: list[Mention], meaning: Meaning) -> bool:
+        """Share several out over two walls that were named: half of them on each."""
+        walls = meaning.anchors
+        if meaning.kind not in ("on", "against_wall") or len(walls) != 2:
+            return False
+        for subject in subjects:
+            self.referents.settle(subject)
+            if subject.count in (None, 1):
+                subject.count = 2
+            half = self.referents.part(subject, max(1, subject.count // 2))
+            self.referents.parted = None
+            for thing, wall in ((half, walls[0]), (subject, walls[1])):
+                self._relate([thing], replace(meaning, anchors=(wall,)))
+                self.sides[thing] = str(wall).removesuffix("_wall")
+        return True
+
     def _flanks(self, subjects: list[Mention], meaning: Meaning) -> bool:
         """One of two things "on either side" stands at the left, the other at the right."""
         anchor = meaning.anchors[0]
@@ -74,6 +92,7 @@ class Relating(Naming):
             bond.each &= not bond.implied
         part = self.referents.part(subject, 1)
         self.referents.parted = None
+        self.referents.flanking |= {part, subject}
         for one, side in ((part, "left"), (subject, "right")):
             self.draft.bonds = [b for b in self.draft.bonds if b.subject is not one or not b.implied]
             bind(self.draft, Bond(relation_kind(f"{side}_of"), one, (anchor,)))

@@ -7,6 +7,7 @@ from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.boundaries import Boundaries
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.meaning import ROOM_SIDES
 
 
 class Several(Boundaries):
@@ -120,16 +121,31 @@ class Several(Boundaries):
     def _set_side(self, part: Mention, whole: Mention, side: str) -> None:
         """The left one of two that flank something stands at its left."""
         other = {"left": "right", "right": "left"}.get(side, "")
+        self._set_walls(part, whole, side)
         self.sides[part] = side
         if part is whole:
             return
-        self.sides[whole] = other
-        if not other:
+        if not other or (whole.count or 1) > (part.count or 1):
             return
+        self.sides[whole] = other
         for thing, where in ((part, side), (whole, other)):
             for bond in self.draft.bonds_of(thing):
                 if bond.kind == "next_to" and bond.anchors and isinstance(bond.anchors[0], Mention):
                     bond.kind = relation_kind(f"{where}_of")
+
+    def _set_walls(self, part: Mention, whole: Mention, side: str) -> None:
+        """Of what stands on several walls the left ones stand on the left wall, the others on those that remain."""
+        wall, across = ROOM_SIDES.get(side), {"left": "right_wall", "right": "left_wall"}.get(side)
+        first = len(self.referents.parts.get(whole, ())) < 2
+        spread = [b for b in self.draft.bonds_of(whole) if b.spread > 1 and b.anchors[0] in ("wall", "long_wall")]
+        told = [b for b in self.draft.bonds_of(part) if b.spread > 1 or (part is whole and b.anchors == ("wall",))]
+        if wall is None:
+            return
+        for bond in spread if part is not whole else ():
+            bond.spread = bond.spread - 1 if bond.spread > 2 else 0
+            bond.anchors = (across,) if first and across and not bond.spread else bond.anchors
+        for bond in told:
+            bond.anchors, bond.spread = (wall,), 0
 
     def _every(self, noun: Noun) -> list[Mention]:
         """Read "every second chair", "every two loungers": so many of them, or groups of so many."""

@@ -48,12 +48,15 @@ class State(Namer):
         each: what comes is said of each.
         per_group, crowd: so many of what comes, for so many groups, or people.
         together: with what that was said to be somewhere what comes is ("along with three candles").
+        of_room: the clause lists what the room has.
         adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last.
         laid: what was said last lies where it was said to lie before.
         meant: what the phrase at a token was taken for.
         unsure: phrases for one thing that several were named by, and these.
+        circles: things that were said to stand in a circle.
+        tables: things that serve as tables.
         spoken_of: what a pronoun of this sentence meant.
         untied: things that others were said to have, and no relation of ours says how, with their owners.
         sequence: on which side each of the things that come is of the one before ("from left to right").
@@ -90,6 +93,8 @@ class State(Namer):
         self.laid = False
         self.spoken_of: Mention | None = None
         self.meant: dict[int, list[Mention]] = {}
+        self.circles: list[tuple[Mention, Connector]] = []
+        self.tables: set[Mention] = set()
         self.unsure: list[tuple[Noun, Mention]] = []
         self.untied: list[tuple[Mention, Mention]] = []
         self.spent: set[tuple[int, int]] = set()
@@ -117,6 +122,7 @@ class State(Namer):
         self.leaving = False
         self.each = False
         self.excepting = False
+        self.of_room = False
         self.existential = False
         self.per_group = 0
         self.outer: Node | None = None

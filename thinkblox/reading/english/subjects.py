@@ -77,10 +77,11 @@ class Subjects(Having):
             )
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
             return not any(member.many for member in frame.members if member is not thing)
-        if where.word not in _BY_OWNER or noun is None or noun.kind != "pronoun":
+        if where.word not in (*_BY_OWNER, "above", "under") or noun is None or noun.kind != "pronoun":
             return False
         lying = [b for b in self.draft.bonds_of(thing) if b.implied and b.kind in ("on", "inside")]
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
+        within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
 
     def _is_at_room_part(self, where: Where) -> bool:
@@ -135,7 +136,8 @@ class Subjects(Having):
             return not frame.each
         if not (where.word in _BY_OWNER or held) or noun.kind != "thing" or self._is_head(noun, head):
             return False
-        if held and (self.habits.is_in(noun.value, "small") or self._is_within(noun, frame)):
+        lying = self.habits.is_in(noun.value, "small") and not self.habits.is_in(noun.value, "built_in")
+        if held and (lying or self._is_within(noun, frame)):
             return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
@@ -144,6 +146,9 @@ class Subjects(Having):
     def _behind_its_carrier(self, head: Node, where: Where) -> bool:
         """Whether "it" is something before the shelves: "a counter, shelves with bottles behind it"."""
         before = [m for m in self.clause.members if m not in head.things]
+        if where.word in ("above", "under"):
+            held = self.habits.is_in(head.things[-1].noun, "wallpieces", "shelves")
+            return bool(before) and held and where.noun is not None and where.noun.value == "it"
         return where.word in ("behind", "in_front_of", "opposite") and bool(before)
 
     def _is_head(self, noun: Noun, head: Node) -> bool:
@@ -170,7 +175,8 @@ class Subjects(Having):
             b.kind in ("on", "inside") and inner.things[-1] in b.anchors
             for b in self.draft.bonds_of(subject.things[-1])
         )
-        if inner.told or where.negated or (inner.known and not is_small(subject.things[-1]) and not carries):
+        apart = self.separator == "comma" and inner.known and not self._is_pronominal(where)
+        if inner.told or where.negated or apart or (inner.known and not is_small(subject.things[-1]) and not carries):
             return subject
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
@@ -192,6 +198,8 @@ class Subjects(Having):
         frame = node.frame
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
+        if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
+            return Node([m for m in frame.members if m in self.draft.things], frame)
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
             "against_wall"
@@ -209,6 +217,7 @@ class Subjects(Having):
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
         leaning = self._is_leaning()
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
+        taken += [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
         free: list[Mention] = []
         for member in reversed(frame.members):
             lies = each and (is_small(member) or not member.many)

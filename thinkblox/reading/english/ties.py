@@ -39,7 +39,7 @@ class Ties(Relating):
         return noun is not None and noun.kind == "place"
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
-        told = self._told_of(frame)
+        told = self._told_of(frame, thing)
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False
         if told is not None:
@@ -62,8 +62,11 @@ class Ties(Relating):
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
-        if frame.told and tie not in _CARRIED:
+        alone = self.separator == "comma_and" and len(frame.members) == 1
+        if frame.each and tie == "next_to" and alone and not self.habits.tie(thing.noun, head.noun):
             return False
+        if frame.told and tie not in _CARRIED:
+            return pair
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
 
     def _is_told_by_pronoun(self) -> bool:
@@ -71,7 +74,7 @@ class Ties(Relating):
         noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
         return noun is not None and noun.kind == "pronoun"
 
-    def _told_of(self, frame: Listed) -> bool | None:
+    def _told_of(self, frame: Listed, thing: Mention) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
         link = self.peek(index)
@@ -88,19 +91,28 @@ class Ties(Relating):
             return frame.times > 1
         match noun.kind:
             case "pronoun":
-                return True
+                return not self._are_all(frame, noun, thing)
             case "thing" if noun.definite:
                 return self._is_of(frame, noun)
             case "part":
-                return self._is_part_of(frame, index)
+                return self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if frame.each and noun.value.split()[0] == "wall" else False
         return None
 
-    def _is_part_of(self, frame: Listed, index: int) -> bool | None:
-        """Whether "on the side" is of the head: always, unless it goes on with "of the bed"."""
+    def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
+        """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""
+        head = frame.head.thing if frame.head is not None else None
+        if not frame.each or noun.value != "them" or head is None or not head.many or thing.many:
+            return False
+        carried = frame.kind in ("on", "hold", "carry", "inside") and not is_small(thing)
+        return carried or (self.separator == "comma_and" and not any(member.many for member in frame.members))
+
+    def _is_part_of(self, frame: Listed, index: int, part: Noun) -> bool | None:
+        """Whether "on the side" is of the head: not "of the bed", and not "at the front", which is of the room."""
         if not self._is_link(self.peek(index + 2), "prepositions", "of"):
-            return True
+            of_room = part.det == "the" and part.value in ("front", "back", "end")
+            return not (of_room and self._is_link(self.peek(index), "prepositions", "at", "in"))
         whole = self._next_noun(index + 3)
         return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
 
@@ -140,6 +152,7 @@ class Ties(Relating):
         usual = self.habits.tie(thing.noun, head.noun)
         lies = self._belongs(thing.noun, "small")
         lies |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
+        lies &= not (self.habits.is_in(thing.noun, "fitted") and is_small(head))
         lies_here = lies or first or usual == "on"
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
@@ -171,7 +184,7 @@ class Ties(Relating):
             return seated
         contains = self._contains(head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
-        flat = last_word(head) in grammar().lists["flat"]
+        flat = last_word(head) in grammar().lists["flat"] or head in self.tables
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
         lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
         if lies and carries and thing.noun != "tv":

@@ -93,7 +93,7 @@ class Verbs(Prepositions):
     def _form(self, link: Connector) -> None:
         """Go past what things serve as; how they are arranged ("forming a U") is not understood."""
         noun = self.peek()
-        if isinstance(noun, Noun) and noun.text.lower().split()[-1] in grammar().lists["formations"]:
+        if isinstance(noun, Noun) and {noun.word, noun.text.lower().split()[-1]} & grammar().lists["formations"]:
             self._go_past(noun)
             self._spend(noun)
             self._lose(link.start, noun.end)
@@ -141,7 +141,8 @@ class Verbs(Prepositions):
                 carrier = self.frontier[-1].thing if self.frontier else None
                 which = self._before(0)
                 said = which.text.lower() if isinstance(which, Connector) else ""
-                if said.startswith("on which") and carrier is not None and not self._belongs(carrier.noun, "small"):
+                told = said.startswith(("on which", "which", "that")) and carrier is not None
+                if told and carrier is not None and not self._belongs(carrier.noun, "small"):
                     self.separator = ""
                 self._open(kind)
             case "inside":

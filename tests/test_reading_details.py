@@ -1,0 +1,133 @@
+"""Details of ordinary prompts: sides and ends, what is of each and what of all, kinds told later, numbered items."""
+
+import pytest
+
+from tests.test_reading_turns import related
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        # What is of each of several, and what is of all of them or of the room.
+        ("Three pallets, each stacked with four boxes, and a forklift parked next to them.",
+         ["1 forklift next_to pallet"]),
+        ("Six tables, each covered with a cloth and set with two plates and a candle.",
+         ["12 plate on dining_table", "6 candle on dining_table"]),
+        ("A room that seats twelve around a table, with a projector hanging from the ceiling.",
+         ["1 ceiling_projector on ceiling"]),
+        ("A sunroom full of plants, with two armchairs and a table between them.", ["1 coffee_table between armchair"]),
+        ("Three workbenches, a clock on the first two.", ["2 clock on workbench"]),
+        # Sides and ends.
+        ("Four tables, each with a lamp and six chairs, three on each side.", ["24 chair at_long_side dining_table"]),
+        ("A desk is at the front left.", ["1 desk in_corner near_wall left_wall"]),
+        ("A bed, its headboard touching the east wall.", ["1 bed against_wall east_wall"]),
+        ("A desk with its back to the wall.", ["1 desk against_wall wall"]),
+        # What carries what.
+        ("A workbench against the far wall, a pegboard with tools above it, and a bicycle on the left wall.",
+         ["1 pegboard above workbench", "1 tools on pegboard", "1 wall_bicycle on left_wall"]),
+        ("A counter and open shelves with mugs above the sink.", ["2 wall_shelf above sink"]),
+        ("A mug on the kitchen counter, next to the sink.", ["1 cup next_to sink", "1 cup on base_cabinet"]),
+        ("A table with a vase with a single flower.", ["1 flower inside vase"]),
+        ("A cello on a stand.", ["1 cello on guitar_stand"]),
+        # Of which kind something is, told later; numbered items.
+        ("Six chairs around a table, two of which are armchairs.",
+         ["4 chair around dining_table", "2 armchair around dining_table"]),
+        ("1. A table. 2. Six chairs around it. 3. A lamp above the table.",
+         ["6 chair around dining_table", "1 pendant_lamp above dining_table"]),
+        ("A room with eight chairs: four along the walls and four in the middle.",
+         ["4 chair against_wall wall", "4 chair-2 in_centre centre"]),
+        ("A console with a bowl for keys and a bench with shoes underneath.",
+         ["3 key inside bowl", "1 bowl on console_table", "3 shoes under bench"]),
+        ("A desk with a mug for pens and a chair.", ["1 chair at desk", "1 cup on desk"]),
+        ("A neon sign above the liquor shelf, which holds twelve bottles.", ["12 bottle inside liquor_shelf"]),
+        ("Three barrels used as tables, each with two glasses.", ["6 glass on barrel"]),
+        ("A bed. On either side stand identical nightstands with lamps.", ["2 table_lamp on nightstand"]),
+        ("A vanity with a stool is to the left of the door.",
+         ["1 stool at dressing_table", "1 dressing_table left_of door"]),
+        # What people do there.
+        ("A room where a person can work at a desk. The desk faces the window.", ["1 desk facing window"]),
+        ("People can work at a desk and relax on a sofa. The sofa is against the wall, and the desk near the window.",
+         ["1 sofa against_wall wall", "1 desk near window"]),
+        # Walls.
+        ("Fridge, stove and sink along the same wall.",
+         ["1 fridge against_wall one_wall", "1 stove against_wall one_wall"]),
+        ("A crib next to the window and a changing table on the opposite wall.",
+         ["1 changing_table opposite window", "1 changing_table against_wall wall"]),
+        ("A bed against the wall and a desk against the opposite wall.",
+         ["1 bed against_wall one_wall", "1 desk against_wall opposite_wall"]),
+        ("A sofa on the left wall, a TV on the opposite wall.", ["1 wall_tv on right_wall"]),
+        ("The north and south walls have bookcases.",
+         ["1 bookcase against_wall north_wall", "1 bookcase-2 against_wall south_wall"]),
+        ("Shelves on three walls: the left one holds jars, the right one holds cans, and the back one holds boxes.",
+         ["1 shelving_unit-2 against_wall right_wall", "3 jar inside shelving_unit", "3 box inside shelving_unit-3"]),
+        ("A dresser on the left wall and a sideboard mounted on the right wall.",
+         ["1 dresser against_wall left_wall", "1 sideboard on right_wall"]),
+        # What is spoken of again, and what several have or face together.
+        ("A TV mounted on the wall across from the sofa, a console table below the TV.",
+         ["1 console_table under wall_tv"]),
+        ("A fireplace. On each side of the fireplace is an armchair, and a rug lies in front of it.",
+         ["1 rug in_front_of fireplace"]),
+        ("Six recliners, all facing a projector screen.", ["6 recliner facing projector_screen"]),
+        ("Three tables, each with a stool beside it and a cabinet.", ["3 cabinet next_to dining_table"]),
+        ("36 desks, each with one chair, and a table at the front.", ["1 dining_table against_wall near_wall"]),
+        ("A sink with a mirror over it, a toilet beside the sink, and a stack of towels on a stool.",
+         ["3 towels on stool"]),
+        ("A chapel with an altar with two candlesticks.", ["2 candlestick on altar"]),
+        ("A chair, and display racks along the wall.", ["2 shelving_unit against_wall wall"]),
+    ],
+)  # fmt: skip
+def test_details_are_read(prompt: str, relations: list[str]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert set(relations) <= related(brief)
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "doubt"),
+    [
+        ("A sofa with its back to the door.", "its back to the door"),
+        ("A desk with its short side against the wall.", "its short side"),
+        ("Three tables and a vase on the tables.", "which of them"),
+        ("A lamp around the table.", "only one"),
+        ("Plates above the desk.", "on what"),
+        ("A piano on a side table.", "hardly"),
+        ("Two armchairs, a sofa, a rug under all of them.", "under all of them"),
+        ("A dining table with six chairs, with one chair missing.", "one chair missing"),
+        ("Cakes in a glass counter.", "in a glass counter"),
+        ("Shelves with paint.", "paint"),
+        ("A fridge with magnets on it.", "stuck to it"),
+        ("A fridge, a stove and a sink along the wall with the sink in the middle.", "the sink in the middle"),
+        ("Twelve chairs arranged in a semicircle facing the piano.", "in a semicircle"),
+        ("Two lamps at 45 degrees to the backdrop.", "45 degrees"),
+        ("Ten bookcases forming three aisles.", "forming three aisles"),
+        ("A table saw and a drill press arranged in a triangle.", "in a triangle"),
+        ("Four clusters of four desks.", "clusters of four desks"),
+        ("Two desks and a receptionist.", "a receptionist"),
+        ("An island with three bar stools on one side.", "on one side"),
+        ("A waiting room with eight chairs: four along the walls and four back to back in the middle.", "back to back"),
+    ],
+)
+def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:
+    assert doubt in "; ".join(read_brief(prompt, fill="named").unknown)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room"),
+    [
+        ("In the corner of the bedroom stands a chair.", "bedroom"),
+        ("A gym room with two treadmills.", "gym"),
+    ],
+)
+def test_the_room_is_named_in_passing(prompt: str, room: str) -> None:
+    assert read_brief(prompt).room_type == room
+
+
+def test_colours_are_told_after_paint() -> None:
+    dresser = read_brief("A dresser painted yellow.", fill="named").requests[0]
+    assert (dresser.category, dresser.attributes) == ("dresser", ("yellow",))
+
+
+def test_a_table_is_round() -> None:
+    table = read_brief("A table and two chairs. The table is round. The chairs are stools.", fill="named").requests[0]
+    assert table.attributes == ("round",)

@@ -1,0 +1,53 @@
+"""The wall across from what was named before: "a crib by the window and a wardrobe on the opposite wall"."""
+
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.reading.draft import Bond, Draft, Mention
+
+_OPPOSITE = ("opposite_wall",)
+_ACROSS = {
+    "left_wall": "right_wall", "right_wall": "left_wall", "far_wall": "near_wall", "near_wall": "far_wall",
+    "north_wall": "south_wall", "south_wall": "north_wall", "east_wall": "west_wall", "west_wall": "east_wall",
+}  # fmt: skip
+"""The walls that face each other."""
+_AT_WALL = ("on", "against_wall", "in_centre")
+"""Relations to a wall."""
+_OPENINGS = ("window", "door")
+
+
+def settle_opposite_walls(draft: Draft) -> None:
+    """Say of every "opposite wall" which it is: across from the wall, opening or thing that was named before."""
+    if any(bond.anchors == ("one_wall",) for bond in draft.bonds):
+        return
+    for bond in [b for b in draft.bonds if b.anchors == _OPPOSITE and not b.negated]:
+        before = _named_before(draft, bond.subject)
+        if before is not None:
+            _settle(draft, bond, before)
+
+
+def _named_before(draft: Draft, subject: Mention) -> Mention | None:
+    """The piece of furniture that was named before something."""
+    at = next((n for n, thing in enumerate(draft.things) if thing is subject), 0)
+    standing = (t for t in reversed(draft.things[:at]) if t.asked and not load_habits().is_in(t.noun, "small"))
+    found = next((t for t in standing if not any(b.anchors == _OPPOSITE for b in draft.bonds_of(t))), None)
+    while found is not None and found.owner is not None and found.owner is not subject:
+        found = found.owner
+    return found
+
+
+def _settle(draft: Draft, bond: Bond, before: Mention) -> None:
+    for told in draft.bonds_of(before):
+        place = told.anchors[0] if told.anchors else ""
+        if not isinstance(place, str) or told.negated or told.spread:
+            continue
+        if place in _ACROSS and told.kind in _AT_WALL:
+            bond.anchors = (_ACROSS[place],)
+            return
+        if place == "wall" and told.kind in _AT_WALL:
+            told.anchors = ("one_wall",)
+            return
+        if place in _OPENINGS and told.kind in ("next_to", "near", "facing"):
+            bond.anchors = ("wall",)
+            draft.bonds.append(Bond("opposite", bond.subject, (place,)))
+            return
+    bond.anchors = ("wall",)
+    draft.bonds.append(Bond("opposite", bond.subject, (before,)))
