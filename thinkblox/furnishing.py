@@ -279,7 +279,7 @@ def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     needed = any(target.id in other.depends_on for other in plan.targets)
     if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
         return ""
-    if not all(anchor in scene for anchor in tie.anchors):
+    if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
         return ""
     if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
         return ""

@@ -26,7 +26,7 @@ from thinkblox.value import Vec3
 HOPELESS = 50.0
 MOOD = 0.25
 """How much a seed may prefer one part of the room to another."""
-ZONED = 6.0
+ZONED = 4.0
 """How much more that is for large things that stand by no other, as far as floor is to spare: they make the zones."""
 LEADING = 4.5
 """How quickly that changes over the room for them, as a share of it: what is slow keeps them in the middle of walls."""
