@@ -79,7 +79,8 @@ def _mood(situation: Situation, rects: Rects, rng: np.random.Generator) -> Array
 
     It varies slowly over the room: ideas that differ in detail keep their order, so that what is even stays even.
     """
-    leads = is_large(situation.size) and not situation.target.depends_on
+    built = situation.facts.is_in("built_in_line")
+    leads = is_large(situation.size) and not situation.target.depends_on and not built
     waves = rng.standard_normal((3, 2)) * (LEADING if leads else 2.0) / max(situation.room.extent)
     field = np.sin(rects.centre @ waves.T + rng.uniform(0.0, 2 * np.pi, 3)).mean(-1)
     turned = np.cos(rects.yaw - rng.uniform(0.0, 2 * np.pi))
