@@ -14,7 +14,7 @@ from thinkblox.headline import UNKNOWN, in_short, relation_words, shortfall
 from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
-from thinkblox.plan import Plan, Target
+from thinkblox.plan import Plan, Target, Tie
 from thinkblox.planning.tightness import is_essential
 from thinkblox.policies import Policy
 from thinkblox.prompts import prompts_version
@@ -279,9 +279,27 @@ def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
     needed = any(target.id in other.depends_on for other in plan.targets)
     if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
         return ""
-    if not all(anchor in scene for anchor in tie.anchors) or measure(scene, tie.kind, target.id, tie.anchors).holds:
+    if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
+        return ""
+    if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
         return ""
     return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
+
+
+def _is_second_at_side(scene: Scene, plan: Plan, target: Target, tie: Tie) -> bool:
+    """Whether both of a pair stand at one side of what they are to flank: two nightstands by a bed in a corner."""
+    if tie.kind != "next_to" or tie.count != 2:
+        return False
+    anchor, own = scene[tie.anchors[0]], scene[target.id]
+    alike = (
+        t.id for t in plan.targets if t.request == target.request and t.id != target.id and tie.anchors == _next(t)
+    )
+    sides = [anchor.to_local((p.position[0], p.position[1]))[1] for p in (scene[id] for id in alike if id in scene)]
+    return any(side * anchor.to_local((own.position[0], own.position[1]))[1] > 0.0 for side in sides)
+
+
+def _next(target: Target) -> tuple[str, ...]:
+    return next((tie.anchors for tie in target.ties if tie.kind == "next_to"), ())
 
 
 def makeable_part(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:

@@ -37,11 +37,11 @@ def with_sizes(brief: Brief, seed: int) -> Brief:
 
 def _drawn(request: Request, seed: int, *, close: bool) -> Measures:
     kind = kind_of(request.category)
-    if kind.mount != "floor" or kind.flat or not kind.variation or any(request.size):
+    if kind.mount != "floor" or kind.flat or not kind.variation or any(request.size) or kind.is_in("built_in_line"):
         return request.drawn
     rng = np.random.default_rng((seed, _SALT, crc32(request.category.encode())))
     shares = rng.uniform(size=3)
-    words = frozenset(request.attributes)
+    words = frozenset(word.lower() for word in request.attributes)
     told = not words.isdisjoint(kind.variants) or any(not word.isalpha() for word in words)
     factors = [_factor(low, high, share, close=close) for (low, high), share in zip(_ranges(kind), shares, strict=True)]
     usual = size_for(kind, words, np.random.default_rng(0))

@@ -21,7 +21,7 @@ _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
 _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
-_MOST_FILLED = 6
+_MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
 _SINGLE = "single"
 

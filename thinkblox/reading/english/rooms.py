@@ -6,6 +6,7 @@ from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.sizing import people
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -114,12 +115,11 @@ class Rooms(Memberships):
         if counted and self._is_link(self.peek(), "participles", "stand"):
             self._lose(noun.start, noun.end)
             return
-        if counted and self._is_listed_person():
+        if noun.count and not noun.each and (not self.draft.things or self._have_places(noun)):
+            self._for_people(noun)
+        elif counted and self._is_listed_person():
             self._lose(noun.start, noun.end)
             return
-        listed = not self.draft.people and self.separator in ("comma", "and", "comma_and") and not noun.definite
-        if noun.count and not noun.each and (listed or not self.draft.things):
-            self._for_people(noun)
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
         if everyone and self._is_link(self.peek(), "verbs", "have"):
             seats = (t.seats for t in reversed(self.draft.things) if t.seats)
@@ -130,19 +130,24 @@ class Rooms(Memberships):
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
 
-    def _is_listed_person(self) -> bool:
-        """Whether somebody is listed among things: "two saws, with a dust collector between them"."""
-        led = self._is_link(self._before(), "prepositions", "with") or self.pending is not None
-        listed = bool(self.separator) and any(node.things for node in self.frontier)
-        doing = self._is_link(self.peek(), "verbs") or self._is_link(self.peek(), "joins", "which")
-        return (led or listed or self.existential) and bool(self.draft.things) and not doing
-
     def _for_people(self, noun: Noun) -> None:
         """The room is for so many; children have one of their own."""
         self.draft.people = noun.count or 0
         children = noun.text.lower().split()[-1] in grammar().lists["children"]
         if children and self.draft.room in _THEIRS:
             self.draft.room = _THEIRS[self.draft.room]
+
+    def _have_places(self, noun: Noun) -> bool:
+        """Whether several who are listed among things are those who have places in such a room: pupils in a class."""
+        several = (noun.count or 0) > 1 and not self.draft.people and not noun.definite
+        return several and bool(self.separator) and bool(room_type(self.draft.room).place)
+
+    def _is_listed_person(self) -> bool:
+        """Whether somebody is listed among things: "two saws, with a dust collector between them"."""
+        led = self._is_link(self._before(), "prepositions", "with") or self.pending is not None
+        listed = bool(self.separator) and any(node.things for node in self.frontier)
+        doing = self._is_link(self.peek(), "verbs") or self._is_link(self.peek(), "joins", "which")
+        return (led or listed or self.existential) and bool(self.draft.things) and not doing
 
     def _place(self, noun: Noun) -> None:
         if self._stays_free():
