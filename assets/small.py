@@ -10,6 +10,7 @@ from thinkblox.assets.palette import (
     WHITE_COTTON,
 )
 from thinkblox.assets.part import Build, Finish, Part, Range, turned
+from thinkblox.assets.plain.pieces import plush
 from thinkblox.assets.shapes import (
     around,
     box,
@@ -150,22 +151,7 @@ def toy(spec: Spec) -> Build:
 
 
 def _teddy(spec: Spec) -> Build:
-    x, y, z = spec.size
-    fur, pale = spec.main(Finish((0.66, 0.47, 0.30), "fabric")), Finish((0.84, 0.72, 0.56), "fabric")
-    body: list[Part] = [
-        disc(fur, (-0.08 * x, 0), 0.26 * y, (0, 0.1 * z)),
-        ellipsoid(fur, around(-0.1 * x, 0.62 * x), around(0, 0.62 * y), (0.02 * z, 0.62 * z)),
-        ellipsoid(fur, around(-0.06 * x, 0.52 * x), around(0, 0.56 * y), (0.52 * z, 0.96 * z)),
-        ellipsoid(pale, around(0.2 * x, 0.2 * x), around(0, 0.24 * y), (0.6 * z, 0.76 * z)),
-    ]
-    for s in (-1, 1):
-        body += [
-            ellipsoid(fur, around(-0.06 * x, 0.14 * x), around(s * 0.22 * y, 0.2 * y), (0.84 * z, z)),
-            ellipsoid(fur, around(0.3 * x, 0.4 * x), around(s * 0.22 * y, 0.26 * y), (0.0, 0.24 * z)),
-            ellipsoid(fur, around(0.06 * x, 0.3 * x), around(s * 0.38 * y, 0.24 * y), (0.26 * z, 0.54 * z)),
-            sphere(IRON, (0.2 * x, s * 0.1 * y, 0.78 * z), 0.012),
-        ]
-    return Build(body=body)
+    return plush(spec, Finish((0.66, 0.47, 0.30), "fabric"), Finish((0.84, 0.72, 0.56), "fabric"))
 
 
 def _blocks(spec: Spec) -> Build:

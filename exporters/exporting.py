@@ -16,7 +16,7 @@ from thinkblox.whole_file import check_name, check_writable
 from thinkblox.workplace import workplace
 
 
-def export_file(scene: Scene, path: str | Path, *, overwrite: bool = False) -> Path:
+def export_file(scene: Scene, path: str | Path, *, doors: bool = False, overwrite: bool = False) -> Path:
     """Write a scene as one file, in the format that its ending tells; returns its path.
 
     The meshes and textures that a format needs are put into `assets` beside it, by their content.
@@ -24,11 +24,12 @@ def export_file(scene: Scene, path: str | Path, *, overwrite: bool = False) -> P
     Args:
         scene: any.
         path: such as "room.xml", "room.usdz" or "room.glb"; a ".usd" is binary from 21 objects on.
+        doors: as of `export_scene`.
         overwrite: replace a file that is there.
 
     Raises:
-        InputError: no format's file ends so; a file is there, without `overwrite`; or it cannot be written, and then
-            nothing is.
+        InputError: no format's file ends so; a file is there, without `overwrite`; a mesh or texture of an asset is
+            gone; or it cannot be written, and then nothing is.
     """
     path = Path(path)
     kind = format_for(path)
@@ -38,11 +39,12 @@ def export_file(scene: Scene, path: str | Path, *, overwrite: bool = False) -> P
     if path.exists() and not overwrite:
         raise InputError(f"{path}: is there already; choose another name, or ask for it to be overwritten")
     check_writable(path)
+    asset_files(scene.assets.values())
     from thinkblox.exporters.stocktaking import inventory_of
 
     try:
         with made_parents(path), workplace(path) as work:
-            kind.write(inventory_of(scene), work / path.name)
+            kind.write(inventory_of(scene, doors=doors), work / path.name)
             _put_in_place(work, path)
     except OSError as error:
         raise InputError(f"{error.filename or path}: cannot be written: {error.strerror}") from error
@@ -80,6 +82,7 @@ def export_scene(
     *,
     formats: Sequence[str] = DEFAULT,
     flavor: str | None = None,
+    doors: bool = False,
     overwrite: bool = False,
 ) -> Path:
     """Write a scene in several formats to the folder `out`, with its scene.json and a manifest; returns its path.
@@ -91,6 +94,7 @@ def export_scene(
         out: the folder, made together with its parents.
         formats: names of export formats.
         flavor: of those formats that have it: "robosuite" or "mjx", of "mjcf".
+        doors: with leaves on hinges in its doors, and panes in its windows, which what was measured has not.
         overwrite: replace a folder that we wrote there earlier.
 
     Raises:
@@ -102,7 +106,7 @@ def export_scene(
     with whole_folder(out, overwrite=overwrite) as room:
         from thinkblox.exporters.stocktaking import inventory_of
 
-        inventory, writing = inventory_of(scene), FolderWriting(room)
+        inventory, writing = inventory_of(scene, doors=doors), FolderWriting(room)
         writing.add("scene.json", to_json(scene), "scene", "the room, every placement and every asset")
         for name, data in beside.items():
             writing.add(name, data, "asset")

@@ -1,6 +1,7 @@
 """Frames, inertias and numbers in the terms of the XML formats."""
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 from xml.etree import ElementTree
@@ -12,6 +13,7 @@ from thinkblox.exporters.inventory import InventoryBody
 from thinkblox.scene.corners import rotation
 
 _LOCKED = 1.0 - 1e-12
+_NOT_IN_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def inertia_about_centre(body: InventoryBody) -> NDArray[np.float64]:
@@ -47,6 +49,11 @@ def roll_pitch_yaw(quat_wxyz: Sequence[float]) -> tuple[float, float, float]:
 def numbers(values: Iterable[float]) -> str:
     """Numbers as XML has them, with every digit that counts."""
     return " ".join(f"{float(value) + 0.0:.15g}" for value in values)
+
+
+def in_xml(text: str) -> str:
+    """A text that XML can hold: what it has no character for, such as a NUL, is written as in JSON."""
+    return _NOT_IN_XML.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
 def add(parent: ElementTree.Element, tag: str, text: str | None = None, **attributes: str) -> ElementTree.Element:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from thinkblox.exporters.beside import texture_files
 from thinkblox.exporters.cameras import cameras_of
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryLook, InventoryObject
+from thinkblox.exporters.naming import Names
 from thinkblox.exporters.polygons import placed
 from thinkblox.exporters.room_parts import RoomParts, room_parts
 from thinkblox.scene.blobs import blob_name
@@ -36,24 +37,26 @@ def write_glb(inventory: Inventory, path: Path) -> None:
 
 def glb_bytes(inventory: Inventory) -> bytes:
     """The bytes of `write_glb`."""
-    parts = room_parts(inventory.scene)
+    parts = room_parts(inventory)
     book = _Book({**inventory.looks, **parts.looks}, texture_files(inventory, parts.pictures))
-    children = [_room(book, parts), *(_object(book, item) for item in inventory.objects), *_cameras(book, inventory)]
-    root = book.node("thinkblox", rotation=_UPRIGHT, children=children)
+    names = Names(body.name for item in inventory.objects for body in item.bodies)
+    objects = [_object(book, item) for item in inventory.objects]
+    children = [_room(book, parts, names), *objects, *_cameras(book, inventory, names)]
+    root = book.node(names.give("thinkblox"), rotation=_UPRIGHT, children=children)
     return book.bytes(root, {"prompt": inventory.scene.prompt, "mujoco": mujoco.__version__})
 
 
-def _room(book: "_Book", parts: RoomParts) -> int:
+def _room(book: "_Book", parts: RoomParts, names: Names) -> int:
     named: dict[str, list[int]] = {}
     labels: dict[str, str] = {}
     for part in parts.parts:
         named.setdefault(part.name, []).append(book.primitive(part.mesh, part.look))
         labels[part.name] = part.label
     children = [
-        book.node(name, mesh=book.mesh(name, primitives), extras={"label": labels[name]})
+        book.node(names.give(name), mesh=book.mesh(name, primitives), extras={"label": labels[name]})
         for name, primitives in named.items()
     ]
-    return book.node("room", children=children)
+    return book.node(names.give("room"), children=children)
 
 
 def _object(book: "_Book", item: InventoryObject) -> int:
@@ -86,12 +89,13 @@ def _body(
     )
 
 
-def _cameras(book: "_Book", inventory: Inventory) -> list[int]:
+def _cameras(book: "_Book", inventory: Inventory, names: Names) -> list[int]:
     found = []
     for camera in cameras_of(inventory.scene):
         w, *xyz = camera.quat_wxyz
         number = book.camera(camera.name, math.radians(camera.fovy))
-        found.append(book.node(camera.name, translation=list(camera.position), rotation=[*xyz, w], camera=number))
+        name = names.give(camera.name)
+        found.append(book.node(name, translation=list(camera.position), rotation=[*xyz, w], camera=number))
     return found
 
 
@@ -115,7 +119,9 @@ class _Book:
         return len(every) - 1
 
     def node(self, name: str, **values: Any) -> int:
-        """Add a node; what is empty is left out."""
+        """Add a node; what is empty is left out, and a rotation is within the range that its numbers may have."""
+        if "rotation" in values:
+            values["rotation"] = [min(max(part, -1.0), 1.0) for part in values["rotation"]]
         return self._add("nodes", {"name": name, **{key: value for key, value in values.items() if value != []}})
 
     def camera(self, name: str, yfov: float) -> int:

@@ -166,6 +166,7 @@ class Inventory:
         objects: in the order of the placements.
         looks: by name.
         state: the measured model at rest, for keyframes and pictures.
+        doors: whether the last objects are the doors and windows of the room, of which the scene then has placements.
     """
 
     scene: Scene
@@ -174,3 +175,4 @@ class Inventory:
     objects: tuple[InventoryObject, ...]
     looks: dict[str, InventoryLook]
     state: SettledState
+    doors: bool = False

@@ -69,7 +69,7 @@ def spec_of(inventory: Inventory, *, alone: bool = False, flavor: str | None = N
     spec = build_spec(inventory.scene, physics=inventory.physics)
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     spec.option.sleep_tolerance = _DROWSY
-    parts = room_parts(inventory.scene)
+    parts = room_parts(inventory)
     stock = Stock(spec, {**inventory.looks, **parts.looks}, parts.pictures, alone=alone)
     dress_room(spec, inventory, parts, stock)
     dress_objects(spec, inventory, stock)
@@ -78,10 +78,15 @@ def spec_of(inventory: Inventory, *, alone: bool = False, flavor: str | None = N
     add_keyframe(spec, inventory.state)
     spec.add_key(name="home", qpos=_home(inventory))
     if inventory.objects:
-        spec.add_text(name="credits", data=json.dumps(msgspec.to_builtins(credits_of(inventory.scene))))
-        spec.add_text(name="objects", data=json.dumps(_said(inventory)))
+        spec.add_text(name="credits", data=_json(msgspec.to_builtins(credits_of(inventory.scene))))
+        spec.add_text(name="objects", data=_json(_said(inventory)))
     compiled(spec)
     return spec
+
+
+def _json(value: Any) -> str:
+    """A value as JSON in which nothing can end the CDATA that the engine puts it into."""
+    return json.dumps(value).replace(">", "\\u003e")
 
 
 def _home(inventory: Inventory) -> list[float]:
@@ -114,6 +119,8 @@ def _text(spec: mujoco.MjSpec, inventory: Inventory) -> str:
     for element in tree.find("worldbody").iter():  # type: ignore[union-attr]
         if element.tag in _EXACT and "name" in element.attrib:
             _make_exact(element, getattr(spec, element.tag)(element.attrib["name"]))
+    for body in tree.iterfind(".//body"):
+        _weigh_exactly(body.find("inertial"), spec.body(body.attrib["name"]))
     for geom in tree.iterfind("default//geom[@solref]"):
         # Newton takes one value for none.
         geom.set("solref", _numbers(inventory.physics.solref))
@@ -136,18 +143,28 @@ def _make_exact(element: ElementTree.Element, made: Any) -> None:
             element.set(attribute, _numbers(np.radians(values) if turns else values))
 
 
+def _weigh_exactly(inertial: ElementTree.Element | None, made: mujoco.MjsBody) -> None:
+    """Give a body whose mass is written every digit of it: what is tiny or flat has no other inertia that can be."""
+    if inertial is not None:
+        inertial.attrib.clear()
+        values = {"pos": made.ipos, "quat": made.iquat, "mass": (made.mass,), "diaginertia": made.inertia}
+        for attribute, found in values.items():
+            inertial.set(attribute, _numbers(found))
+
+
 def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{float(value):.12g}" for value in values)
 
 
-def to_mjspec(scene: Scene) -> mujoco.MjSpec:
+def to_mjspec(scene: Scene, *, doors: bool = False) -> mujoco.MjSpec:
     """A scene as an MjSpec to build on: the model that is exported, with all files in its assets.
 
-    A robot's spec can be attached to a site or frame of it. Its keyframe "settled" is where everything rests.
+    A robot's spec can be attached to a site or frame of it. Its keyframe "settled" is where everything rests. With
+    `doors` the room's doors have leaves on hinges, and its windows panes.
     """
-    return spec_of(inventory_of(scene))
+    return spec_of(inventory_of(scene, doors=doors))
 
 
-def to_mjmodel(scene: Scene) -> mujoco.MjModel:
+def to_mjmodel(scene: Scene, *, doors: bool = False) -> mujoco.MjModel:
     """A scene as a compiled model: that of `to_mjspec`."""
-    return compiled(to_mjspec(scene))
+    return compiled(to_mjspec(scene, doors=doors))

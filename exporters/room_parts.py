@@ -14,10 +14,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from thinkblox.exporters.inventory import InventoryLook
+from thinkblox.exporters.inventory import Inventory, InventoryLook
 from thinkblox.exporters.looks import covering_look, finish_look
 from thinkblox.scene.room import Room
-from thinkblox.scene.scene import Scene
 from thinkblox.scene.surfaces import Covering, Surfaces
 from thinkblox.scene.textured_mesh import TexturedMesh
 from thinkblox.sim.render.curtains import curtain_ends
@@ -60,15 +59,17 @@ class RoomParts:
     pictures: Mapping[str, bytes]
 
 
-def room_parts(scene: Scene) -> RoomParts:
-    """What is seen of a scene's room."""
-    return _room_parts(scene.room, scene.surfaces, tuple(sorted(curtain_ends(scene).items())))
+def room_parts(inventory: Inventory) -> RoomParts:
+    """What is seen of a room besides its objects."""
+    scene = inventory.scene
+    return _room_parts(scene.room, scene.surfaces, tuple(sorted(curtain_ends(scene).items())), not inventory.doors)
 
 
 @lru_cache(maxsize=4)
-def _room_parts(room: Room, surfaces: Surfaces, curtains: tuple[tuple[str, float], ...]) -> RoomParts:
+def _room_parts(room: Room, surfaces: Surfaces, curtains: tuple[tuple[str, float], ...], filled: bool) -> RoomParts:
     soup = Soup()
-    add_room(soup, room, surfaces, Shell(standing=(True,) * len(room.walls), curtains=dict(curtains)))
+    shell = Shell(standing=(True,) * len(room.walls), curtains=dict(curtains), filled=filled)
+    add_room(soup, room, surfaces, shell)
     return _Drawn(room, soup).parts()
 
 

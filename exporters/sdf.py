@@ -1,12 +1,13 @@
 """A scene as a world of SDF 1.9, for Gazebo and Drake: a model for each object, with its joints and frictions."""
 
 import math
+from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
 
 from thinkblox.exporters.beside import texture_files, write_beside
 from thinkblox.exporters.cameras import lights_of
-from thinkblox.exporters.frames import add, inertia_attributes, numbers, xml_text
+from thinkblox.exporters.frames import add, in_xml, inertia_attributes, numbers, xml_text
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryGeom, InventoryLook, InventoryObject
 from thinkblox.exporters.mjcf_meshes import obj_file
 from thinkblox.exporters.solids import SolidFiles
@@ -15,7 +16,8 @@ from thinkblox.scene.textured_mesh import mesh_of
 from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.verdict.settle import Pose
 
-_DRAKE = "http://drake.mit.edu"
+_DRAKE, _OURS = "http://drake.mit.edu", "urn:thinkblox"
+"""Namespaces of what SDF itself has no element for."""
 
 
 def write_sdf(inventory: Inventory, path: Path) -> None:
@@ -33,7 +35,7 @@ class _World:
 
     def __init__(self, inventory: Inventory) -> None:
         self.files, self._looks = SolidFiles(), inventory.looks
-        self._root = ElementTree.Element("sdf", {"version": "1.9", "xmlns:drake": _DRAKE})
+        self._root = ElementTree.Element("sdf", {"version": "1.9", "xmlns:drake": _DRAKE, "xmlns:thinkblox": _OURS})
         world = add(self._root, "world", name="thinkblox")
         physics = add(world, "physics", name="default", type="ignored")
         add(physics, "max_step_size", numbers((inventory.physics.timestep,)))
@@ -49,10 +51,20 @@ class _World:
                 self._shapes(add(room, "link", name=wall.name), wall.geoms, wall.look)
         for item in inventory.objects:
             self._model(world, item)
+        self._say(inventory.objects)
 
     def text(self) -> str:
         """The document."""
         return xml_text(self._root)
+
+    def _say(self, items: Iterable[InventoryObject]) -> None:
+        """Keep what the scene calls objects and their links, beside the world, which readers pass over."""
+        every = add(self._root, "thinkblox:objects")
+        for item in items:
+            said = {"model": item.name, "id": item.id, "category": item.category, "asset": item.asset}
+            told = add(every, "thinkblox:object", **{key: in_xml(value) for key, value in said.items()})
+            for body in item.bodies[1:]:
+                add(told, "thinkblox:part", name=body.name, called=in_xml(body.link))
 
     def _model(self, world: ElementTree.Element, item: InventoryObject) -> None:
         model = add(world, "model", name=item.name)

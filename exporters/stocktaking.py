@@ -9,6 +9,7 @@ import numpy as np
 from msgspec import structs
 from numpy.typing import NDArray
 
+from thinkblox.exporters.hung import with_doors
 from thinkblox.exporters.inventory import (
     Inventory,
     InventoryBody,
@@ -33,24 +34,29 @@ from thinkblox.value import Quat, Vec3
 _NO_WORD = re.compile(r"[\d\W_]+")
 
 
-def inventory_of(scene: Scene, *, settled: SettledState | None = None, physics: Physics | None = None) -> Inventory:
+def inventory_of(
+    scene: Scene, *, settled: SettledState | None = None, physics: Physics | None = None, doors: bool = False
+) -> Inventory:
     """What a scene is made of, where it stands and where it comes to rest.
 
     Args:
         scene: what to take stock of.
         settled: the state at rest, where it is known already; worked out otherwise.
         physics: the engine's options.
+        doors: with a leaf on a hinge in each door and a pane in each window, which were not measured.
     """
     physics = physics or Physics()
     settled = settled or settle(scene, physics=physics)
-    return _Stocktaking(scene, physics, settled).inventory()
+    if doors:
+        scene, settled = with_doors(scene, settled, physics)
+    return _Stocktaking(scene, physics, settled, doors=doors).inventory()
 
 
 class _Stocktaking:
     """A compiled scene at its proposed and at its settled pose, and the looks found so far."""
 
-    def __init__(self, scene: Scene, physics: Physics, settled: SettledState) -> None:
-        self._scene, self._physics, self._settled = scene, physics, settled
+    def __init__(self, scene: Scene, physics: Physics, settled: SettledState, *, doors: bool) -> None:
+        self._scene, self._physics, self._settled, self._doors = scene, physics, settled, doors
         self._model = compiled(build_spec(scene, physics=physics))
         self._start, self._rest = (_state(self._model, qpos) for qpos in (self._model.qpos0, settled.qpos))
         self._looks: dict[str, InventoryLook] = {}
@@ -66,7 +72,7 @@ class _Stocktaking:
         """All of it."""
         walls = tuple(self._walls())
         objects = tuple(self._object(placement) for placement in self._scene.placements)
-        return Inventory(self._scene, self._physics, walls, objects, self._looks, self._settled)
+        return Inventory(self._scene, self._physics, walls, objects, self._looks, self._settled, self._doors)
 
     def _walls(self) -> Iterator[InventoryWall]:
         surfaces, room = self._scene.surfaces, self._scene.room

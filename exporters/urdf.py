@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from thinkblox.exporters.beside import write_beside
-from thinkblox.exporters.frames import add, inertia_attributes, numbers, placing, xml_text
+from thinkblox.exporters.frames import add, in_xml, inertia_attributes, numbers, placing, xml_text
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryGeom, InventoryLook, InventoryObject
 from thinkblox.exporters.mjcf_meshes import obj_file
 from thinkblox.exporters.naming import Names, safe_name
@@ -38,6 +38,7 @@ def write_urdf(inventory: Inventory, path: Path) -> None:
             room.fixed_link(wall.name, wall.geoms, wall.look)
     for item in inventory.objects:
         room.item(item)
+        room.say(item)
     path.write_text(room.text(), encoding="utf-8")
     write_beside(path, files.files | dict(_models(inventory, files)))
 
@@ -74,6 +75,13 @@ class _Robot:
     def text(self) -> str:
         """The document."""
         return xml_text(self.root)
+
+    def say(self, item: InventoryObject) -> None:
+        """Keep what the scene calls an object and its links, which readers pass over."""
+        said = {"name": item.name, "id": item.id, "category": item.category, "asset": item.asset}
+        told = add(self.root, "thinkblox", **{key: in_xml(value) for key, value in said.items()})
+        for body in item.bodies[1:]:
+            add(told, "part", name=body.name, called=in_xml(body.link))
 
     def fixed_link(self, name: str, geoms: Iterable[InventoryGeom], look: str) -> None:
         """Add a part of the room."""

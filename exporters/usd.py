@@ -2,12 +2,13 @@
 
 import math
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
 import mujoco
-from pxr import Gf, Kind, Sdf, UsdUtils
+from pxr import Gf, Kind, Sdf, Tf, UsdUtils
 
 from thinkblox.errors import InputError
 from thinkblox.exporters.beside import texture_files, write_beside
@@ -17,13 +18,15 @@ from thinkblox.exporters.room_parts import room_parts
 from thinkblox.exporters.usd_assets import AssetLayers, Shelf
 from thinkblox.exporters.usd_looks import Looks
 from thinkblox.exporters.usd_objects import add_object
-from thinkblox.exporters.usd_prims import Prim, T, put_units, vector
+from thinkblox.exporters.usd_prims import Prim, T, in_binary, put_units, said, vector
 from thinkblox.exporters.usd_room import add_room
 from thinkblox.exporters.usd_verified import check_written
 from thinkblox.scene.room import Room
 from thinkblox.sim.build import package_version
 from thinkblox.sim.settings import Physics
 
+_SIMREADY = "SimReady_Metadata"
+"""Where a prop's description is in its stage."""
 MANY = 20
 """With more objects than these a stage is binary where its name leaves it open."""
 _THEN = 946_684_800
@@ -55,11 +58,26 @@ def _write_layers(inventory: Inventory, path: Path) -> None:
     if path.suffix == ".usd":
         binary = len(inventory.objects) > MANY
     if binary:
-        _export(layer, path)
+        path.write_bytes(in_binary(layer))
     else:
         path.write_text(layer.ExportToString(), encoding="utf-8")
     write_beside(path, layers.files)
-    write_beside(path, texture_files(inventory, room_parts(inventory.scene).pictures))
+    write_beside(path, texture_files(inventory, room_parts(inventory).pictures))
+
+
+def write_prop(inventory: Inventory, path: Path, described: Mapping[str, str]) -> None:
+    """Write the objects of an inventory without their room, as text, with more metadata; read again and checked."""
+    layers = AssetLayers(inventory)
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    with Sdf.ChangeBlock():
+        world = _stage(layer, inventory)
+        layer.customLayerData = {**layer.customLayerData, **described, _SIMREADY: dict(described)}
+        looks = Looks(world.child("Looks", "Scope"), inventory.looks)
+        _add_physics(world, inventory.physics)
+        _add_objects(world, inventory, Shelf(layer, inventory.looks, looks, layers))
+    path.write_text(layer.ExportToString(), encoding="utf-8")
+    write_beside(path, layers.files | texture_files(inventory, {}))
+    check_written(path, inventory)
 
 
 def usd_text(inventory: Inventory) -> str:
@@ -71,49 +89,53 @@ def _write_package(inventory: Inventory, path: Path) -> None:
     """One flat binary layer with its textures, packed: viewers show nothing of payloads in a package."""
     with TemporaryDirectory() as folder:
         stage = Path(folder) / "scene.usdc"
-        _export(_layer(inventory), stage)
-        write_beside(stage, texture_files(inventory, room_parts(inventory.scene).pictures))
+        stage.write_bytes(in_binary(_layer(inventory)))
+        write_beside(stage, texture_files(inventory, room_parts(inventory).pictures))
         for file in Path(folder).rglob("*"):
             os.utime(file, (_THEN, _THEN))
         packed = Path(folder) / "scene.usdz"
-        if not UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(stage)), str(packed)):
-            raise InputError(f"{path}: USD cannot pack the scene")
+        if not _packed(stage, packed):
+            raise InputError(f"{path}: USD cannot pack the scene, in {folder}")
         path.write_bytes(packed.read_bytes())
 
 
-def _export(layer: Any, path: Path) -> None:
-    """Write a layer in binary; raises OSError, as whoever writes a file does."""
-    with TemporaryDirectory() as folder:
-        made = Path(folder) / "stage.usdc"
-        layer.Export(str(made))
-        path.write_bytes(made.read_bytes())
+def _packed(stage: Path, packed: Path) -> bool:
+    try:
+        return bool(UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(stage)), str(packed)))
+    except Tf.ErrorException:
+        return False
 
 
 def _layer(inventory: Inventory, layers: AssetLayers | None = None) -> Any:
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
-        world, parts = _stage(layer, inventory), room_parts(inventory.scene)
+        world, parts = _stage(layer, inventory), room_parts(inventory)
         looks = Looks(world.child("Looks", "Scope"), {**inventory.looks, **parts.looks})
         _add_physics(world, inventory.physics)
         _add_lights(world, inventory.scene.room)
         _add_cameras(world, inventory)
         add_room(world, inventory, parts, looks, layers)
-        objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
-        shelf = Shelf(layer, inventory.looks, looks, layers)
-        for item in inventory.objects:
-            add_object(objects, item, shelf)
+        _add_objects(world, inventory, Shelf(layer, inventory.looks, looks, layers))
     return layer
+
+
+def _add_objects(world: Prim, inventory: Inventory, shelf: Shelf) -> None:
+    objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
+    for item in inventory.objects:
+        add_object(objects, item, shelf)
 
 
 def _stage(layer: Any, inventory: Inventory) -> Prim:
     layer.documentation = "A furnished room at rest. Poses are those of the settled state."
     put_units(layer)
-    layer.customLayerData = {
-        "creator": f"thinkblox {package_version()}",
-        "mujoco": mujoco.__version__,
-        "prompt": inventory.scene.prompt,
-        "seed": str(inventory.scene.seed),
-    }
+    layer.customLayerData = said(
+        {
+            "creator": f"thinkblox {package_version()}",
+            "mujoco": mujoco.__version__,
+            "prompt": inventory.scene.prompt,
+            "seed": str(inventory.scene.seed),
+        }
+    )
     layer.defaultPrim = "World"
     world = Prim(Sdf.PrimSpec(layer, "World", Sdf.SpecifierDef, "Xform"))
     world.spec.kind = Kind.Tokens.assembly

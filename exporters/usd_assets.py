@@ -2,15 +2,14 @@
 
 import hashlib
 from collections.abc import Mapping
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 from pxr import Sdf, Tf
 
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryLook, InventoryObject
+from thinkblox.exporters.naming import Names
 from thinkblox.exporters.usd_looks import BINDING, Looks
-from thinkblox.exporters.usd_prims import Prim, T, put_units
+from thinkblox.exporters.usd_prims import Prim, T, in_binary, put_units, said
 from thinkblox.exporters.usd_shapes import add_colliders, add_visuals
 from thinkblox.scene.blobs import FOLDER
 
@@ -34,8 +33,7 @@ class AssetLayers:
 
     def add(self, layer: Any) -> str:
         """Take one more layer; returns its path."""
-        with TemporaryDirectory() as folder:
-            data = _crate(layer, Path(folder) / "layer.usdc")
+        data = in_binary(layer)
         name = f"{FOLDER}/{hashlib.sha256(data).hexdigest()}.usdc"
         self.files[name] = data
         return name
@@ -77,7 +75,7 @@ class Shelf:
         self, scope: Prim, item: InventoryObject, body: InventoryBody, what: str, *, instance: bool = False
     ) -> None:
         if self._layers is not None:
-            path = Sdf.Path(f"/{_ASSET}").AppendChild(_link_name(body)).AppendChild(what)
+            path = Sdf.Path(f"/{_ASSET}").AppendChild(_link_names(item)[body.link]).AppendChild(what)
             scope.load(f"./{self._layers.file_of(item)}", path, instance=instance)
         else:
             scope.refer(self._link(item, body).path.AppendChild(what), instance=instance)
@@ -96,8 +94,9 @@ _ASSET = "Asset"
 """The default prim of an asset's layer."""
 
 
-def _link_name(body: InventoryBody) -> str:
-    return str(Tf.MakeValidIdentifier(body.link))
+def _link_names(item: InventoryObject) -> dict[str, str]:
+    """What the links of an asset are called in its layer, by what they are called in the asset."""
+    return Names().give_all(body.link for body in item.bodies)
 
 
 def _asset_layer(item: InventoryObject, looks: Mapping[str, InventoryLook]) -> Any:
@@ -108,9 +107,10 @@ def _asset_layer(item: InventoryObject, looks: Mapping[str, InventoryLook]) -> A
         layer.defaultPrim = _ASSET
         root = Prim(Sdf.PrimSpec(layer, _ASSET, Sdf.SpecifierDef, "Xform"))
         root.spec.kind = "component"
-        root.spec.customData = {"id": item.asset, "licence": item.licence, "author": item.author}
+        root.spec.customData = said({"id": item.asset, "licence": item.licence, "author": item.author})
+        names = _link_names(item)
         for body in item.bodies:
-            _add_link(Prim(Sdf.PrimSpec(root.spec, _link_name(body), Sdf.SpecifierDef, "Xform")), body, looks, ".")
+            _add_link(Prim(Sdf.PrimSpec(root.spec, names[body.link], Sdf.SpecifierDef, "Xform")), body, looks, ".")
     return layer
 
 
@@ -119,9 +119,3 @@ def _add_link(prim: Prim, body: InventoryBody, looks: Mapping[str, InventoryLook
     add_visuals(seen, body.geoms, Looks(seen.child("Looks", "Scope"), looks, folder))
     scope = prim.child("Collision", "Scope").put("purpose", T.Token, "guide", uniform=True)
     add_colliders(scope, body.geoms)
-
-
-def _crate(layer: Any, path: Path) -> bytes:
-    """A layer in USD's binary format."""
-    layer.Export(str(path))
-    return path.read_bytes()

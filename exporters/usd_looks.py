@@ -79,7 +79,8 @@ def _texture(material: Prim, file: str, base: list[float]) -> Prim:
 
 
 def _physics(scope: Prim, name: str, friction: float) -> Any:
-    prim = scope.child(name, "Material", apis=["PhysicsMaterialAPI", "PhysxMaterialAPI"])
+    prim = scope.child(name, "Material", apis=["PhysicsMaterialAPI", "PhysxMaterialAPI", _LABELS])
+    prim.put("semantics:labels:material", T.TokenArray, ["friction"])
     prim.put("physics:staticFriction", T.Float, friction).put("physics:dynamicFriction", T.Float, friction)
     prim.put("physics:restitution", T.Float, 0.0)
     # MuJoCo takes the larger friction of a pair, PhysX the mean unless told otherwise; where nothing can be told, the

@@ -3,9 +3,10 @@
 from thinkblox.exporters.inventory import InventoryBody, InventoryObject
 from thinkblox.exporters.usd_assets import Shelf
 from thinkblox.exporters.usd_joints import add_joint, fix_to_room
-from thinkblox.exporters.usd_prims import Prim, T, quaternion, vector
+from thinkblox.exporters.usd_prims import Prim, T, quaternion, said, vector
+from thinkblox.exporters.wikidata import wikidata_item
 
-LABELS = "SemanticsLabelsAPI:class"
+LABELS, _CONCEPT = "SemanticsLabelsAPI:class", "SemanticsLabelsAPI:wikidata_qcode"
 _BODY = ("PhysicsRigidBodyAPI", "PhysicsMassAPI")
 
 
@@ -16,10 +17,14 @@ def add_object(parent: Prim, item: InventoryObject, shelf: Shelf) -> None:
     """
     first, *joined = item.bodies
     rigid = item.free and not joined
+    concept = wikidata_item(item.category)
     apis = [LABELS, *(_BODY if rigid else ()), *(["PhysicsArticulationRootAPI"] if joined else [])]
+    apis += [_CONCEPT] if concept else []
     prim = parent.child(item.name, "Xform", apis=apis, kind="component").place(*first.settled)
-    prim.spec.customData = {"id": item.id, "asset": item.asset, "licence": item.licence, "author": item.author}
+    prim.spec.customData = said({"id": item.id, "asset": item.asset, "licence": item.licence, "author": item.author})
     add_label(prim, item.category)
+    if concept:
+        prim.put("semantics:labels:wikidata_qcode", T.TokenArray, [concept])
     if joined:
         _add_links(prim, item, shelf)
     else:
@@ -50,7 +55,7 @@ def _add_links(prim: Prim, item: InventoryObject, shelf: Shelf) -> None:
 def _add_link(parent: Prim, item: InventoryObject, body: InventoryBody, shelf: Shelf) -> Prim:
     apis = [LABELS, *_BODY, *(["PhysicsFilteredPairsAPI"] if body.joint is not None else [])]
     prim = parent.child(body.name, "Xform", apis=apis).place(*body.in_object)
-    prim.spec.customData = {"link": body.link}
+    prim.spec.customData = said({"link": body.link})
     add_label(prim, body.label)
     _fill(prim, item, body, shelf, weighs=True)
     return prim

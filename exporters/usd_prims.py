@@ -1,11 +1,14 @@
 """Writing prims straight into an Sdf layer: ten times as fast as through a stage, which recomposes at every call."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 from pxr import Gf, Sdf, Tf, Vt
 
+from thinkblox.errors import InputError
 from thinkblox.value import Quat, Vec3
 
 T = Sdf.ValueTypeNames
@@ -98,6 +101,23 @@ def put_units(layer: Any) -> None:
     """Say that a layer has z up, metres and kilograms."""
     for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
         layer.pseudoRoot.SetInfo(key, value)
+
+
+def said(texts: Mapping[str, str]) -> dict[str, str]:
+    """Texts as metadata: USD ends one at a NUL, which is written as in JSON."""
+    return {key: text.replace("\0", "\\u0000") for key, text in texts.items()}
+
+
+def in_binary(layer: Any) -> bytes:
+    """A layer in USD's binary format, by way of a temporary file; raises InputError when that cannot be written."""
+    with TemporaryDirectory() as folder:
+        made = Path(folder) / "layer.usdc"
+        try:
+            layer.Export(str(made))
+        except Tf.ErrorException as error:
+            told = " ".join(str(error).split())
+            raise InputError(f"{folder}: USD cannot write there: {told[:300]}") from error
+        return made.read_bytes()
 
 
 def vectors(rows: Any, digits: int) -> Any:

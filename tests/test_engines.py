@@ -5,8 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.bench.engines.__main__ import driven, row
-from tests.bench.engines.case import moved, swings, write_case
+from tests.bench.engines.__main__ import PINS, driven, row
+from tests.bench.engines.case import moved, write_case
+from tests.bench.engines.marble import marble_case, marble_told
+from tests.bench.engines.page import page
 from tests.environment_rooms import robot_room
 from thinkblox.exporters.stocktaking import inventory_of
 
@@ -16,12 +18,12 @@ ROOM = robot_room()
 def test_a_case_has_every_thing_where_it_rests_and_its_model(tmp_path: Path) -> None:
     case = write_case(ROOM, tmp_path / "room")
     assert json.loads((tmp_path / "room" / "case.json").read_text())["things"][0]["name"] == "table_1"
-    items = inventory_of(ROOM).objects
+    items = inventory_of(ROOM, doors=True).objects
     for thing, item in zip(case["things"], items, strict=True):
         assert thing["mass"] == pytest.approx(sum(body.mass for body in item.bodies))
         assert Path(thing["model"]).is_file()
-    assert [thing["name"] for thing in case["swinging"]] == ["wardrobe_1"]
-    opened = swings(ROOM, case)["wardrobe-0"]
+    assert [thing["name"] for thing in case["swinging"]] == ["wardrobe_1", "door_1_frame"]
+    opened = case["swings"]["wardrobe-0"]
     assert set(opened) == {"door_left_joint", "door_right_joint"}
     assert all(0.02 < early < late < 1.92 for early, late in opened.values())
 
@@ -38,7 +40,25 @@ def test_differences_are_told_by_the_largest(tmp_path: Path) -> None:
     assert which == "desk_1"
     masses = {thing["name"]: thing["mass"] for thing in case["things"]}
     told = {"masses": {**masses, "vase_1": 1.1 * masses["vase_1"]}, "poses": poses, "swings": {}, "took": 0.5}
-    assert row("a", "b", case, told, {}) == "| a | b | 10.0000 | 12.00 desk_1 | 0.00 | - | - | 0.5 |"
+    assert case["slipping"]["wardrobe-0"]["door_left_joint"] > case["swings"]["wardrobe-0"]["door_left_joint"]
+    assert row("a", "dartpy", case, told) == "| a | dartpy | 10.0000 | 12.00 desk_1 | 0.00 | - | - | 0.5 |"
+
+
+def test_a_marble_falls_into_the_mug_and_is_told_of(tmp_path: Path) -> None:
+    case = marble_case(tmp_path / "room")
+    mug, marble = case["things"]
+    assert marble["position"][2] > mug["rests"][2] + 0.09 > marble["rests"][2] + 0.05
+    poses = {thing["name"]: [list(thing["rests"]), list(thing["quat"])] for thing in case["things"]}
+    assert 5.0 < float(marble_told(case, poses)) < 20.0
+    poses[marble["name"]][0][2] += 0.08
+    assert marble_told(case, poses) == "not in the mug"
+
+
+def test_the_page_has_every_engine_and_both_tables() -> None:
+    text = page(PINS, ["| room |", "|---|", "| 01 | a |", "| 02 | a |"], ["| engine |", "|---|", "| MuJoCo | 11.9 |"])
+    assert "## 2 rooms" in text
+    assert all(pin["title"] in text for pin in PINS.values())
+    assert "| MuJoCo | 11.9 |\n" in text
 
 
 @pytest.mark.slow

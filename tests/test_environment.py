@@ -24,6 +24,7 @@ from thinkblox.sim.environment import (
     RandomPolicy,
     ScriptedDrive,
     ScriptedOpen,
+    ScriptedReach,
     make_environment,
     run_episode,
     vector_environment,
@@ -164,6 +165,12 @@ def test_the_script_opens_doors(door: str) -> None:
     ran = run_episode(environment, ScriptedOpen(environment))
     assert ran.reached
     assert environment.task.goal.share >= 0.6
+
+
+@pytest.mark.parametrize("target", ["desk_1", "vase_1", "wardrobe_1"])
+def test_the_script_reaches_things(target: str) -> None:
+    environment = make_environment(ROOM, "reach", target, seed=3)
+    assert run_episode(environment, ScriptedReach(environment)).reached
 
 
 def test_a_thing_is_carried_when_it_stands_there_and_is_let_go() -> None:

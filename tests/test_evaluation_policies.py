@@ -153,6 +153,17 @@ def test_a_model_that_is_not_there_is_found_out_before_the_others_are_measured(
     assert "gone: http://127.0.0.1:9/v1: cannot be reached" in capsys.readouterr().err
 
 
+def test_a_model_that_is_not_there_leaves_nothing(prompts: Path, tmp_path: Path) -> None:
+    gone = ["evaluate", "--prompts", str(prompts), "--policy", "openai:http://127.0.0.1:9/v1#gone"]
+    assert main([*gone, "--out", str(tmp_path / "some" / "where")]) == 2
+    assert sorted(tmp_path.iterdir()) == [prompts]
+    measured = tmp_path / "rooms" / "0123456789abcdef.json"
+    measured.parent.mkdir()
+    measured.write_bytes(b"{}")
+    assert main([*gone, "--out", str(tmp_path), "--overwrite"]) == 2
+    assert list(measured.parent.iterdir()) == [measured], "what was measured before is still there"
+
+
 def test_a_judge_rates_what_was_furnished(server: Stub, prompts: Path, tmp_path: Path) -> None:
     found = evaluate(tmp_path / "out", prompts, "--policy", "expert", "--judge", server.spec)
     assert found["judge"] == "stub"

@@ -139,3 +139,12 @@ def test_an_empty_room_has_an_inventory() -> None:
     inventory = inventory_of(Scene(room=L_ROOM))
     assert inventory.objects == ()
     assert set(inventory.looks) == {wall.look for wall in inventory.walls}
+
+
+def test_items_of_wikidata_are_of_categories_that_exist() -> None:
+    from thinkblox.assets import CATALOGUE
+    from thinkblox.exporters.wikidata import _items
+
+    items = _items()
+    assert not set(items) - set(CATALOGUE) - {"door", "window"}
+    assert all(item[0] == "Q" and item[1:].isdigit() for item in items.values())

@@ -422,6 +422,14 @@ def test_kinds_and_labels(stage: Any) -> None:
         assert Usd.ModelAPI(prim).GetKind() == Kind.Tokens.component
         assert prim.IsModel()
         assert list(UsdSemantics.LabelsAPI(prim, "class").GetLabelsAttr().Get()) == [placement.category]
+    (table,) = (
+        UsdSemantics.LabelsAPI(stage.GetPrimAtPath("/World/Objects/table_1"), "wikidata_qcode").GetLabelsAttr().Get()
+    )
+    assert table == "Q14748"
+    assert not stage.GetPrimAtPath("/World/Objects/sampler_1").HasAPI(UsdSemantics.LabelsAPI, "wikidata_qcode")
+    for prim in everything(stage.GetPseudoRoot()):
+        if prim.IsA(UsdShade.Material):
+            assert UsdSemantics.LabelsAPI(prim, "material").GetLabelsAttr().Get(), prim.GetPath()
     door = stage.GetPrimAtPath("/World/Objects/wardrobe_1/wardrobe_1_door_left")
     assert list(UsdSemantics.LabelsAPI(door, "class").GetLabelsAttr().Get()) == ["door left"]
 

@@ -2,14 +2,17 @@
 
 import json
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
 import pytest
 from msgspec import structs
+from pxr import Usd, UsdPhysics
 
 import thinkblox
 from tests.export_rooms import sample_scene
@@ -25,8 +28,8 @@ from thinkblox.sim.build import build_spec
 from thinkblox.value import read_json
 
 ALL = ("mjcf", "usd", "usdc", "usdz", "glb", "urdf", "sdf")
-ODD = ("a.b", "a-b", "a_b", "Chair", "chair", "CHAIR", "x" * 100)
-LINKS = ("Tür/links", 'he said "hi"', "🪑🪑", "x" * 200, "Door 1", "door 1", "-")
+ODD = ("a.b", "a-b", "a_b", "Chair", "chair", "CHAIR", "room", "top", "x" * 100)
+LINKS = ("Tür/links", 'he said "hi"', "🪑🪑", "x" * 200, "Door 1", "door 1", "door_1", "-", "]]>\n\x0b")
 
 
 def odd_scene() -> Scene:
@@ -34,14 +37,15 @@ def odd_scene() -> Scene:
     flaps = tuple(
         Link(
             name=name,
-            shapes=(box((0.02, 0.03, 0.1), (0.1, 0.04 * i - 0.12, 0.2)),),
-            joint=Joint(kind="hinge", axis=(0.0, 0.0, 1.0), anchor=(0.1, 0.04 * i - 0.1, 0.2), lower=0.0, upper=9.0),
+            shapes=(box((0.02, 0.02, 0.1), (0.1, 0.03 * i - 0.12, 0.2)),),
+            joint=Joint(kind="hinge", axis=(0.0, 0.0, 1.0), anchor=(0.1, 0.03 * i - 0.11, 0.2), lower=0.0, upper=9.0),
         )
         for i, name in enumerate(LINKS)
     )
     chest = structs.replace(asset("chest", (0.2, 0.3, 0.3), mass=9.0, links=flaps), id="Küche/🪑 'x'")
+    chest = structs.replace(chest, author='"Ä" ]]> \0 <&>')
     stood = [(put(chest, 0.5 + 0.3 * i, 2.0, id=name), chest) for i, name in enumerate(ODD)]
-    return scene(None, *stood)
+    return structs.replace(scene(None, *stood), prompt='ein "Zimmer" ]]> \0\x0b 🪑')
 
 
 @pytest.fixture(scope="module")
@@ -134,22 +138,50 @@ def test_odd_names_are_safe_and_the_same_everywhere(tmp_path: Path) -> None:
     said = next(json.loads(text) for text in texts if text.startswith(b'{"'))
     assert {value["id"] for value in said.values()} == set(ODD)
     assert all(set(value["links"].values()) == set(LINKS) for value in said.values())
+    for file, part in (("scene.urdf", "thinkblox"), ("scene.sdf", "{urn:thinkblox}object")):
+        found = list(ElementTree.parse(out / file).iter(part))
+        assert [element.get("id") for element in found] == list(ODD)
+        assert [p.get("called") for p in found[0]] == [name.replace("\x0b", "\\u000b") for name in LINKS]
+    data = (out / "scene.glb").read_bytes()
+    nodes = json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]])["nodes"]
+    assert len({node["name"] for node in nodes}) == len(nodes)
+    assert [node["extras"]["id"] for node in nodes if "id" in node.get("extras", {})] == list(ODD)
 
 
-@pytest.mark.parametrize("extent", [0.001, 20.0])
+@pytest.mark.parametrize("extent", [0.001, 50.0])
 def test_tiny_and_huge_things(extent: float, tmp_path: Path) -> None:
     kind = asset("cube", (extent,) * 3, mass=max(extent**3 * 500, 1e-6))
-    room = thinkblox.Room(floor=((0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)), height=25.0)
-    out = export_scene(scene(room, (put(kind, 20.0, 20.0), kind)), tmp_path / "out", formats=ALL)
-    for name in ("scene.xml", "scene.urdf"):
+    room = thinkblox.Room(floor=((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)), height=50.0)
+    out = export_scene(scene(room, (put(kind, 50.0, 50.0), kind)), tmp_path / "out", formats=(*ALL, "mjcf-mjx"))
+    for name in ("scene.xml", "scene.urdf", "scene.mjx.xml"):
         model = mujoco.MjModel.from_xml_path(str(out / name))
         assert model.body("cube_1").mass[0] == pytest.approx(kind.mass)
+
+
+def test_rotations_in_gltf_are_within_their_range() -> None:
+    from thinkblox.exporters.glb import _Book
+
+    book = _Book({}, {})
+    root = book.node("root", rotation=[0.0, 0.0, 0.0, 1.0000000000000004])
+    data = book.bytes(root, {})
+    assert json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]])["nodes"][0]["rotation"][3] == 1.0
 
 
 def test_an_unseen_and_an_untouchable_thing(tmp_path: Path) -> None:
     ghost = asset("ghost", (0.5, 0.5, 0.01), box((0.5, 0.5, 0.01), (0.0, 0.0, 0.005), collide=False))
     out = export_scene(scene(None, (put(ghost, 1.0, 1.0), ghost)), tmp_path / "out", formats=ALL)
     assert mujoco.MjModel.from_xml_path(str(out / "scene.xml")).body("ghost_1").id > 0
+
+
+def test_a_door_that_nothing_can_touch(tmp_path: Path) -> None:
+    hinge = Joint(kind="hinge", axis=(0.0, 0.0, 1.0), anchor=(0.25, 0.2, 0.2), lower=0.0, upper=90.0)
+    shape = box((0.02, 0.4, 0.4), (0.26, 0.0, 0.25), collide=False)
+    chest = asset("chest", (0.5, 0.5, 0.5), links=(Link(name="veil", shapes=(shape,), joint=hinge),))
+    out = export_scene(scene(None, (put(chest, 1.0, 1.0), chest)), tmp_path / "out", formats=ALL)
+    mass = mujoco.MjModel.from_xml_path(str(out / "scene.xml")).body("chest_1_veil").mass[0]
+    stage = Usd.Stage.Open(str(out / "scene.usda"))
+    prim = stage.GetPrimAtPath("/World/Objects/chest_1/chest_1_veil")
+    assert UsdPhysics.MassAPI(prim).GetMassAttr().Get() == pytest.approx(mass)
 
 
 def test_robosuite_has_its_groups_and_sites(sample: Path, tmp_path: Path) -> None:
@@ -199,6 +231,23 @@ def test_a_robot_is_attached_in_ten_lines() -> None:
     plain = thinkblox.to_mjmodel(sample_scene())
     assert model.nbody == plain.nbody + 1
     assert plain.nkey == 2
+
+
+@pytest.mark.parametrize("ending", [".xml", ".usda", ".usdz", ".glb", ".urdf", ".sdf"])
+def test_a_file_whose_texture_is_gone_is_not_written(ending: str, tmp_path: Path) -> None:
+    from tests.textured import crate, crate_scene
+
+    body, lid = crate().links
+    look = structs.replace(body.visuals[0].look, texture="0" * 64)
+    faded = structs.replace(body, visuals=(structs.replace(body.visuals[0], look=look),))
+    with pytest.raises(InputError, match="crate-0"):
+        crate_scene(structs.replace(crate(), links=(faded, lid))).export(tmp_path / f"room{ending}")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_name_with_a_nul_is_refused() -> None:
+    with pytest.raises(InputError, match=r"Link\.name"):
+        Link(name="a\0b", shapes=(box((1.0, 1.0, 1.0), (0.0, 0.0, 0.5)),))
 
 
 def test_names_of_a_texture_that_is_gone(tmp_path: Path) -> None:

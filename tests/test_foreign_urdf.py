@@ -225,6 +225,26 @@ def test_numbers_that_are_one_too_many_and_what_is_said_twice_are_passed_over(tm
     assert any("The joint a_b says something twice" in note for note in subject.notes)
 
 
+def test_commas_between_numbers_are_read_as_spaces(tmp_path: Path) -> None:
+    subject = opened(tmp_path, link("a"), link("b"), joint("a", "b", "fixed", '<origin xyz="0, 0.5, 1"/>'))
+    assert subject.model.body("b").pos.tolist() == [0.0, 0.5, 1.0]
+    assert any("Commas" in note for note in subject.notes)
+
+
+def test_a_level_plane_is_a_slab_under_it(tmp_path: Path) -> None:
+    plane = '<collision><origin xyz="1 2 0.25"/><geometry><plane normal="0 0 1"/></geometry></collision>'
+    subject = opened(tmp_path, link("ground", inertial(0, 0, 0, 0) + plane), link("a"))
+    slab = next(geom for geom in map(subject.model.geom, range(subject.model.ngeom)) if geom.size[0] == 50.0)
+    assert slab.pos[2] + slab.size[2] == 0.25
+    assert any("A plane is read as a slab" in note for note in subject.notes)
+
+
+def test_a_plane_that_leans_is_refused(tmp_path: Path) -> None:
+    plane = '<collision><geometry><plane normal="0 1 1"/></geometry></collision>'
+    with pytest.raises(InputError, match="geometry"):
+        opened(tmp_path, link("ground", inertial(0, 0, 0, 0) + plane))
+
+
 def test_an_error_of_the_engine_names_the_line_of_the_urdf(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"Element 'axis' at model\.urdf:3"):
         opened(tmp_path, link("a"), link("b"), joint("a", "b", "revolute", "\n\n<axis xyz='0 x 1'/>"))

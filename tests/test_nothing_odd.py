@@ -19,7 +19,7 @@ from thinkblox.generate import generate_room
 from thinkblox.planning import ExpertPlanner, plan_brief, varied
 from thinkblox.reading import read_brief
 from thinkblox.scene.asset import Asset, Material
-from thinkblox.scene.placement import Placement
+from thinkblox.scene.placement import Placement, apart
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, Room
 from thinkblox.scene.surfaces import Covering, Surfaces
@@ -198,6 +198,13 @@ def test_fairy_lights_hang():
     for said in ("fairy lights", "string lights"):
         lights = read_brief(f"A bedroom with a bed and {said}").requests[1]
         assert kind_of(lights.category).mount == "wall"
+
+
+def test_a_table_by_the_window_leaves_room_for_those_who_sit_round_it():
+    room = made("A dining room with a sideboard and a round dining table for four near the window")
+    (table,) = placed(room, "dining_table")
+    assert len(placed(room, "chair")) == 4
+    assert all(apart(chair, table) < 0.3 for chair in placed(room, "chair"))
 
 
 def test_a_chair_that_finds_no_room_at_its_desk_is_not_left_astray():

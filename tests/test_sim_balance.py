@@ -50,7 +50,7 @@ def test_near_an_edge_nothing_is_believed(over: float) -> None:
     assert verdict.rest is None or verdict.rest > 0.04 or verdict.tilt < 0.01
 
 
-@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(calm())
 def test_any_room_gives_the_same_reasons_without_it(case: tuple[Scene, Placement, Asset]) -> None:
     same_without_it(*case)

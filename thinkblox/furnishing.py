@@ -15,6 +15,7 @@ from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
 from thinkblox.plan import Plan, Target
+from thinkblox.planning.tightness import is_essential
 from thinkblox.policies import Policy
 from thinkblox.prompts import prompts_version
 from thinkblox.reporting import report_on
@@ -30,6 +31,8 @@ _UNDRESSINGS = 3
 """How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
+BELONGING = ("next_to", "at_foot_of", "at", "in_front_of", "behind", "on", "above")
+"""Relations without which what is only assumed is better left out."""
 DRAWN_UP = ("at", "in_front_of")
 """Relations to furniture without which a thing on the floor makes no sense."""
 
@@ -254,11 +257,31 @@ class _Attempt:
         placing = Placing(self.world, loop, target, rng)
         try:
             grown = placing.run()
+            away = "" if grown is None else _misplaced(grown.scene, loop.plan, target)
         finally:
             self.assets |= placing.assets
             self.rounds += [structs.replace(r, attempt=self.number) for r in placing.rounds]
+        if away:
+            self.rounds[-len(placing.rounds) :] = [
+                structs.replace(r, kept=False) for r in self.rounds[-len(placing.rounds) :]
+            ]
+            return away
         self.world = placing.world if grown is None else grown
         return "" if grown is not None else placing.reason or "no place was found"
+
+
+def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
+    """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
+
+    What every such room has, and what something else is to stand by, stays wherever it is.
+    """
+    tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
+    needed = any(target.id in other.depends_on for other in plan.targets)
+    if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
+        return ""
+    if not all(anchor in scene for anchor in tie.anchors) or measure(scene, tie.kind, target.id, tie.anchors).holds:
+        return ""
+    return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
 
 
 def makeable_part(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:

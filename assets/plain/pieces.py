@@ -18,6 +18,7 @@ from thinkblox.assets.shapes import (
     prism,
     profile,
     rod,
+    sphere,
     top_surface,
 )
 from thinkblox.assets.spec import Spec
@@ -249,6 +250,26 @@ def figure(spec: Spec, main: Finish, accent: Finish) -> Build:
             ellipsoid(finish, around(0, 0.8 * r), around(0, 0.7 * r), (0.82 * z, z)),
         ]
     )
+
+
+def plush(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return a stuffed animal that sits: a body with a snout of the accent, ears, arms and legs."""
+    x, y, z = spec.size
+    fur = spec.main(main)
+    body: list[Part] = [
+        disc(fur, (-0.08 * x, 0), 0.26 * y, (0, 0.1 * z)),
+        ellipsoid(fur, around(-0.1 * x, 0.62 * x), around(0, 0.62 * y), (0.02 * z, 0.62 * z)),
+        ellipsoid(fur, around(-0.06 * x, 0.52 * x), around(0, 0.56 * y), (0.52 * z, 0.96 * z)),
+        ellipsoid(accent, around(0.2 * x, 0.2 * x), around(0, 0.24 * y), (0.6 * z, 0.76 * z)),
+    ]
+    for s in (-1, 1):
+        body += [
+            ellipsoid(fur, around(-0.06 * x, 0.14 * x), around(s * 0.22 * y, 0.2 * y), (0.84 * z, z)),
+            ellipsoid(fur, around(0.3 * x, 0.4 * x), around(s * 0.22 * y, 0.26 * y), (0.0, 0.24 * z)),
+            ellipsoid(fur, around(0.06 * x, 0.3 * x), around(s * 0.38 * y, 0.24 * y), (0.26 * z, 0.54 * z)),
+            sphere(IRON, (0.2 * x, s * 0.1 * y, 0.78 * z), 0.012),
+        ]
+    return Build(body=body)
 
 
 def pillar(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -1,5 +1,6 @@
 """Where in a compiled model the robot and the things of a room are, and distances between them."""
 
+import math
 from typing import Any
 
 import mujoco
@@ -14,6 +15,7 @@ from thinkblox.sim.environment.room_source import OpenRoom
 Array = NDArray[np.float64]
 FRAME = f"{PREFIX}/"
 """The name of the body that a robot is attached by."""
+_PAST = 0.001
 HIT = 0.0005
 """Deeper than this the robot is in something [m]."""
 
@@ -168,6 +170,18 @@ class ModelIndex:
         geom = np.zeros(1, np.int32)
         away = mujoco.mj_ray(self.model, self.data, start, along, groups, 1, self.root, geom)
         return float(away) if int(geom[0]) in parts else None
+
+    def free_way(self, start: Array, along: Array, groups: NDArray[np.uint8]) -> float:
+        """How far it is on a line to anything of some groups but the robot [m]; infinite where there is nothing."""
+        geom, gone = np.zeros(1, np.int32), 0.0
+        while True:
+            away = float(mujoco.mj_ray(self.model, self.data, start + gone * along, along, groups, 1, self.root, geom))
+            if away < 0.0:
+                return math.inf
+            gone += away
+            if not self._robot_geoms[geom[0]]:
+                return gone
+            gone += _PAST
 
     def speed(self, id: str) -> float:
         """How fast an object's first body moves [m/s]."""

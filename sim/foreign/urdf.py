@@ -16,11 +16,14 @@ from thinkblox.sim.foreign.names import listed
 from thinkblox.sim.foreign.urdf_files import mesh_file, package_folder
 from thinkblox.sim.foreign.xml_elements import Element, walk
 from thinkblox.sim.foreign.xml_tree import CheckedText, Node, Tree
+from thinkblox.value import Vec3
 
 WORLD = "world"
 """A root link of this name is the world itself; the engine, Gazebo and Drake know it too."""
 GEOMETRY_NUMBERS = {"xyz": 3, "rpy": 3, "scale": 3}
 """Of how many numbers an attribute consists; other readers pass over more."""
+PLANE = (100.0, 100.0, 1.0)
+"""The slab that is made of a plane without end [m]."""
 ONCE = ("origin", "axis", "limit", "dynamics")
 
 
@@ -96,7 +99,7 @@ def read_urdf(path: Path, *, folder: Path | None = None, fixed_base: bool = Fals
     _drop_visuals(root)
     _name_shapes(root)
     _set_compiler(root)
-    cut = (*_cut_numbers(root), *_keep_first(root))
+    cut = (*_read_commas(root), *_cut_numbers(root), *_lay_planes(root), *_keep_first(root))
     if root.find("link/collision") is None:
         raise InputError(f"{path}: no link has collision geometry, so there is nothing to measure.")
     _check_inertials(tree, root)
@@ -162,6 +165,47 @@ def _rename_meshes(path: Path, folder: Path, tree: Tree, root: Node) -> tuple[di
         mesh.set("filename", names[file])
     check_amount(path, triangles, data)
     return {name: file for file, name in names.items()}, data
+
+
+def _read_commas(root: Node) -> tuple[str, ...]:
+    """Take the commas out from between numbers, as other readers do, and say so."""
+    found = 0
+    for node in root.iter():
+        for name in (*GEOMETRY_NUMBERS, "size"):
+            if "," in node.get(name, ""):
+                node.set(name, node.get(name, "").replace(",", " "))
+                found += 1
+    return (f"Commas between the numbers of a position, angles or a scale are read as spaces, {found} times.",) * (
+        found > 0
+    )
+
+
+def _lay_planes(root: Node) -> tuple[str, ...]:
+    """Make a slab of every level plane, which is Bullet's own word for a floor, and say so."""
+    found = 0
+    for shape in root.iterfind("link/collision"):
+        plane, origin = shape.find("geometry/plane"), shape.find("origin")
+        level = plane is not None and _numbers(plane, "normal", (0.0, 0.0, 1.0)) == (0.0, 0.0, 1.0)
+        if not level or _numbers(origin, "rpy", (0.0,) * 3) != (0.0,) * 3:
+            continue
+        x, y, z = _numbers(origin, "xyz", (0.0,) * 3)
+        for node in (*shape.findall("origin"), *shape.findall("geometry")):
+            shape.remove(node)
+        ElementTree.SubElement(shape, "origin", xyz=f"{x} {y} {z - PLANE[2] / 2}")
+        ElementTree.SubElement(ElementTree.SubElement(shape, "geometry"), "box", size=" ".join(map(str, PLANE)))
+        found += 1
+    return (f"A plane is read as a slab of {PLANE[0]:g} by {PLANE[1]:g} m under it, {found} times.",) * (found > 0)
+
+
+def _numbers(node: Node | None, name: str, otherwise: Vec3) -> Vec3:
+    """Three numbers of an attribute; those of `otherwise` where it is not there, and NaN where they are none."""
+    if node is None or node.get(name) is None:
+        return otherwise
+    try:
+        x, y, z = map(float, node.get(name, "").split())
+    except ValueError:
+        return (math.nan,) * 3
+    return (x, y, z)
 
 
 def _cut_numbers(root: Node) -> tuple[str, ...]:

@@ -1,6 +1,6 @@
 """What is wrong with the physics of a USD stage: faults that OpenUSD's validators do not look for, and theirs."""
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import Any
 
 import numpy as np
@@ -26,8 +26,9 @@ def _own(stage: Any) -> Iterator[str]:
     cache = UsdGeom.XformCache()
     yield from _scenes(prims)
     bodies = [prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
+    joined = {path for prim in prims if prim.IsA(UsdPhysics.Joint) for path in _ends(prim)}
     for prim in bodies:
-        yield from _body(prim, cache)
+        yield from _body(prim, cache, joined)
     for prim in prims:
         if prim.HasAPI(UsdPhysics.CollisionAPI):
             yield from _collider(prim)
@@ -56,14 +57,22 @@ def _scenes(prims: list[Any]) -> Iterator[str]:
             yield f"{scene.GetPath()}: says no magnitude of gravity."
 
 
-def _body(prim: Any, cache: Any) -> Iterator[str]:
+def _ends(prim: Any) -> list[Any]:
+    """The paths of what a joint joins."""
+    joint = UsdPhysics.Joint(prim)
+    return [*joint.GetBody0Rel().GetTargets(), *joint.GetBody1Rel().GetTargets()]
+
+
+def _body(prim: Any, cache: Any, joined: Container[Any]) -> Iterator[str]:
     path = prim.GetPath()
     if _above(prim, UsdPhysics.RigidBodyAPI) is not None:
         yield f"{path}: is a body within a body."
     matrix = np.array(cache.GetLocalToWorldTransform(prim))[:3, :3]
     if np.abs(np.linalg.norm(matrix, axis=1) - 1.0).max() > _SCALE:
         yield f"{path}: is a body with a scale, which its mass and inertia do not follow."
-    if not any(child.HasAPI(UsdPhysics.CollisionAPI) for child in Usd.PrimRange(prim, Usd.TraverseInstanceProxies())):
+    # What hangs on a joint need not be touched to be somewhere.
+    inside = Usd.PrimRange(prim, Usd.TraverseInstanceProxies())
+    if path not in joined and not any(child.HasAPI(UsdPhysics.CollisionAPI) for child in inside):
         yield f"{path}: is a body that nothing can touch."
     mass = UsdPhysics.MassAPI(prim) if prim.HasAPI(UsdPhysics.MassAPI) else None
     if mass is None or not mass.GetMassAttr().HasAuthoredValue() or not 0.0 < mass.GetMassAttr().Get() < np.inf:

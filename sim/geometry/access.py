@@ -55,44 +55,65 @@ class FreeFloor:
         reach = 0.0 if self._main is None else self._main.area / free
         return Access(width=self._walking.width, reach=round(reach, 4), unreachable=self._unreachable)
 
-    def cut_off(self, placement: Placement, solid: Solid) -> tuple[str, ...]:
-        """Ids that have no way from a door once an object stands there, but had one before; itself among them."""
-        large, bars = is_large(placement, solid, self._walking), bars_way(placement, solid, self._walking)
-        if not (large or bars):
-            return ()
-        goals = {placement.id: _outlines([(placement, solid)])[0]} if large else {}
-        obstacles = _obstacles([(placement, solid)], self._walking) if bars else _NOTHING
-        if self._main is not None and self._goes_round(self._main, goals, obstacles):
-            return ()
+    def cut_off(self, placements: Sequence[Placement], solid: Solid) -> list[tuple[str, ...]]:
+        """For each of some places of an object the ids that have no way from a door once it stands there.
+
+        What had none before is left out; the object itself may be among them.
+        """
+        there = [(p, solid) for p in placements]
+        large = [is_large(p, solid, self._walking) for p in placements]
+        obstacles = [_obstacles([one], self._walking) if bars_way(*one, self._walking) else _NOTHING for one in there]
+        outlines = _outlines([one for one, is_goal in zip(there, large, strict=True) if is_goal]).tolist()
+        goals = [{p.id: outlines.pop(0)} if is_goal else {} for p, is_goal in zip(placements, large, strict=True)]
+        plain = self._go_round(goals, obstacles)
+        return [
+            () if clear else self._lost(goal, bars) for goal, bars, clear in zip(goals, obstacles, plain, strict=True)
+        ]
+
+    def _lost(self, goals: Mapping[str, BaseGeometry], obstacles: NDArray[np.object_]) -> tuple[str, ...]:
+        """What more of this and what had a way before has none with this in the way."""
         after = self._with(goals, obstacles)._unreachable
         return tuple(id for id in after if id not in self._unreachable)
 
-    def _goes_round(
-        self, main: BaseGeometry, goals: Mapping[str, BaseGeometry], obstacles: NDArray[np.object_]
-    ) -> bool:
-        """Whether it is plain from the surroundings of the parts of an object that nothing is cut off.
+    def _go_round(
+        self, goals: Sequence[Mapping[str, BaseGeometry]], obstacles: Sequence[NDArray[np.object_]]
+    ) -> list[bool]:
+        """For each of some places whether it is plain from its surroundings that nothing is cut off.
 
         If the free floor beside an obstacle hangs together without leaving its surroundings, every way through where it
         stands can lead round it. Then only what lies near can have lost the place from which it was reached.
         """
-        reach = self._walking.reach
-        if not len(obstacles):
-            return all(bool(shapely.dwithin(main, goal, reach)) for goal in goals.values())
-        if len(obstacles) != 1:
-            return False
-        obstacle = obstacles[0]
-        x0, y0, x1, y1 = shapely.bounds(obstacle).tolist()
-        wide = reach + 2 * BRIM
-        window = (x0 - wide, y0 - wide, x1 + wide, y1 + wide)
-        left = shapely.difference(_clipped(main, window), obstacle)
-        parts = shapely.get_parts(left)
-        beside = parts[shapely.dwithin(parts, obstacle, BRIM)]
-        if len(beside) != 1 or shapely.area(beside[0]) < SPECK:
-            return False
-        if not all(bool(shapely.dwithin(left, goal, reach)) for goal in goals.values()):
-            return False
-        near = [id for id, meets in zip(self._goals, _meet(self._goal_bounds, window), strict=True) if meets]
-        return all(self._within_reach(left, id) or not self._within_reach(main, id) for id in near)
+        main, reach = self._main, self._walking.reach
+        if main is None:
+            return [not goal and not len(bars) for goal, bars in zip(goals, obstacles, strict=True)]
+        plain = [
+            not len(bars) and all(bool(shapely.dwithin(main, each, reach)) for each in goal.values())
+            for goal, bars in zip(goals, obstacles, strict=True)
+        ]
+        single = [number for number, bars in enumerate(obstacles) if len(bars) == 1]
+        if not single:
+            return plain
+        taken = np.array([obstacles[number][0] for number in single], dtype=object)
+        wide = np.array([-1.0, -1.0, 1.0, 1.0]) * (reach + 2 * BRIM)
+        windows = shapely.bounds(taken) + wide
+        left = shapely.difference(_clipped(main, windows), taken)
+        parts, of = shapely.get_parts(left, return_index=True)
+        beside = shapely.dwithin(parts, taken[of], BRIM)
+        counts = np.bincount(of[beside], minlength=len(single)).tolist()
+        areas = np.bincount(of[beside], shapely.area(parts[beside]), minlength=len(single)).tolist()
+        meets = _meet(self._goal_bounds, windows).tolist()
+        for number, floor, count, area, near in zip(single, left.tolist(), counts, areas, meets, strict=True):
+            plain[number] = (
+                count == 1
+                and area >= SPECK
+                and all(bool(shapely.dwithin(floor, goal, reach)) for goal in goals[number].values())
+                and all(
+                    self._within_reach(floor, id) or not self._within_reach(main, id)
+                    for id, meet in zip(self._goals, near, strict=True)
+                    if meet
+                )
+            )
+        return plain
 
     def _with_objects(self, objects: Sequence[tuple[Placement, Solid]]) -> "FreeFloor":
         large = [(p, s) for p, s in objects if is_large(p, s, self._walking)]
@@ -222,13 +243,16 @@ def _widened(solid: Solid, base: float, walking: Walking) -> tuple[NDArray[np.fl
     return tuple(shapely.get_coordinates(shapely.simplify(part.exterior, 0.01)) for part in parts)
 
 
-def _clipped(area: BaseGeometry, window: tuple[float, float, float, float]) -> BaseGeometry:
-    """The part of an area in a window; the quick way may give what is not valid."""
-    clipped: BaseGeometry = shapely.clip_by_rect(area, *window)
-    return clipped if shapely.is_valid(clipped) else shapely.intersection(area, shapely.box(*window))
+def _clipped(area: BaseGeometry, windows: NDArray[np.float64]) -> NDArray[np.object_]:
+    """The part of an area in each of some windows (n, 4); the quick way may give what is not valid."""
+    clipped = np.array([shapely.clip_by_rect(area, *window) for window in windows.tolist()], dtype=object)
+    broken = ~shapely.is_valid(clipped)
+    if broken.any():
+        clipped[broken] = shapely.intersection(area, shapely.box(*windows[broken].T))
+    return clipped
 
 
-def _meet(bounds: NDArray[np.float64], window: tuple[float, float, float, float]) -> list[bool]:
-    """Which boxes (n, 4) meet a window."""
-    inside = np.column_stack([bounds[:, :2] <= window[2:], bounds[:, 2:] >= window[:2]])
-    return [all(sides) for sides in inside.tolist()]
+def _meet(bounds: NDArray[np.float64], windows: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which boxes (n, 4) meet which windows (m, 4), (m, n)."""
+    inside = (bounds[:, :2] <= windows[:, None, 2:]) & (bounds[:, 2:] >= windows[:, None, :2])
+    return np.asarray(inside.all(axis=2))

@@ -30,8 +30,8 @@ def wall_slabs(room: Room, thickness: float) -> tuple[Slab, ...]:
 
 
 def _slabs(room: Room, index: int, wall: Wall, thickness: float) -> Iterator[Slab]:
-    depth = _free_depth(room, wall, thickness)
-    if depth < THINNEST:
+    depth = wall_depth(room, wall, thickness)
+    if not depth:
         return
     openings = sorted((o for o in room.openings if o.wall == index), key=lambda o: o.offset)
     for number, (start, end, low, high) in enumerate(_pieces(room, wall, openings)):
@@ -57,8 +57,8 @@ def _pieces(room: Room, wall: Wall, openings: list[Opening]) -> Iterator[tuple[f
             low = max(low, lintel)
 
 
-def _free_depth(room: Room, wall: Wall, thickness: float) -> float:
-    """The thickness that fits before the floor begins again behind the wall [m]."""
+def wall_depth(room: Room, wall: Wall, thickness: float) -> float:
+    """The thickness that fits before the floor begins again behind the wall [m]; 0 where hardly any does."""
     depth = thickness
     while depth >= THINNEST:
         slab = shapely.Polygon([wall.start, wall.point(0.0, -depth), wall.point(wall.length, -depth), wall.end])

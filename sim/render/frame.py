@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import MultiPoint
 
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
@@ -20,6 +21,10 @@ from thinkblox.sim.render.tessellate import Floats, Ints
 
 NOTHING = -2
 """The number of a pixel that shows neither an object (0 and up) nor the room (ROOM)."""
+
+
+_BESIDE = 0.05
+"""What is less far ahead of a camera has no place in its picture [m]."""
 
 
 @dataclass(frozen=True)
@@ -62,16 +67,30 @@ def cast(
     add_room(soup, scene.room, scene.surfaces, shell)
     add_objects(soup, scene, poses)
     tracer = Tracer(soup.triangles())
-    y, x = (axis.ravel().astype(np.float32) + np.float32(0.5) for axis in np.mgrid[0:size, 0:size])
+    there = _covered(tracer.triangles.vertices, camera, size)
+    y, x = (axis.astype(np.float32) + np.float32(0.5) for axis in np.nonzero(there))
     points = see(tracer, camera, x, y, size)
     owners = np.array([*(p.owner for p in tracer.triangles.patches), NOTHING], np.int32)
-    distance = np.where(points.patch < 0, np.float32(np.inf), points.distance)
-    return Frame(
-        _evenly_lit(tracer, camera, points, size),
-        distance.astype(np.float32).reshape(size, size),
-        owners[points.front].reshape(size, size),
-        tuple(p.id for p in scene.placements),
-    )
+    behind = np.rint(tone_mapped(np.array([linear(GROUND)], np.float32)) * 255).astype(np.uint8)
+    colour = np.full((size, size, 3), behind, np.uint8)
+    depth, ids = np.full((size, size), np.inf, np.float32), np.full((size, size), NOTHING, np.int32)
+    colour[there] = _evenly_lit(tracer, camera, points, size)
+    depth[there] = np.where(points.patch < 0, np.float32(np.inf), points.distance)
+    ids[there] = owners[points.front]
+    return Frame(colour, depth, ids, tuple(p.id for p in scene.placements))
+
+
+def _covered(vertices: Floats, camera: Camera, size: int) -> NDArray[np.bool_]:
+    """The pixels within the outline of all there is (size, size); all of them where some of it is beside the camera."""
+    from PIL import Image, ImageDraw
+
+    ahead = (vertices.astype(np.float64) - camera.position) @ camera.forward
+    if camera.perspective and float(ahead.min()) < _BESIDE:
+        return np.ones((size, size), bool)
+    outline = MultiPoint(camera.project(vertices.astype(np.float64), size)).convex_hull.buffer(1.0, join_style="mitre")
+    sheet = Image.new("1", (size, size))
+    ImageDraw.Draw(sheet).polygon([(float(a), float(b)) for a, b in outline.exterior.coords], fill=1)
+    return np.asarray(sheet)
 
 
 def inside_walls(room: Room, camera: Camera) -> tuple[bool, ...]:
@@ -81,7 +100,7 @@ def inside_walls(room: Room, camera: Camera) -> tuple[bool, ...]:
 
 
 def _evenly_lit(tracer: Tracer, camera: Camera, points: Surfels, size: int) -> NDArray[np.uint8]:
-    """Light from above and from the eye, without shadows."""
+    """Light from above and from the eye, without shadows (n, 3)."""
     light = lights(tracer, np.array([-0.42, 0.46, 1.0], np.float32))
     head = np.clip(-np.einsum("ij,ij->i", points.normal, points.view), 0, 1)[:, None]
     up = np.float32(0.5) + np.float32(0.5) * points.normal[:, 2:]
@@ -91,7 +110,7 @@ def _evenly_lit(tracer: Tracer, camera: Camera, points: Surfels, size: int) -> N
     shader = Shader(tracer.triangles, light, 0.0 if camera.perspective else wide)
     behind = np.broadcast_to(np.array(linear(GROUND), np.float32), points.normal.shape)
     colour = shader.colours(points, Irradiance(sky, sun), behind, wide if camera.perspective else 0.0)
-    return np.asarray(np.rint(tone_mapped(colour).reshape(size, size, 3) * 255), np.uint8)
+    return np.asarray(np.rint(tone_mapped(colour) * 255), np.uint8)
 
 
 __all__ = ["NOTHING", "ROOM", "Frame", "cast", "inside_walls"]

@@ -36,6 +36,7 @@ class Shell:
         top: height of the standing walls [m], the room's when None.
         cut: colour of the walls' upper faces.
         curtains: height of the lower edge of curtains [m], by the id of their window.
+        filled: whether doors have leaves, and windows frames and panes.
     """
 
     standing: tuple[bool, ...]
@@ -43,6 +44,7 @@ class Shell:
     top: float | None = None
     cut: Colour = CUT
     curtains: Mapping[str, float] = field(default_factory=dict)
+    filled: bool = True
 
 
 def add_room(soup: Soup, room: Room, surfaces: Surfaces, shell: Shell) -> None:
@@ -201,6 +203,15 @@ def _corner(first: Wall, second: Wall) -> float:
 
 
 def _add_window(frame: _WallFrame, opening: Opening) -> None:
+    start, end, bottom = opening.offset, opening.offset + opening.width, opening.sill
+    if frame.shell.filled:
+        _add_pane(frame, opening)
+    if bottom > 0.15:
+        board = (bottom - 0.03, bottom + 0.004)
+        frame.box((start - 0.04, end + 0.04), (-THICKNESS, 0.05), board, frame.surfaces.trim, "trim", 0.003)
+
+
+def _add_pane(frame: _WallFrame, opening: Opening) -> None:
     start, end = opening.offset, opening.offset + opening.width
     bottom, top = opening.sill, opening.sill + opening.height
     bar, depth = min(0.05, opening.width / 8), (-0.085, -0.035)
@@ -213,9 +224,6 @@ def _add_window(frame: _WallFrame, opening: Opening) -> None:
     for i in range(1, lights):
         middle = start + opening.width * i / lights
         frame.box((middle - bar / 2, middle + bar / 2), depth, (bottom, top), frame.surfaces.trim, "trim", 0.003)
-    if bottom > 0.15:
-        board = (bottom - 0.03, bottom + 0.004)
-        frame.box((start - 0.04, end + 0.04), (-THICKNESS, 0.05), board, frame.surfaces.trim, "trim", 0.003)
 
 
 def _add_curtains(frame: _WallFrame, opening: Opening, bottom: float, colour: Colour) -> None:
@@ -240,6 +248,13 @@ def _add_door(frame: _WallFrame, opening: Opening, top: float) -> None:
     frame.box((start - bar, start), (-0.02, 0.018), (0.0, height + bar), frame.surfaces.trim, "trim", 0.003)
     frame.box((end, end + bar), (-0.02, 0.018), (0.0, height + bar), frame.surfaces.trim, "trim", 0.003)
     frame.box((start, end), (-0.02, 0.018), (height, height + bar), frame.surfaces.trim, "trim", 0.003)
+    if frame.shell.filled:
+        _add_leaf(frame, opening)
+
+
+def _add_leaf(frame: _WallFrame, opening: Opening) -> None:
+    """The leaf of a door with its panels and its lever."""
+    start, end, height = opening.offset, opening.offset + opening.width, opening.height
     frame.box((start + 0.004, end - 0.004), (-0.07, -0.03), (0.004, height - 0.004), frame.surfaces.door, "trim", 0.002)
     _add_panels(frame, opening)
     away = end - 0.09 if opening.hinge == "start" else start + 0.09

@@ -21,8 +21,10 @@ from thinkblox.verdict import Pose, Push, Support
 
 NUDGE = 1e-12
 """A speed that wakes a sleeping body and moves it nowhere [m/s]."""
-STEADY, INSTANTS = 0.95, 20
-"""Less than this share of a weight borne is looked at again, over so many instants."""
+STEADY, WHILE = 0.95, 1.0
+"""Less than this share of a weight borne is looked at again, for so long [s]: what sways out takes most of it."""
+PATIENCE = 0.25
+"""What lies still must have done so for this share of the time until then: what hops is still between two hops."""
 RESTING = 0.0001
 """Contacts at rest that are no deeper are not told of [m]; most things rest 0.01 to 0.05 mm deep."""
 FELT, FELT_TURN = 0.0005, 0.2
@@ -80,6 +82,8 @@ class Stage:
         self._ids = list(addresses)
         self._poses = np.array(list(addresses.values()), dtype=np.intp)[:, None] + np.arange(7)
         self._radii = _radii(self._model, self._data, self._ids)
+        little = math.sin(math.radians(physics.toppled) / 8)
+        self._little = np.array([physics.lost / 2] * 3 + [little] * 4)
 
     @quiet_engine()
     def settle(self, id: str, placement: Placement, *, seconds: float) -> Settled:
@@ -113,21 +117,27 @@ class Stage:
     def _run(self, body: int, mine: int, track: "_Track", seconds: float) -> _Course:
         model, data, physics = self._model, self._data, self._physics
         interval = physics.timestep * physics.chunk
-        moving, quiet, now, suspect = 0.0, Quiet(interval), track.start, body
+        moving, stirred, quiet, now, suspect = 0.0, 0, Quiet(interval), track.start, body
         for look in range(1, math.ceil(seconds / interval - 1e-9) + 1):
             mujoco.mj_step(model, data, nstep=physics.chunk)
             before, now = now, track.look()
-            motion = motion_between(track.start[mine], now[mine], unstable=diverged(data))
-            if motion.unstable or max(motion.drift, motion.drop) > physics.lost or motion.tilt > physics.toppled:
-                return _Course(motion)
+            unstable = diverged(data)
+            if unstable or not (np.abs(now[mine] - track.start[mine]) < self._little).all():
+                motion = motion_between(track.start[mine], now[mine], unstable=unstable)
+                if motion.unstable or max(motion.drift, motion.drop) > physics.lost or motion.tilt > physics.toppled:
+                    return _Course(motion)
             if not at_rest(model, data, body):
-                moving = look * interval
-            elif stayed(before, now, interval):
+                moving, stirred = look * interval, look
+            elif not stayed(before, now, interval):
+                stirred = look
+            elif look - stirred >= PATIENCE * stirred:
                 found = unsteady(model, data, suspect=suspect)
                 if found is None:
+                    motion = motion_between(track.start[mine], now[mine])
                     return _Course(_rested(motion, moving + interval, now[mine]), proven=True)
                 suspect = found
             quiet.look(now)
+        motion = motion_between(track.start[mine], now[mine])
         uneasy = frozenset(self._ids[n] for n in np.flatnonzero(~quiet.lasted).tolist())
         if self._ids[mine] not in uneasy:
             motion = _rested(motion, min(moving, seconds - QUIET) + interval, now[mine])
@@ -136,7 +146,7 @@ class Stage:
     def _reading(self, id: str, course: _Course) -> tuple[tuple[Support, ...], Depths]:
         """What carries an object now, with which share of its weight, and how deep things touch.
 
-        What can only stay is read at once, and what stands lightly, and is borne by turns, over some instants.
+        What can only stay is read at once, and what stands lightly, sways or is borne by turns, over a while.
         """
         body, rested = self._model.body(id), course.motion.rest is not None
         self._data.qvel[int(body.dofadr[0])] = NUDGE
@@ -148,15 +158,17 @@ class Stage:
         return shares(forces, weight), depths if rested else {}
 
     def _mean_forces(self, id: str) -> tuple[dict[str, float], Depths]:
-        """What carries an object and how deep things touch, on average over some instants."""
+        """What carries an object and how deep things touch, on average over a while."""
         total: dict[str, float] = {}
         deep: Depths = {}
-        for _ in range(INSTANTS):
-            mujoco.mj_step(self._model, self._data, nstep=2)
+        steps = max(1, self._physics.chunk // 2)
+        instants = math.ceil(WHILE / (steps * self._physics.timestep))
+        for _ in range(instants):
+            mujoco.mj_step(self._model, self._data, nstep=steps)
             for by, force in self._contacts.carriers_of(self._data, id).items():
-                total[by] = total.get(by, 0.0) + force / INSTANTS
+                total[by] = total.get(by, 0.0) + force / instants
             for pair, depth in self._contacts.depths(self._data, deeper=RESTING).items():
-                deep[pair] = deep.get(pair, 0.0) + depth / INSTANTS
+                deep[pair] = deep.get(pair, 0.0) + depth / instants
         return total, deep
 
 

@@ -22,6 +22,7 @@ from thinkblox.sim.settings import Physics, Tolerances, Walking
 from thinkblox.sim.verdict.blame import LeftAlone, blamed, left_alone
 from thinkblox.sim.verdict.gate import Gate
 from thinkblox.sim.verdict.judge import (
+    Static,
     disturbs,
     fixed_supports,
     judge_motion,
@@ -61,6 +62,8 @@ SOON = 0.5
 """How long a candidate is let go among sleepers, to see whether it stands squarely or falls [s]."""
 KEPT = 32
 """Compiled parts of a room that a world keeps."""
+MUCH = 0.25
+"""What moves by this share of what is tolerated is let go again with everything awake."""
 ROOMY = 4.0
 """An empty room is so much wider than what stands in it by itself, and so much higher [m]."""
 WIDER = 0.05
@@ -154,7 +157,8 @@ class World:
         side = min(MAX_EXTENT, ROOMY * (1.0 + max(asset.size)))
         empty = Scene(room=rectangle(side, side, height=min(MAX_HEIGHT, ROOMY + asset.size[2])))
         there = placed_at(empty, asset, id=asset.category, position=(side / 2, side / 2, 0.0), yaw=0.0)
-        return self.with_scene(empty)._judge(there, asset, None, way=False)
+        world = self.with_scene(empty)
+        return world._judge(there, asset, None, world._static(there, asset, None), ())
 
     def _leaning_on(self, id: str) -> list[str]:
         """Whatever free and not on the floor is near enough to an object that it may stand on it, in part at least."""
@@ -195,10 +199,6 @@ class World:
             grown._surroundings = self._surroundings.with_objects([(placement, asset)])
         return grown
 
-    def cut_off(self, candidate: Placement, asset: Asset) -> tuple[str, ...]:
-        """Ids of the doors and large objects, itself among them, that have no walkable way once it stands there."""
-        return self._floor.cut_off(candidate, solid_of(asset))
-
     def _looking_past(self, id: str) -> "World":
         if id not in self.scene:
             return self
@@ -219,15 +219,19 @@ class World:
         )
 
     def _check(self, candidates: Sequence[Placement], asset: Asset, way: bool) -> list[Verdict]:
-        if not asset.collides:
-            return [self._judge(candidate, asset, None, way) for candidate in candidates]
-        gate = Gate(self.scene, self._neighbours, asset, candidates, self._physics)
-        return [self._judge(candidate, asset, gate, way) for candidate in candidates]
+        gate = Gate(self.scene, self._neighbours, asset, candidates, self._physics) if asset.collides else None
+        statics = [self._static(candidate, asset, gate) for candidate in candidates]
+        possible = [candidate for candidate, static in zip(candidates, statics, strict=True) if not static.gated]
+        lost = iter(self._floor.cut_off(possible, solid_of(asset)) if way and possible else [()] * len(possible))
+        return [
+            self._judge(candidate, asset, gate, static, () if static.gated else next(lost))
+            for candidate, static in zip(candidates, statics, strict=True)
+        ]
 
-    def _judge(self, candidate: Placement, asset: Asset, gate: Gate | None, way: bool) -> Verdict:
+    def _static(self, candidate: Placement, asset: Asset, gate: Gate | None) -> Static:
         collisions = () if gate is None else gate.collisions(candidate, self._tolerances.penetration)
         swings = self._surroundings.swings(candidate, asset) if asset.collides else ()
-        static = judge_pose(
+        return judge_pose(
             self.scene.room,
             candidate,
             asset,
@@ -236,7 +240,10 @@ class World:
             collisions=collisions,
             swings=swings,
         )
-        cut_off = self.cut_off(candidate, asset) if way and not static.gated else ()
+
+    def _judge(
+        self, candidate: Placement, asset: Asset, gate: Gate | None, static: Static, cut_off: tuple[str, ...]
+    ) -> Verdict:
         said = partial(verdict, candidate, cut_off=cut_off, unmet=self._unmet(candidate, asset))
         if not asset.free:
             pushed = () if gate is None or static.gated else self._pushed_by(candidate, asset, gate)
@@ -291,11 +298,15 @@ class World:
         return blamed(settled, self._left_alone(there))
 
     def _doubtful(self, settled: Settled) -> bool:
-        """Whether it fails, and not for having gone so far that nothing can change that."""
-        motion = settled.motion
+        """Whether it moved much or fails, and not by so much that nothing can change that.
+
+        What falls and strikes ends elsewhere for each hair's breadth by which a sleeper lies higher.
+        """
+        motion, limits = settled.motion, self._tolerances
         if max(motion.drift, motion.drop) > self._physics.lost:
             return False
-        return bool(judge_motion(motion, self._tolerances) or self._pressed(settled))
+        far = motion.drift > MUCH * limits.drift or motion.drop > MUCH * (limits.drop + limits.clearance)
+        return far or bool(judge_motion(motion, limits) or self._pressed(settled))
 
     def _wide_enough(
         self, candidate: Placement, asset: Asset, boxes: Boxes, there: frozenset[str], *, awake: bool

@@ -362,7 +362,9 @@ def corner(room: Plain) -> Case | None:
     points = [tuple(c) for c in room.room["floor"]]
 
     def near(scene: Plain, id: str, reach: float) -> bool:
-        nearest = sorted(points, key=lambda c: min(z.distance(Point(c)) for z in zones))[:2]
+        away = {c: min(z.distance(Point(c)) for z in zones) for c in points}
+        second = sorted(away.values())[1] + 0.01  # of corners that are as near, any is "the corner by the window"
+        nearest = (c for c in points if away[c] <= second)
         return any(math.dist(scene[id]["position"][:2], c) < reach for c in nearest)
 
     def check(before: Plain, after: Plain) -> bool:

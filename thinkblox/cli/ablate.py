@@ -37,7 +37,7 @@ def _count(text: str) -> int:
 
 def _ablate(arguments: argparse.Namespace) -> int:
     from thinkblox.evaluation.ablation import ablation_rows, measured_row, read_ablation
-    from thinkblox.evaluation.comparing import checked_judge, make_rooms_folder, read_prompts
+    from thinkblox.evaluation.comparing import checked_judge, kept_rooms, read_prompts
     from thinkblox.evaluation.folder import check_evaluation
     from thinkblox.evaluation.policy_run import Trial
 
@@ -52,7 +52,7 @@ def _ablate(arguments: argparse.Namespace) -> int:
         seed=ablation.seed,
         budget=arguments.budget,
         judge=ablation.judge or "",
-        kept=make_rooms_folder(arguments.out, anew=arguments.overwrite),
+        kept=kept_rooms(arguments.out, anew=arguments.overwrite),
     )
     tell, rows = teller(trial, quiet=arguments.json), []
     for row in ablation_rows():

@@ -22,6 +22,7 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--to", metavar="A,B", default=",".join(DEFAULT), help=names)
     parser.add_argument("--out", metavar="DIR", type=Path, required=True, help="folder for the files, which is made")
     parser.add_argument("--flavor", metavar="NAME", help="of the MJCF: robosuite (its groups and sites) or mjx")
+    parser.add_argument("--doors", action="store_true", help="with leaves on hinges in the doors, panes in the windows")
     parser.add_argument("--overwrite", action="store_true", help="replace a folder that we wrote there earlier")
     parser.add_argument("--json", action="store_true", help="print the paths as JSON")
     parser.set_defaults(run=_export)
@@ -40,7 +41,14 @@ def _export(arguments: argparse.Namespace) -> int:
         raise InputError("no format is named; --to mjcf,usd writes both")
     chosen = formats_named(flavored(names, arguments.flavor))
     scene = load_scene(arguments.scene)
-    out = export_scene(scene, arguments.out, formats=names, flavor=arguments.flavor, overwrite=arguments.overwrite)
+    out = export_scene(
+        scene,
+        arguments.out,
+        formats=names,
+        flavor=arguments.flavor,
+        doors=arguments.doors,
+        overwrite=arguments.overwrite,
+    )
     paths = [out / kind.file for kind in chosen]
     if arguments.json:
         print(json.dumps([str(path) for path in paths]))

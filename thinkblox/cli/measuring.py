@@ -54,7 +54,7 @@ def measure_policies(arguments: argparse.Namespace) -> int:
     """Measure, print and write; returns the exit status."""
     from thinkblox.evaluation.comparing import (
         checked_judge,
-        make_rooms_folder,
+        kept_rooms,
         measured,
         named_apart,
         read_prompts,
@@ -87,7 +87,7 @@ def measure_policies(arguments: argparse.Namespace) -> int:
         seed=arguments.seed,
         budget=arguments.budget,
         judge=arguments.judge or "",
-        kept=make_rooms_folder(arguments.out, anew=arguments.overwrite),
+        kept=kept_rooms(arguments.out, anew=arguments.overwrite),
     )
     try_out(contenders, trial)
     tell = teller(trial, quiet=arguments.json)

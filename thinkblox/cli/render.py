@@ -19,7 +19,9 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("scene", metavar="SCENE", type=Path, help="an output folder or a scene.json")
     parser.add_argument("--out", metavar="DIR", type=Path, help="folder for the pictures (that of the scene)")
     parser.add_argument("--size", metavar="PX", type=_picture_size, default=1024, help="pixels along a side (1024)")
-    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for reading and drawing (600)")
+    parser.add_argument(
+        "--timeout", metavar="S", type=seconds, default=600.0, help="for reading and drawing (600), once started"
+    )
     parser.add_argument("--json", action="store_true", help="print the paths as JSON")
     parser.set_defaults(run=_render)
 

@@ -71,7 +71,13 @@ def add_command(commands: "Commands") -> None:
         help="this, or all like 'robot0*', is no furniture: it stays where it is, and is not judged (may be repeated)",
     )
     parser.add_argument("--seed", metavar="N", type=natural, default=0, help="of what suites sample (0)")
-    parser.add_argument("--timeout", metavar="S", type=seconds, default=600.0, help="for reading and measuring (600)")
+    parser.add_argument(
+        "--timeout",
+        metavar="S",
+        type=seconds,
+        default=600.0,
+        help="for reading and measuring (600); loading the engine before that, a second or two, may take 120 s more",
+    )
     parser.add_argument("--overwrite", action="store_true", help="replace any file with --out and --html")
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.set_defaults(run=_verify)

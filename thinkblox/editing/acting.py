@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import Goal, IntoRoom, Related
+from thinkblox.editing.goals import DrawnUp, Goal, IntoRoom, OnPart, Related
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
@@ -25,6 +25,10 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
     """A relation as a goal; of several around a thing each is by it, and seats are drawn up to it."""
     if there.of_room:
         return IntoRoom()
+    if there.part:
+        return OnPart("on", there.anchors, part=there.part)
+    if there.side is not None:
+        return DrawnUp("at", there.anchors, side=there.side)
     measured: RelationKind | None = None
     if there.kind == "around":
         measured = "at" if facts_of(category).is_in("seating") else "near"

@@ -1,9 +1,9 @@
 """An instruction cut to clauses: what each asks to be done, and the words that it says it with."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from thinkblox.editing.grammar import longest
+from thinkblox.editing.grammar import longest, means
 from thinkblox.errors import InputError
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.tokens import Token
@@ -65,25 +65,65 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     Raises:
         InputError: it depends on a condition, asks for an edit to be taken back, or says only what is not to be done.
     """
-    tokens = _without_courtesy(tokens)
+    tokens = _gathered(_without_courtesy(tokens))
     _check(tokens, named)
+    tokens = _led(tokens)
     starts = list(_starts(tokens))
     lead = tokens[: starts[0].begin] if starts else tokens
+    about = _about(lead)
+    lead = [] if about else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
     for number, start in enumerate(starts):
         end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
+        if not number and about and body[:1] and body[0].text in ("it", "them"):
+            body = (*about, *body[1:])
         if start.whose:
             body = _had(body, start.whose)
-        clause = _settled(Clause(start.doing, start.change, body, text))
+        clause = _settled(_turned_about(Clause(start.doing, start.change, body, text)))
         if start.denied and start.doing in _BRINGS:
             continue
         if start.denied and clause.doing in ("put", "keep", "make", "free"):
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
     return made
+
+
+def _about(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What a statement before an order is about, which "it" means there: "the desk is too close, move it back"."""
+    first = _first(lead)
+    told = next((n for n in range(first, len(lead)) if means("statements", lead[n].text)), first)
+    pointed = told > first and lead[first].text in _POINTERS
+    return tuple(lead[first:told]) if pointed else ()
+
+
+def _is_last(tokens: Sequence[Token], at: int) -> bool:
+    return at >= len(tokens) or tokens[at].text in (*ENDS, ",", "please")
+
+
+def _turned_about(clause: Clause) -> Clause:
+    """A clause as one of the orders that are carried out: "give the desk a lamp" adds one to it."""
+    tokens = clause.tokens
+    if clause.doing == "unwanted":
+        if any(grammar().at(tokens, n, "prepositions") is not None for n in range(len(tokens))):
+            raise InputError(f"'{clause.text}' says what is not to be done; say what is")
+        return Clause("remove", "", tokens, clause.text)
+    if clause.doing != "give":
+        return clause
+    linked = next((n for n, t in enumerate(tokens) if t.text == "with"), None)
+    at = linked if linked is not None else next((n for n in range(1, len(tokens)) if _is_given(tokens, n)), None)
+    if at is None:
+        raise InputError(f"'{clause.text}' does not say what is added to what")
+    return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _is_given(tokens: Sequence[Token], at: int) -> bool:
+    """Whether what is given begins there: "a lamp", "two more books"; not in "give the desk by a window ..."."""
+    counted = tokens[at].kind == "number" or grammar().at(tokens, at, "count") is not None
+    begins = counted or tokens[at].text in ("a", "an", "another", "some", "more", "its", "their")
+    return begins and grammar().at(tokens, at - 1, "prepositions") is None and tokens[at - 1].text not in _LINKS
 
 
 def _had(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
@@ -120,7 +160,7 @@ def _without_courtesy(tokens: Sequence[Token]) -> list[Token]:
     index = 0
     while index < len(tokens):
         found = longest("conditions", tokens, index)
-        if found is not None and found[0] == "polite":
+        if found is not None and (found[0] == "polite" or (found[0] == "last" and _is_last(tokens, index + found[1]))):
             index += found[1]
             continue
         left.append(tokens[index])
@@ -128,10 +168,59 @@ def _without_courtesy(tokens: Sequence[Token]) -> list[Token]:
     return left
 
 
+def _gathered(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with what belongs to a verb beside it: "throw the rug away" as "throw away the rug"."""
+    left = list(tokens)
+    for index in range(len(left) - 2):
+        before = left[index - 1].text if index else "."
+        if before not in (*ENDS, *_LINKS) and not (index and _is_filler(left[:index], left[index - 1])):
+            continue
+        for after in range(index + 2, len(left)):
+            if left[after].text in (*ENDS, *_LINKS):
+                break
+            if means("particles", left[after].text) and _parted(left, index, after):
+                left.insert(index + 1, left.pop(after))
+                break
+    return left
+
+
+def _parted(tokens: Sequence[Token], at: int, after: int) -> bool:
+    """Whether a verb of two words begins and goes on at two places; what brings something is not parted."""
+    found = longest("verbs", (tokens[at], tokens[after]), 0)
+    if found is None or found[1] < 2 or found[0] == "add":
+        return False
+    return _ends(tokens, after + 1) or grammar().at(tokens, after + 1, "prepositions") is not None
+
+
+def _led(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with what leads a sentence put behind its order: "instead of the stool I want a bench"."""
+    left: list[Token] = []
+    begin = 0
+    while begin < len(tokens):
+        end = next((n for n in range(begin, len(tokens)) if tokens[n].text in ENDS), len(tokens))
+        left += _lead_last(tokens[begin:end])
+        left += tokens[end : end + 1]
+        begin = end + 1
+    return left
+
+
+def _lead_last(sentence: Sequence[Token]) -> list[Token]:
+    first = _first(sentence)
+    leads = first < len(sentence) and grammar().at(sentence, first, "prepositions") is not None
+    if not leads or _start(sentence, first, first=True) is not None:
+        return list(sentence)
+    for at in range(first + 2, len(sentence)):
+        start = _verb(sentence, at, first=False)
+        if start is not None and sentence[at - 1].text not in (*_LINKS[1:], *_POINTERS):
+            lead = [t for t in sentence[:at] if t.text != ","]
+            return [*sentence[at:], *lead]
+    return list(sentence)
+
+
 def _check(tokens: Sequence[Token], named: Mapping[int, str]) -> None:
     for index in range(len(tokens)):
         found = longest("conditions", tokens, index)
-        if found is not None:
+        if found is not None and found[0] == "if":
             rest = next((n for n in range(index, len(tokens)) if tokens[n].text in (*ENDS, ",")), len(tokens))
             says = spoken(tokens[index:rest], named)
             raise InputError(f"'{says}' is a condition, on which no edit can depend; say what is to be done")
@@ -166,7 +255,7 @@ def _starts(tokens: Sequence[Token]) -> list[_Start]:
         start = _start(tokens, index, first=first) if fresh else _without(tokens, index)
         if start is not None:
             starts.append(start)
-            index, fresh, first = start.body, False, False
+            index, fresh, first = _coordinated(tokens, start), False, False
             continue
         filler = longest("fillers", tokens, index) if fresh else None
         if tokens[index].text in ENDS:
@@ -180,6 +269,25 @@ def _starts(tokens: Sequence[Token]) -> list[_Start]:
             fresh = first = False
         index += 1
     return starts
+
+
+def _coordinated(tokens: Sequence[Token], start: _Start) -> int:
+    """From where on another clause may begin: of "have the lamp and the plant trade places" after the whole wish."""
+    if start.doing not in _WANTS:
+        return start.body
+    for index in _within(tokens, start.body + 1):
+        if means("bare", tokens[index].text) or longest("bare", tokens, index) is not None:
+            wish = longest("wishes", tokens, index)
+            return index + wish[1] if wish is not None else start.body
+        if tokens[index].text == "," or longest("wishes", tokens, index) is not None:
+            return start.body
+        if tokens[index].text in _LINKS and _start_of_verb(tokens, index + 1):
+            return start.body
+    return start.body
+
+
+def _start_of_verb(tokens: Sequence[Token], at: int) -> bool:
+    return at < len(tokens) and _verb(tokens, at, first=False) is not None
 
 
 def _start(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
@@ -232,6 +340,10 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
     asked = longest("asked", tokens, at)
     if first and asked is not None and asked[0] == "before" and longest("fillers", tokens, at) is None:
         verb = next((n for n in _within(tokens, at + 1) if _means(tokens, n, "asked") == "after"), None)
+        swapped = next((n for n in _within(tokens, at + 1) if _means(tokens, n, "wishes") == "swap"), None)
+        if swapped is not None:
+            found = longest("wishes", tokens, swapped)
+            return replace(_wished(tokens, at + 1, swapped, *found), begin=at) if found is not None else None
         if verb is None:
             return None
         told = verb if tokens[verb].text == "face" else verb + 1
@@ -296,8 +408,21 @@ def _settled(clause: Clause) -> Clause:
         for index in range(1, len(tokens)):
             done = longest("done", tokens, index)
             if done is not None and _goes_on(tokens, index + done[1]):
+                _check_one(clause, tokens[:index])
                 return Clause(done[0], "", tuple(tokens[:index] + tokens[index + done[1] :]), clause.text)
     return Clause(doing, clause.change, tuple(tokens), clause.text)
+
+
+def _check_one(clause: Clause, tokens: Sequence[Token]) -> None:
+    """Refuse "I want the tv on the wall and the rug gone", of which only the last may be meant to be gone.
+
+    Raises:
+        InputError: several things are named, of which the first have a place.
+    """
+    links = [n for n, token in enumerate(tokens) if token.text in (",", "and")]
+    placed = any(grammar().at(tokens, n, "prepositions") is not None for n in range(links[-1] if links else 0))
+    if placed:
+        raise InputError(f"'{clause.text}' can be read in two ways; give an order for each of the things")
 
 
 def _goes_on(tokens: Sequence[Token], at: int) -> bool:

@@ -11,7 +11,9 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
-_ANYWHERE = ("nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places")
+_ANYWHERE = (
+    "nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places", "present",
+)  # fmt: skip
 _AT_END = ("round", "away", "places_of_both", "together", "there")
 _PUTTING = ("add", "put", "move", "ensure")
 _RANKED = ("the", "my", "that", "two", "both")
@@ -25,6 +27,8 @@ _AFTER_ORDER = (
 _CLEARED = ("keep", "put", "ensure", "make", "free")
 """Orders in which "free" at the end is how something is to be."""
 _DISTANT = ("away", "off", "apart", "from", "to", "in", "closer", "nearer", "further", "farther")
+_NEW = ("a", "an", "another", "some")
+"""Words before a comparative that is of a new thing."""
 _BEFORE_LENGTH = ("by", "to", "of")
 
 
@@ -136,7 +140,7 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
-        if self._doing in ("make", "put"):
+        if self._doing in ("make", "put") and not (at and tokens[at - 1].text in _NEW):
             for sort in ("comparatives", "absolutes"):
                 found = longest(sort, tokens, at)
                 if found is not None and (self._doing == "make" or self._ends(tokens, at + found[1])):
@@ -152,6 +156,9 @@ class ClauseCutter:
     def _moving(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
         if self._doing not in ("move", "put", "turn", "make"):
             return None
+        flank = longest("flanks", tokens, at)
+        if flank is not None and at and self._ends(tokens, at + flank[1]):
+            return OrderMark("flanks", flank[0]), flank[1]
         few = longest("few", tokens, at)
         if few is not None:
             return OrderMark("few", few[0]), few[1]

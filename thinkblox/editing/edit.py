@@ -13,6 +13,7 @@ from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Brief
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
+from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import Instruction, NounPhrase, Order
@@ -252,14 +253,21 @@ def _is_part_of(scene: Scene, made: Scene) -> bool:
 
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
-    known = [
-        p.id or p.noun.definite or p.noun.kind in ("pronoun", "number") or p.rank or p.noun.ordinal
-        for p in order.things
-    ]
+    known = [_is_known(phrase) for phrase in order.things]
     if order.things and not any(known) and not order.rest:
         bring(work, finder, order)
+    elif not all(known) and all(phrase.places for phrase in order.things):
+        for phrase, there in zip(order.things, known, strict=True):
+            (move if there else bring)(work, finder, dataclasses.replace(order, things=[phrase]))
+            finder.scene = work.before = work.scene
     else:
         move(work, finder, order)
+
+
+def _is_known(phrase: NounPhrase) -> bool:
+    """Whether a phrase points at something that is there."""
+    noun = phrase.noun
+    return bool(phrase.id or noun.definite or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal)
 
 
 def _bring(work: Work, finder: Finder, order: Order) -> None:
@@ -267,7 +275,9 @@ def _bring(work: Work, finder: Finder, order: Order) -> None:
     if order.away:
         remove(work, finder, order)
         return
+    fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
     new = [p.noun.kind == "thing" and not p.noun.definite and not finder.matching(p.noun) for p in order.things]
+    new = new if fetched else [False]
     (bring if order.things and all(new) else move)(work, finder, order)
 
 
@@ -319,7 +329,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
         finder.owners, finder.about = [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
         _DOERS[order.doing](work, finder, order)
-        _hold(work, order, before)
+        _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
         finder.vacated = gone[-1].position[:2] if gone else finder.vacated
         if said == (len(work.done), len(work.failed)):
@@ -344,8 +354,10 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if last is not None and back and last.doing in _CARRYING and _keeps_by_it(order):
             last.company += [dataclasses.replace(phrase, places=[]) for phrase in order.things]
             continue
-        if order.doing == "make" and order.facing and order.things and not order.room:
-            order.doing = "turn"
+        if last is not None and last.doing == "remove" and _comes_there(order):
+            order.doing, order.instead, order.things, order.there = "replace", order.things, last.things, False
+            joined[-1] = order
+            continue
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
         if joined and order.doing == "turn" and same and order.turn is None and joined[-1].doing in _ONTO_KNOWN[:3]:
             facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
@@ -358,18 +370,31 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     return joined
 
 
+def _comes_there(order: Order) -> bool:
+    """Whether "a bigger one" is put where something was taken away."""
+    return order.doing in ("put", "add") and order.there and [p.noun.kind for p in order.things] == ["number"]
+
+
 def _taken_off(order: Order) -> bool:
     """Whether "take the lamp off the desk" is all that is said: it is taken away."""
     off = [w for phrase in order.things for w in phrase.places if w.word == "from"]
-    return _takes(order) and bool(off) and order.text.lower().startswith("take ")
+    everything = order.rest and not order.things and [w.word for w in order.places] == ["from"]
+    taken = (_takes(order) and bool(off)) or (order.doing == "move" and everything)
+    return taken and order.text.lower().startswith("take ")
 
 
-def _hold(work: Work, order: Order, before: Scene) -> None:
-    """Take an order back that has changed what is to stay as it is."""
+def _hold(work: Work, order: Order, before: Scene, said: int) -> None:
+    """Take an order back that has changed what is to stay as it is, with what was said of it since.
+
+    What rested on something that was taken away stays as far as it can: it is not taken away itself.
+    """
     there = {p.id: p for p in work.scene.placements}
+    lost = {p.id for p in before.placements if p.id not in there}
     changed = [p.id for p in before.placements if p.id in work.kept and there.get(p.id) != p]
+    changed = [id for id in changed if id in lost or not lost & set(before.carriers(id))]
     if changed:
         work.world = work.world.with_scene(before)
+        del work.done[said:]
         work.failed.append(f"'{order.text}' was not done: {', '.join(changed)} is to stay as it is")
 
 

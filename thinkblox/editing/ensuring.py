@@ -13,10 +13,18 @@ from thinkblox.editing.wheres import bound
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
 
 
 def bring(work: Work, finder: Finder, order: Order) -> None:
-    """Add what is new; "use a larger rug" makes the one that is there larger."""
+    """Add what is new, with what goes along; "use a larger rug" makes the one that is there larger."""
+    if order.company and order.things:
+        along = [Where("with", phrase.noun, text="with") for phrase in order.company]
+        last = dataclasses.replace(order.things[-1], places=[*order.things[-1].places, *along])
+        order = dataclasses.replace(order, things=[*order.things[:-1], last], company=[])
+    if order.text.lower().startswith("hang ") and not any(p.places for p in order.things) and not order.places:
+        wall = Noun("place", "wall", 0, 0, "a wall", det="a")
+        order = dataclasses.replace(order, places=[Where("on", wall, text="on")])
     compared = [p for p in order.things if p.noun.degree and not p.noun.id]
     if not compared:
         add(work, finder, order)

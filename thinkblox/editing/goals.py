@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Literal, Protocol
 
 from shapely import Polygon
 
@@ -67,6 +67,43 @@ class Related:
     def tie(self) -> Tie | None:
         """The relation itself."""
         return None if self.negated else Tie(kind=self.kind, anchors=self.anchors, index=self.index, count=self.count)
+
+
+PartOfTop = Literal["left", "right", "front", "back", "end"]
+OFF_MIDDLE = 0.12
+"""From which share of a top's length on its one half is left, and twice that its end."""
+
+
+@dataclass(frozen=True)
+class OnPart(Related):
+    """It stands on a part of the top of a thing, as that thing's front shows its sides."""
+
+    part: PartOfTop = "end"
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """On it, and how far from the middle of its top, as a share of its length."""
+        held, says = super().check(before, after, id)
+        carrier = after[self.anchors[0]]
+        ahead, left = (
+            at / side for at, side in zip(carrier.to_local(after[id].position[:2]), carrier.size[:2], strict=True)
+        )
+        far = {"left": left, "right": -left, "front": ahead, "back": -ahead}.get(self.part)
+        if far is None:
+            far = abs(ahead if carrier.size[0] > carrier.size[1] else left) / 2
+        return held and far >= OFF_MIDDLE, f"{says}, {far:.0%} of it from its middle to the {self.part}"
+
+
+@dataclass(frozen=True)
+class DrawnUp(Related):
+    """A seat is drawn up to a table at one side of it."""
+
+    side: RelationKind = "left_of"
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both."""
+        held, says = super().check(before, after, id)
+        there = measure(after, self.side, id, self.anchors)
+        return held and there.holds, f"{says}; {there.measured}"
 
 
 @dataclass(frozen=True)

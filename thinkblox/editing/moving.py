@@ -1,5 +1,6 @@
 """Orders that move things: to a place, by so much, nearer to or away from others, or just elsewhere."""
 
+import dataclasses
 import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
@@ -22,8 +23,10 @@ from thinkblox.editing.goals import (
     Nearing,
     Related,
 )
+from thinkblox.editing.grammar import sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
+from thinkblox.editing.scattering import scatter
 from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
@@ -59,6 +62,9 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if order.together or order.scatter or order.mutual == "next_to":
         _together(work, finder, order)
         return
+    if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
+        _line_up(work, finder, order, wall)
+        return
     seen: set[tuple[str, str]] = set()
     for ids, places in _moved(work, finder, order):
         _check_says_where(order, places)
@@ -73,6 +79,35 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _lined_up() -> frozenset[str]:
+    return frozenset(" ".join(words) for words in sections()["rows_of"])
+
+
+def _any_wall(order: Order) -> Where | None:
+    """The place of an order that is a wall, and does not say which."""
+    places = [*order.places, *(where for phrase in order.things for where in phrase.places)]
+    walls = [where for where in places if where.noun is not None and where.noun.value == "wall" and not where.negated]
+    return walls[0] if walls and walls[0].whole is None and walls[0].second is None else None
+
+
+def _line_up(work: Work, finder: Finder, order: Order, where: Where) -> None:
+    """Let all that is named stand at one wall: at the longest at which it can."""
+    said, saved, before, noun = (len(work.done), len(work.failed)), work.saved(), work.scene, where.noun
+    failed: list[str] = []
+    for wall in sorted(work.scene.room.walls, key=lambda wall: -wall.length):
+        where.noun = dataclasses.replace(noun, value=wall.name) if noun is not None else None
+        plain = dataclasses.replace(order, text=wall.name)
+        move(work, finder, plain)
+        if len(work.failed) == said[1]:
+            break
+        failed = failed or work.failed[said[1] :]
+        work.restore(saved)
+        del work.done[said[0] :], work.failed[said[1] :]
+        finder.scene = work.before = before
+    else:
+        work.failed += [f"no wall has room for all of them: {failed[0]}"]
 
 
 def _foremost_first(work: Work, order: Order, ids: Sequence[str]) -> Sequence[str]:
@@ -182,7 +217,9 @@ def _goals(
         goals.append(At(work.scene[id].position[:2], SLIGHT))
     if order.seated:
         goals += _seated(work, id, order)
-    goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in order.closer]
+    said = [phrase.noun for _, phrase in order.apart]
+    closer = [(nearer, phrase) for nearer, phrase in order.closer if not any(noun is phrase.noun for noun in said)]
+    goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in closer]
     goals += [Apart(mark_names(finder, phrase), away, order.bound) for away, phrase in order.apart]
     return goals + [looking(finder, noun) for noun in order.facing]
 
@@ -330,6 +367,10 @@ def ways_of(placement: Placement) -> dict[str, Vec3]:
 def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
     """In a direction: its own left, right, front and back; up and down; or by the compass."""
     way = ways_of(placement)[order.direction]
+    if order.direction in ("forward", "back") and any(phrase.noun.rows for phrase in order.things):
+        gaze = math.radians(things(work.scene, placement.id)[0].gaze)
+        sign = 1.0 if order.direction == "forward" else -1.0
+        way = (sign * math.cos(gaze), sign * math.sin(gaze), 0.0)
     if order.direction in ("up", "down") and work.asset_of(placement.id).free:
         raise InputError(
             f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"
@@ -351,6 +392,10 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     ids = list(dict.fromkeys(id for ids, _ in _moved(work, finder, order) for id in ids))
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to, or away from")
+    if order.scatter and len(ids) > 2:
+        scatter(work, ids, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)
+        finder.recent = ids
+        return
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
     by = order.lengths[0][0] if order.lengths else None
     for id in rest:

@@ -152,6 +152,8 @@ class Reaching:
             return rejected(text, found)
         if found.placement is None or found.asset is None:
             return rejected(text, Rejection(reason="action", message=f"{self.target.id} is to be placed"))
+        if found.asset.id != self.asset.id and (self.there or self.target.id in self.work.before):
+            return rejected(text, Rejection(reason="size", message=f"{self.target.id} is there, and has its size"))
         action = self.action(found.placement.position, found.placement.yaw, found.asset)
         return Proposal(found.text, action, found.placement, found.asset)
 

@@ -3,16 +3,19 @@
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
-from thinkblox.editing.grammar import is_filler, means, verbs
+from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
+from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
@@ -37,6 +40,9 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
+_AREAS = ("area", "zone")
+"""Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
 _ACROSS = ("opposite", "far", "facing")
 
@@ -108,12 +114,14 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
-    """Read "the front row of", "the back row of" as the first and the last."""
+    """Read "the front row of" and "the back row of" as the first and the last, and "a round one" as no preposition."""
     words = {"front": "first", "back": "last", "rear": "last"}
     read = list(tokens)
     for index in range(len(tokens) - 2):
         if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
             read[index] = replace(tokens[index], text=words[tokens[index].text])
+        if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
+            read[index + 1] = replace(tokens[index + 1], text="circular")
     return read
 
 
@@ -121,8 +129,15 @@ def _corrected(lexicon: Lexicon, token: Token) -> Token:
     if side := means("synonyms", token.text):
         return replace(token, text=side)
     known = token.kind != "word" or any(means(s, token.text) for s in _OWN_WORDS)
-    meant = "" if known else meant_by(lexicon, token.text)
+    meant = "" if known else meant_by(lexicon, token.text, _of_orders())
     return replace(token, text=meant) if meant else token
+
+
+@lru_cache(maxsize=1)
+def _of_orders() -> frozenset[str]:
+    """The words of instructions that may be meant by one with a slip: "repalce", "teh"."""
+    of_verbs = frozenset(word for words in sections()["verbs"] for word in words)
+    return of_verbs | frozenset(word for words in grammar().phrases for word in words)
 
 
 class _OrderReader:
@@ -137,6 +152,7 @@ class _OrderReader:
         )
         self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
         self.orders = [self.order]
+        self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
         self._items = self._cutter.items(clause.tokens)
         self._at = 0
@@ -148,6 +164,7 @@ class _OrderReader:
         self._anchors: list[Noun] = []
         self._excepted: NounPhrase | None = None
         self._distance = False
+        self._around = False
 
     def read(self) -> list[Order]:
         """Read everything."""
@@ -180,6 +197,8 @@ class _OrderReader:
 
     def _finish(self) -> None:
         order = self.order
+        if self._pending is False and order.direction:
+            self._pending = None
         if self._pending is not None:
             order.together, order.scatter = self._pending, not self._pending
         about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
@@ -197,6 +216,10 @@ class _OrderReader:
             order.doing = "make"
         if order.doing == "keep" and order.total:
             order.doing = "only"
+        if order.doing == "make" and (order.facing or order.mutual) and order.things and not order.room:
+            order.doing = "turn"
+        if self._around and order.facing:
+            order.turn = None
 
     def _is_about_looks(self) -> bool:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
@@ -231,6 +254,8 @@ class _OrderReader:
     def _mark(self, mark: OrderMark) -> None:
         order = self.order
         match mark.sort:
+            case "few" | "seated" | "flanks":
+                self._how(mark)
             case "lengths":
                 self._length(mark)
             case "turn":
@@ -239,18 +264,28 @@ class _OrderReader:
                 if order.direction:
                     order.lost.append(mark.key)
                 order.direction = order.direction or mark.key
-            case "few":
-                order.slight = True
             case "clear":
                 self._adjective(Adjective(0, 0, "free"))
             case "rows":
                 self._row(int(mark.key))
-            case "seated":
-                order.seated = mark.key
             case "comparatives" | "absolutes":
                 order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
             case _:
                 self._marker(mark.key)
+
+    def _how(self, mark: OrderMark) -> None:
+        order = self.order
+        order.slight |= mark.sort == "few"
+        order.seated = mark.key if mark.sort == "seated" else order.seated
+        if mark.sort == "flanks":
+            self._flank(mark.key)
+
+    def _flank(self, side: str) -> None:
+        """Read "next to the laptop, on its left"; where nothing was named but the thing itself, it is a direction."""
+        if self._anchors and self.order.things:
+            self.order.things[-1].places.append(Where(f"{side}_of", self._anchors[-1], text=f"to the {side} of"))
+        else:
+            self.order.direction = self.order.direction or side
 
     def _row(self, number: int) -> None:
         """Read "in the front row" of what was named last."""
@@ -292,7 +327,7 @@ class _OrderReader:
         """Read "turn it round", "make the table round"."""
         order = self.order
         if order.doing == "turn" and order.turn is None:
-            order.turn = 180.0
+            order.turn, self._around = 180.0, True
         elif order.doing == "make":
             order.looks.append("round")
         else:
@@ -328,19 +363,43 @@ class _OrderReader:
     def _is_of_room(self, noun: Noun) -> bool:
         """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
         order, part = self.order, noun.kind in ("place", "part")
-        if self._is_space(noun):
+        about = self._about(noun)
+        if about is not None:
+            order.places.append(Where("around", about, text="around"))
+        elif self._is_space(noun):
             order.space = True
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
             order.room = order.ceiling = True
         elif order.doing == "free" and part:
-            order.free.append(noun)
+            where = self._cornered(Where("in", noun, text="in"))
+            if where.whole is None and where.second is None:
+                order.free.append(noun)
+            else:
+                order.places.append(where)
         elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
             self._look_of(noun)
         else:
             return False
         return True
+
+    def _about(self, noun: Noun) -> Noun | None:
+        """The thing of which a phrase names the surroundings: "the sofa area"; None where it names none.
+
+        Raises:
+            InputError: it names a part of the room by what is no thing.
+        """
+        words = noun.text.lower().split()
+        if noun.kind != "room" or self.order.doing not in ("rearrange", "free") or words[-1] not in _AREAS:
+            return None
+        if words[:-1] == [noun.det] or not words[:-1]:
+            return None
+        chunks, _ = cut(self._lexicon, self._lexicon.tokens(" ".join(words[:-1])))
+        found = [chunk for chunk in chunks if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.named]
+        if len(found) != 1:
+            raise InputError(f"'{noun.text}': which part of the room that is is not known; name a thing that is there")
+        return replace(found[0], det="the")
 
     def _thing(self, phrase: NounPhrase) -> None:
         order, noun = self.order, phrase.noun
@@ -423,6 +482,7 @@ class _OrderReader:
             phrase = NounPhrase(self._anchors[-1])
         elif phrase.noun.kind == "pronoun" and phrase.noun.value == "each":
             order.lost.append(phrase.noun.text)
+        self._anchors += [phrase.noun] if phrase.noun.kind in ("thing", "place") else []
         if again and not self._pending and order.lengths:
             order.apart.append((order.lengths.pop()[0], phrase))
         else:
@@ -481,8 +541,15 @@ class _OrderReader:
         return every and counted and self._mode == "things"
 
     def _mutual(self, link: Connector) -> None:
-        """Read "so that they face each other", "next to each other"."""
-        if (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange")) or (
+        """Read "so that they face each other", "next to each other", or not so."""
+        things = self.order.things
+        if self._negated:
+            self._negated = False
+            if link.value != "next_to" or len(things) != 2 or self.order.doing not in ("move", "put"):
+                self.order.lost.append(f"not {link.text}")
+                return
+            things[0].places.append(Where("next_to", things.pop().noun, negated=True, text=link.text))
+        elif (link.value == "facing" and self.order.doing in ("move", "put", "turn", "rearrange", "make")) or (
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
             self.order.mutual = link.value
@@ -526,10 +593,17 @@ class _OrderReader:
             self._at += 1
         elif towards and order.doing in ("move", "put"):
             self._pending = True
+        elif order.doing == "turn" and link.value == "at" and not towards and self._faces_later():
+            self._placed(self._where(link))
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
         elif not (following.kind in ("part", "place") and following.value == "ceiling" and order.doing == "make"):
             self._placed(self._where(link))
+
+    def _faces_later(self) -> bool:
+        """Whether what things are to face is still to come: "turn the chairs at the table towards the door"."""
+        later = self._items[self._at :]
+        return any(isinstance(item, Connector) and item.text.lower() in _TOWARDS for item in later)
 
     def _becomes(self, link: Connector, following: Noun) -> bool:
         """Read "into a reading corner"; "in the room" says nothing."""
@@ -639,6 +713,8 @@ class _OrderReader:
         self._negated = False
         noun = self._next_noun()
         where.noun = self._merged(noun) if noun is not None else None
+        if link.value == "per" and where.noun is not None:
+            where.word, where.noun = "to", replace(where.noun, det="each")
         item = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1

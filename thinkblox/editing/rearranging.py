@@ -34,10 +34,12 @@ GoalsOf = Callable[[str], Sequence[Goal]]
 
 def rearrange(work: Work, finder: Finder, order: Order) -> None:
     """Rearrange the room, a region of it or some things; keep free what is to stay free."""
+    region = _region(work, finder, order)
     if order.free:
+        if region is not None:
+            raise InputError(f"'{order.text}' names {region[0].name} and what is to stay free; give two orders")
         free(work, finder, order)
         return
-    region = _region(work, finder, order)
     if region is not None:
         _rearrange_region(work, region[0], region[1], order)
         return
@@ -201,6 +203,9 @@ def _placed(work: Work, before: Scene, id: str, company: dict[str, str], goals: 
     if table:
         ties = (Tie(kind="around", anchors=(table,), index=mates.index(id), count=len(mates)),)
         wanted.append(Related("near", (table,)))
+    carriers = before.carriers(id)
+    if carriers and carriers[-1] in work.scene:
+        wanted.append(Related("on", (carriers[-1],)))
     if work.freed:
         ties = tuple(tie for tie in ties if tie.kind not in AMID)
     why = ""

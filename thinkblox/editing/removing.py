@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
-from thinkblox.editing.wheres import bound, named, spare
+from thinkblox.editing.wheres import bound, named, slots_of, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.nodes import Where
@@ -42,7 +42,13 @@ def keep_only(work: Work, finder: Finder, order: Order) -> None:
             alike = [p.id for p in finder.matching(phrase.noun)]
             if len(alike) < (phrase.noun.count or 0):
                 raise InputError(f"'{order.text}': there are only {len(alike)}: {', '.join(alike)}")
-            kept = named(finder, phrase, phrase.places)
+            each = [where for where in phrase.places if where.noun is not None and where.noun.each]
+            if each:
+                slots = slots_of(each[0], work.scene[alike[0]].category, finder)
+                there = [[id for id in alike if slot.holds(work.scene, id)] for slot in slots]
+                kept = tuple(id for ids in there for id in ids[: phrase.noun.count])
+            else:
+                kept = named(finder, phrase, phrase.places)
             take_away(work, work.touched(id for id in alike if id not in kept))
         return
     order.spared = [*order.spared, *order.things]

@@ -12,7 +12,7 @@ from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.remaking import compared, otherwise
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.spots import Pose
+from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.wheres import Bound, bound, named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -27,7 +27,11 @@ from thinkblox.scene.scene import Scene
 
 _BY = ("with", "by", "for")
 NEW_PLACE = 0.75
-"""How far from the old one's middle the new one may stand that comes in its place, besides half its growth [m]."""
+"""How far from the old one's middle the new one may stand that comes in its place, besides half of what one is longer
+than the other [m].
+"""
+TRIES = 60
+"""Places about the old one's that are looked at."""
 
 
 def replace(work: Work, finder: Finder, order: Order) -> None:
@@ -44,7 +48,7 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     first = order.instead[0]
     count = _how_many(order, ids, first.noun)
     for id in ids[:count]:
-        if replace_one(work, id, _successor(work, id, first.noun)):
+        if _comes_in_place(work, id, first.noun):
             _place(work, finder, order, id, first)
     if ids[count:]:
         take_away(work, ids[count:])
@@ -63,6 +67,27 @@ def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
     if new.count and new.count > 1:
         return new.count
     return len(ids) if each or new.plural or not (new.det == "a" or new.count) or new.kind == "number" else 1
+
+
+def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
+    """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
+    asset, said = _successor(work, id, new), len(work.failed)
+    if replace_one(work, id, asset):
+        return True
+    if new.size is not None or new.degree:
+        return False
+    if replace_one(work, id, _as_small(work, id, asset)):
+        del work.failed[said:]
+        return True
+    del work.failed[said + 1 :]
+    return False
+
+
+def _as_small(work: Work, id: str, asset: Asset) -> Asset:
+    """What is to come in place of an object, no longer and no deeper than that, as far as such a thing is made so."""
+    old, (least, _) = work.asset_of(id).size, work.source.size_range(asset.category)
+    depth, width, height = (max(min(own, there), low) for own, there, low in zip(asset.size, old, least, strict=True))
+    return work.source.fit(asset, (depth, width, max(height, asset.size[2])))
 
 
 def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase) -> None:
@@ -128,11 +153,12 @@ def replace_one(work: Work, id: str, asset: Asset) -> bool:
     action = Replace(id=id, asset=asset)
     _, _, left = outcome(before, action)
     taken = take(work, left)
-    reach = NEW_PLACE + max(0.0, max(asset.size[:2]) - max(old.size[:2])) / 2
+    reach = NEW_PLACE + abs(max(asset.size[:2]) - max(old.size[:2])) / 2
     goals: list[Goal] = [At(old.position[:2], reach)]
     ties = work.usual_ties(id) or usual_ties(work.scene, asset.category)
     target = work.target(id, asset.category, ties, asset.attributes)
-    reaching = Reaching(work, target, asset, goals, direct=_same_place(work.scene, id, asset), search=False)
+    direct = _same_place(work.scene, id, asset, reach)
+    reaching = Reaching(work, target, asset, goals, direct=direct, search=False, tries=TRIES)
     if not reaching.run():
         work.restore(saved)
         work.failed.append(f"{id} was not replaced by {_article(asset.description)}: {reaching.why}")
@@ -155,11 +181,13 @@ def _replace_riders(work: Work, id: str, off: Sequence[Placement], before: Scene
                 work.failed.append(f"{rider.id}, which stood on {id}, was taken away: nothing else carries it")
 
 
-def _same_place(scene: Scene, id: str, asset: Asset) -> Iterator[Pose]:
-    """Where the old one stands, by its back; then the nearest places that are free."""
+def _same_place(scene: Scene, id: str, asset: Asset, reach: float) -> Iterator[Pose]:
+    """Where the old one stands, by its back; then the nearest places that are free, at a wall where that is at one."""
     new = scene.apply(Replace(id=id, asset=asset))[id]
     yield new.position, new.yaw
     empty = without(scene, (rider.id for rider in scene.riders(id)))
+    if at_wall(scene, id) and asset.mount == "floor":
+        yield from along_walls(without(empty, [id]), asset, scene[id].position[:2], reach)
     for near in nearest_poses(empty, asset, new):
         if near.yaw == new.yaw:
             yield near.position, near.yaw

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from thinkblox.editing.acting import mark_names, reach_goals, say
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, Goal, Nearing
+from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.rearranging import vacate
@@ -58,6 +59,8 @@ def _goal(order: Order, gap: float, other: str) -> Apart:
             return Apart((other,), PASSAGE, "ge")
         return Apart((other,), max(0.0, gap - STEPS[0]), "le") if less else Apart((other,), gap + STEPS[0], "ge")
     length = order.lengths[0][0]
+    if not order.bound and any(means("ways", word) for word in order.text.lower().split()[:3]):
+        return Apart((other,), length, "ge")
     if order.by:
         return Apart((other,), max(0.0, gap + (-length if less else length)))
     return Apart((other,), length, order.bound)

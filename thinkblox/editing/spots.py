@@ -12,6 +12,7 @@ from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Opening, Wall
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2, Vec3
@@ -20,6 +21,8 @@ Pose = tuple[Vec3, float]
 """Position [m] and yaw [degrees], as of a Placement."""
 DRAWN_UP = (-0.08, 0.0, 0.08, 0.2, 0.3)
 """Gaps between a seat and the table that it is drawn up to; below 0 it is pushed under the top [m]."""
+ABOUT = 12.0
+"""Between places that are tried about a round table [degrees]."""
 STEP = 0.05
 """Between places that are tried along a side [m]."""
 GRID = 0.2
@@ -109,6 +112,23 @@ def _at_wall(asset: Asset, wall: Wall) -> Iterator[Pose]:
             yield (round(x, 4), round(y, 4), 0.0), wall.yaw
 
 
+def at_wall(scene: Scene, id: str) -> bool:
+    """Whether something stands with its back to a wall."""
+    return scene[id].support == "floor" and measure(scene, "against_wall", id, ("wall",)).holds
+
+
+def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterator[Pose]:
+    """With the back to a wall, no further than `reach` from a spot [m] and free from above, the nearest first."""
+    poses: list[Pose] = []
+    for wall in scene.room.walls:
+        for along in np.arange(asset.size[1] / 2 + 0.02, wall.length - asset.size[1] / 2, 2 * STEP):
+            x, y = wall.point(float(along), BACK[0] + asset.size[0] / 2)
+            if math.dist((x, y), spot) <= reach:
+                poses.append(((round(x, 4), round(y, 4), 0.0), wall.yaw))
+    poses.sort(key=lambda pose: math.dist(pose[0][:2], spot))
+    yield from _free(scene, asset, poses)
+
+
 def _beside(asset: Asset, thing: Placement, kind: str) -> Iterator[Pose]:
     """At one side of a thing, turned as that is, or to it."""
     turn = {"in_front_of": 0.0, "behind": 180.0, "left_of": 90.0, "right_of": 270.0}[kind]
@@ -154,7 +174,9 @@ def whole_floor(scene: Scene, asset: Asset, start: Placement) -> Iterator[Pose]:
 
 
 def _seats(scene: Scene, asset: Asset, table: Placement) -> Iterator[Pose]:
-    """Seats that look free from above, packed along each side from one end, those at the longer sides first."""
+    """Seats that look free from above, packed along each side from one end, those at the longer sides first; at a table
+    that looks the same from all sides, others all the way about it.
+    """
     half_x, half_y = table.size[0] / 2, table.size[1] / 2
     sides = sorted(((0.0, half_x, half_y), (180.0, half_x, half_y), (90.0, half_y, half_x), (270.0, half_y, half_x)),
                    key=lambda side: -side[2])  # fmt: skip
@@ -164,7 +186,16 @@ def _seats(scene: Scene, asset: Asset, table: Placement) -> Iterator[Pose]:
             reach = max(0.0, along - asset.size[1] / 2 + 0.05)
             away = out + gap + asset.size[0] / 2
             poses += [_at_side(table, turn, away, float(s)) for s in np.arange(-reach, reach + 1e-6, STEP)]
+    if scene.asset_of(table).front == "any":
+        poses += _around(asset, table)
     yield from _free(scene, asset, poses, besides=table.id)
+
+
+def _around(asset: Asset, table: Placement) -> Iterator[Pose]:
+    """Seats that look at the middle of a round table, all the way about it."""
+    for gap in DRAWN_UP:
+        for turn in np.arange(0.0, 360.0, ABOUT):
+            yield _at_side(table, float(turn), max(table.size[:2]) / 2 + gap + asset.size[0] / 2, 0.0)
 
 
 def _at_side(table: Placement, turn: float, away: float, along: float) -> Pose:

@@ -1,6 +1,8 @@
 """Orders that let things change places: two things, or two groups of them."""
 
+import math
 from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
@@ -9,7 +11,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Within
 from thinkblox.editing.orders import Order
 from thinkblox.editing.reaching import Reaching
-from thinkblox.editing.spots import Pose
+from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Round
@@ -26,7 +28,11 @@ from thinkblox.value import Vec2
 SWAP_TRIES = 60
 """Poses around the other's place that are looked at for one of two that change places."""
 SWAPPED = 0.5
-"""How far from the other's place something may stand that has changed places with it, besides half their sizes [m]."""
+"""How far from the other's place something may stand that has changed places with it, besides a quarter of their
+lengths [m].
+"""
+AWAY = 0.3
+"""From how far that is said [m]."""
 GROUPED = 0.6
 """How far from the middle of a group's places what comes there may stand, besides the reach of both groups [m]."""
 
@@ -74,8 +80,10 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         if why:
             work.failed.append(f"{one} and {other} were left where they are: {why}; exactly exchanged, {verdict}")
             return
-    for id in ids:
-        work.done.append(f"{moved_words(before[id], work.scene[id])}, to where {other if id == one else one} was")
+    for id, partner in ((one, other), (other, one)):
+        away = math.dist(work.scene[id].position[:2], before[partner].position[:2])
+        where = f"{away:.2f} m from" if away > AWAY else "to"
+        work.done.append(f"{moved_words(before[id], work.scene[id])}, {where} where {partner} was")
     finder.recent = ids
 
 
@@ -87,11 +95,12 @@ def _swap_nearby(work: Work, one: str, other: str) -> str:
     order = sorted((one, other), key=lambda id: -before[id].size[0] * before[id].size[1])
     for id in order:
         partner = before[other if id == one else one]
-        reach = SWAPPED + abs(max(before[id].size[:2]) - min(partner.size[:2])) / 2
+        reach = SWAPPED + (max(before[id].size[:2]) + max(partner.size[:2])) / 4
         asset, pose = work.assets[before[id].asset], exchanged[id]
         goals: list[Goal] = [At(partner.position[:2], reach)]
         target = work.target(id, before[id].category, (), asset.attributes)
-        poses = _about(work, id, pose)
+        walled = along_walls(work.scene, asset, partner.position[:2], reach) if at_wall(before, id) else ()
+        poses = chain(walled, _about(work, id, pose))
         reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, tries=SWAP_TRIES)
         if not reaching.run():
             why = reaching.why

@@ -4,11 +4,12 @@ import dataclasses
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import cast, get_args
+from typing import Literal, cast, get_args
 
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
+from thinkblox.editing.goals import PartOfTop
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -18,7 +19,7 @@ from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
 from thinkblox.scene.bearings import ground_gap
-from thinkblox.scene.landmarks import corners, things
+from thinkblox.scene.landmarks import Landmark, corners, things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -43,12 +44,16 @@ class Bound:
 
     Attributes:
         of_room: it is turned into the room ("facing the room").
+        part: on which part of the top of its anchor; empty where any will do.
+        side: at which side of its anchor a seat is drawn up to it.
     """
 
     kind: RelationKind
     anchors: tuple[str, ...] = ()
     negated: bool = False
     of_room: bool = False
+    part: PartOfTop | Literal[""] = ""
+    side: RelationKind | None = None
 
     def holds(self, scene: Scene, id: str) -> bool:
         """Whether an object has the relation, or has it not where it is negated."""
@@ -92,7 +97,7 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         return [bound(where, category, finder)]
     scene = finder.scene
     if noun.kind == "part":
-        return _sides(where, noun, finder)
+        return _sides(where, noun, finder, category)
     if noun.kind == "place":
         name = noun.value.split()[0]
         one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
@@ -118,7 +123,7 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
     return noun.kind == "place" and several
 
 
-def _sides(where: Where, noun: Noun, finder: Finder) -> list[Bound]:
+def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Bound]:
     """The two sides, or the two ends, of a thing, a door or a window."""
     whole = where.whole
     if whole is None or whole.kind not in ("thing", "pronoun", "place"):
@@ -134,7 +139,10 @@ def _sides(where: Where, noun: Noun, finder: Finder) -> list[Bound]:
         deep, wide, _ = finder.scene[anchor].size
         across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
-        bounds += [Bound(kind, (anchor,)) for kind in kinds]
+        if facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in("tables", "desks"):
+            bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
+        else:
+            bounds += [Bound(kind, (anchor,)) for kind in kinds]
     return bounds
 
 
@@ -167,8 +175,27 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (_walls_of(finder.scene, side),), where.negated) if side else None
     anchors = finder.ids(NounPhrase(whole), picks=(usual_anchor(category),))
+    if part := _part_of_top(where, noun, category, finder, anchors[0]):
+        return Bound("on", anchors, where.negated, part=part)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
+
+
+def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor: str) -> PartOfTop | Literal[""]:
+    """Which part of a thing's top something small is to stand on: "on the left side of the desk"."""
+    thing = finder.scene[anchor]
+    on_top = where.word in ("on", "at") and facts_of(category).is_in("small") and finder.scene.asset_of(thing).surfaces
+    if not on_top or noun.value not in (*get_args(PartOfTop), "side"):
+        return ""
+    sided = cast(PartOfTop, noun.value)
+    if noun.value not in ("end", "side"):
+        return sided
+    if noun.det != "other":
+        return "end" if noun.value == "end" else ""
+    ahead, left = thing.to_local(_here(finder, _text(where)).position[:2])
+    if thing.size[0] > thing.size[1]:
+        return "back" if ahead > 0 else "front"
+    return "right" if left > 0 else "left"
 
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
@@ -245,11 +272,10 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
         found = [c for c in found if c.name != nearest.name]
     if mark is not None:
         name = mark.value if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
-        marks = things(finder.scene, name)
-        if not marks or not found:
+        if not things(finder.scene, name) or not found:
             raise InputError(f"the room has no corner {where.text} {mark.text}")
-        sign = -1.0 if where.second is not None else 1.0
-        found.sort(key=lambda c: sign * min(m.footprint.distance(c.footprint) for m in marks))
+        found = _corners_by(finder.scene, found, name)
+        found = found[::-1] if where.second is not None else found
     elif other and len(found) > 1 and "opposite" in noun.text.lower().split():
         found.sort(key=lambda c: -math.dist(c.centre, here.position[:2]))
     elif len(found) > 1:
@@ -295,11 +321,29 @@ def corner_near(scene: Scene, name: str) -> tuple[str, ...]:
     Raises:
         InputError: the scene has no such thing, or no corner.
     """
-    marks, corners = things(scene, name), things(scene, "corner")
-    if not marks or not corners:
+    found = corners(scene.room)
+    if not things(scene, name) or not found:
         raise InputError(f"the room has no corner by the {name.replace('_', ' ')}")
-    best = min(corners, key=lambda c: min(mark.footprint.distance(c.footprint) for mark in marks))
-    return tuple(best.name.removeprefix("corner of ").split(" and "))
+    return tuple(_corners_by(scene, found, name)[0].name.removeprefix("corner of ").split(" and "))
+
+
+def _corners_by(scene: Scene, found: Sequence[Landmark], name: str) -> list[Landmark]:
+    """Corners by their distance from a thing or part of the room; of those at a window what is at a door comes last.
+
+    Of two that are as near, the emptier one comes first.
+    """
+    marks = things(scene, name)
+    others = [mark for kind in _OPENINGS if name in _OPENINGS and kind != name for mark in things(scene, kind)]
+
+    def away(corner: Landmark, marks: Sequence[Landmark]) -> float:
+        return min((float(mark.footprint.distance(corner.footprint)) for mark in marks), default=math.inf)
+
+    def rank(corner: Landmark) -> tuple[bool, float, int]:
+        near = away(corner, marks)
+        crowd = sum(math.dist(p.position[:2], corner.centre) < CROWDED for p in scene.placements)
+        return away(corner, others) < near, round(near, 1), crowd
+
+    return sorted(found, key=rank)
 
 
 def _walls_of(scene: Scene, place: str) -> str:
@@ -389,6 +433,8 @@ NEARNESS = (
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""
+CROWDED = 1.7
+"""How far from a corner what stands in it is counted [m]."""
 
 
 def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: Sequence[Picks] = ()) -> tuple[str, ...]:

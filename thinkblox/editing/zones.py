@@ -10,6 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Free, Goal, OutOf
 from thinkblox.editing.orders import NounPhrase
+from thinkblox.editing.wheres import bound
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
@@ -105,6 +106,8 @@ def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
     noun = where.noun
     if noun is None:
         raise InputError(f"'{where.text}' does not say where")
+    if noun.kind == "place" and (where.whole is not None or where.second is not None):
+        return _corner_zone(scene, finder, where)
     if noun.kind in ("place", "part"):
         if where.word not in _BEFORE:
             raise InputError(f"'{where.text} {noun.text}' is no part of the room that could be kept free")
@@ -123,6 +126,15 @@ def zone_of(scene: Scene, finder: Finder, where: Where) -> Zone:
         ring = thing.footprint.buffer(AROUND, join_style="mitre").difference(thing.footprint)
         return Area(_in_room(scene, ring), name, frozenset(ids))
     return Area(_in_room(scene, _beside(thing, side)), name, frozenset(ids))
+
+
+def _corner_zone(scene: Scene, finder: Finder, where: Where) -> Area:
+    """The floor of one corner: "the corner by the door"."""
+    walls = bound(where, "", finder).anchors
+    found = [part for part in parts(scene.room, "corner") if part.name == f"the corner of {walls[0]} and {walls[-1]}"]
+    if len(walls) != 2 or not found:
+        raise InputError(f"'{where.text} {where.noun.text if where.noun else ''}' is no corner that could be kept free")
+    return Area(Polygon(found[0].boxes.corners[0]), found[0].name, frozenset())
 
 
 def place_named(noun: Noun) -> str:

@@ -6,7 +6,8 @@ from pathlib import Path
 from thinkblox.errors import InputError
 from thinkblox.evaluation.comparison import Comparison, ContenderResult, comparison_json, comparison_markdown
 from thinkblox.evaluation.contenders import Contender
-from thinkblox.evaluation.folder import JSON, MARKDOWN
+from thinkblox.evaluation.folder import JSON, MARKDOWN, make_folder
+from thinkblox.evaluation.kept_rooms import KeptRooms
 from thinkblox.evaluation.policy_run import Trial, measured_rooms
 from thinkblox.evaluation.ratings import RoomRater
 from thinkblox.evaluation.room_tally import RoomTally
@@ -71,21 +72,13 @@ def named_apart(contenders: Sequence[Contender]) -> None:
         raise InputError(f"{twice} is named twice; each policy is measured once")
 
 
-def make_rooms_folder(out: Path | None, *, anew: bool) -> Path | None:
-    """Where rooms are taken down, made, and emptied of what was measured before where that is to be replaced."""
-    if out is None:
-        return None
-    folder = out / ROOMS
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for file in folder.glob("*.json") if anew else ():
-            file.unlink()
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be made: {error.strerror}") from error
-    return folder
+def kept_rooms(out: Path | None, *, anew: bool) -> KeptRooms | None:
+    """What is measured in a run that is written to `out`, taken down room by room; None where nothing is written."""
+    return None if out is None else KeptRooms(out / ROOMS, anew=anew)
 
 
 def write_comparison(comparison: Comparison, out: Path) -> None:
-    """Write both files; raises InputError."""
+    """Write both files, and make their folder; raises InputError."""
+    make_folder(out)
     write_whole(out / JSON, comparison_json(comparison))
     write_whole(out / MARKDOWN, comparison_markdown(comparison).encode("utf-8", "replace"))

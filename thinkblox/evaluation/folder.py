@@ -12,7 +12,7 @@ JSON, MARKDOWN = "evaluation.json", "evaluation.md"
 
 
 def check_evaluation(out: Path, *, overwrite: bool) -> None:
-    """Make sure that an evaluation can be written, before any work is done for it, and make its folder.
+    """Make sure that an evaluation can be written, before any work is done for it; nothing is made yet.
 
     Raises:
         InputError: nothing can be written there, or an evaluation is there and `overwrite` is not given.
@@ -23,6 +23,10 @@ def check_evaluation(out: Path, *, overwrite: bool) -> None:
     if not overwrite and os.path.lexists(out / JSON):
         raise InputError(f"{out}: holds an evaluation; choose another folder, or ask for it to be overwritten")
     check_writable(out / JSON)
+
+
+def make_folder(out: Path) -> None:
+    """Make the folder of an evaluation; raises InputError."""
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -30,6 +34,7 @@ def check_evaluation(out: Path, *, overwrite: bool) -> None:
 
 
 def write_evaluation(evaluation: Evaluation, out: Path) -> None:
-    """Write both files; raises InputError."""
+    """Write both files, and make their folder; raises InputError."""
+    make_folder(out)
     write_whole(out / JSON, as_json(evaluation))
     write_whole(out / MARKDOWN, as_markdown(evaluation).encode("utf-8", "replace"))

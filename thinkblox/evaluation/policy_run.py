@@ -1,13 +1,9 @@
-"""Letting policies furnish rooms with their own first answers, in several processes, and taking down what was measured.
-
-What is done is kept in a file for each room, so that a run that was stopped goes on.
-"""
+"""Letting policies furnish rooms with their own first answers, in several processes, and taking it down."""
 
 import time
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from hashlib import sha256
-from pathlib import Path
 from typing import NamedTuple
 
 import msgspec
@@ -16,14 +12,13 @@ from msgspec import structs
 from thinkblox.crew import work_through
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.evaluation.contenders import Contender, NoPolicyError, Player, Spent
+from thinkblox.evaluation.kept_rooms import KeptRooms
 from thinkblox.evaluation.ratings import RoomRater
 from thinkblox.evaluation.room_tally import RoomTally, tally_of
 from thinkblox.furnishing import BrokenOffError, Generation
 from thinkblox.generate import generate_room
-from thinkblox.holding import note_placed, placed, signals_held
 from thinkblox.orders import Order
 from thinkblox.placing import Effort
-from thinkblox.value import from_json, to_json
 
 GRACE = 600.0
 """How much longer than the budget for placing one room may take in all, a model being loaded before it [s]."""
@@ -38,7 +33,7 @@ class Trial(NamedTuple):
         seed: of the first run; each other has the next one.
         budget: for placing the objects of a room [s].
         judge: who rates pictures; empty for nobody.
-        kept: folder of a file for each room; nothing is kept when None.
+        kept: where what is measured is taken down, and not measured again; nowhere when None.
     """
 
     prompts: tuple[str, ...]
@@ -46,7 +41,7 @@ class Trial(NamedTuple):
     seed: int = 0
     budget: float = 900.0
     judge: str = ""
-    kept: Path | None = None
+    kept: KeptRooms | None = None
 
 
 class _Task(NamedTuple):
@@ -72,31 +67,19 @@ def measured_rooms(contender: Contender, trial: Trial, *, jobs: int = 1) -> Iter
     """
     left = []
     for task in _tasks(contender, trial):
-        before = _kept(task, trial.kept)
+        before = None if trial.kept is None else trial.kept.read(_name(task))
         if before is None:
             left.append(task)
         else:
-            yield before
+            yield structs.replace(before, prompt=task.prompt, run=task.run)
     for done in work_through(_measured, left, jobs=jobs, seconds=trial.budget + GRACE):
         task = left[done.number]
         answer = done.result or _Answer(RoomTally(prompt=task.prompt, run=task.run, refused=f"a fault: {done.fault}"))
         if answer.tally is None:
             raise NoPolicyError(f"{contender.name}: {answer.unusable}")
         if done.result is not None and trial.kept is not None:
-            _keep(answer.tally, _file(task, trial.kept))
+            trial.kept.keep(_name(task), answer.tally)
         yield answer.tally
-
-
-def _keep(tally: RoomTally, file: Path) -> None:
-    draft = file.with_suffix(".draft")
-    try:
-        with signals_held():
-            draft.write_bytes(to_json(tally))
-            draft.replace(file)
-            if file.parent not in placed():
-                note_placed(file.parent)
-    except OSError as error:
-        raise InputError(f"{file}: cannot be written: {error.strerror}") from error
 
 
 def _tasks(contender: Contender, trial: Trial) -> Sequence[_Task]:
@@ -107,23 +90,11 @@ def _tasks(contender: Contender, trial: Trial) -> Sequence[_Task]:
     ]
 
 
-def _kept(task: _Task, folder: Path | None) -> RoomTally | None:
-    """What was measured of a room before; None where there is nothing that can be read."""
-    file = None if folder is None else _file(task, folder)
-    if file is None or not file.is_file():
-        return None
-    try:
-        found = from_json(file.read_bytes(), RoomTally)
-    except InputError:
-        return None
-    return structs.replace(found, prompt=task.prompt, run=task.run)
-
-
-def _file(task: _Task, folder: Path) -> Path:
-    """The name says all that decides on the room, and not the name of the row or the prompt's number."""
+def _name(task: _Task) -> str:
+    """A name by all that decides on the room, and not by the name of the row or the prompt's number."""
     contender = structs.replace(task.contender, name="")
     said = (contender, contender.stamp, task.text, task.seed, task.budget, task.judge)
-    return folder / f"{sha256(msgspec.json.encode(said)).hexdigest()[:16]}.json"
+    return sha256(msgspec.json.encode(said)).hexdigest()[:16]
 
 
 def _measured(task: _Task) -> _Answer:

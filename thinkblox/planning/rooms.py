@@ -16,8 +16,8 @@ _NOTCH = 0.4
 """Share of each side that the missing corner of an L takes."""
 _SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
 _PROPORTIONS = {"hallway": (0.4, 0.45)}
-_USUAL_PROPORTION = (0.65, 0.95)
-_SPREAD = (1.0, 1.25)
+_USUAL_PROPORTION = (0.55, 1.0)
+_SPREAD = (1.0, 1.5)
 """By how much a room whose size is left open may be larger than it needs to be."""
 _LEAST_SIDE = 1.8
 _NOT_NARROWER = 0.6

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from thinkblox.policies.growing import growing_cache, shortened
 from thinkblox.policies.token_grammar import TokenGrammar
 
 END = "</answer>"
@@ -46,10 +47,10 @@ class Counts:
 
 @dataclass
 class _Kept:
-    """Keys and values of a prompt up to its first image, each layer's of shape (1, heads, tokens, width)."""
+    """The cache of the last prompt, and its tokens up to its first image: what comes after them is written over."""
 
     tokens: list[int] = field(default_factory=list)
-    layers: list[tuple[Any, Any]] = field(default_factory=list)
+    cache: Any = None
 
 
 class Decoder:
@@ -62,6 +63,7 @@ class Decoder:
     def __init__(self, model: Any, tokenizer: Any, *, image_token: int, reuse: bool) -> None:
         """Continue with a model; with `reuse` prompts that begin as the last one did take over what was computed."""
         self._model = model
+        self._device = model.device
         self._tokenizer = tokenizer
         self._image_token = image_token
         self._reuse = reuse
@@ -105,10 +107,9 @@ class Decoder:
     def _read(self, inputs: Any) -> tuple[Any, Any, int]:
         """The logits (1, vocabulary) after a prompt, its cache, and the position of the token that comes next."""
         import torch
-        from transformers import DynamicCache
 
         model = self._model
-        inputs = inputs.to(model.device)
+        inputs = inputs.to(self._device)
         ids = inputs["input_ids"]
         grid = inputs.get("image_grid_thw")
         types = (ids == self._image_token).int()
@@ -116,9 +117,7 @@ class Decoder:
         said = ids[0].tolist()
         text = said.index(self._image_token) if self._image_token in said else len(said)
         known = _common(self._kept.tokens, said[:-1])
-        cache = DynamicCache()
-        for number, (keys, values) in enumerate(self._kept.layers if known else ()):
-            cache.update(keys[:, :, :known], values[:, :, :known], number)
+        cache, self._kept = shortened(self._kept.cache, known) if known else growing_cache(), _Kept()
         pictures = {} if grid is None else {"pixel_values": inputs["pixel_values"], "image_grid_thw": grid}
         # After something that is kept, attention is computed for what is masked too: so not for all at once.
         bounds = [known, *(range(known + _PIECE, text, _PIECE) if known else ()), len(said)]
@@ -132,8 +131,7 @@ class Decoder:
                 **(pictures if end == len(said) else {}),
             )
         if self._reuse:
-            layers = [(layer.keys[:, :, :text], layer.values[:, :, :text]) for layer in cache.layers]
-            self._kept = _Kept(said[:text], layers)
+            self._kept = _Kept(said[:text], cache)
         self.counts.prompt += len(said)
         self.counts.reused += known
         return out.logits[:, -1].to(torch.float32), cache, int(positions.max()) + 1
@@ -142,15 +140,15 @@ class Decoder:
         """The logits (rows, vocabulary) after one token more in each row that goes on."""
         import torch
 
-        ids = torch.tensor([tokens], device=self._model.device)
-        out = self._model(
-            input_ids=ids,
-            position_ids=torch.full((3, 1, len(tokens)), position, device=ids.device),
+        ids = torch.tensor([tokens], device=self._device)
+        out = self._model.model.language_model(
+            inputs_embeds=self._model.get_input_embeddings()(ids),
+            position_ids=torch.full((3, 1, len(tokens)), position, device=self._device),
             attention_mask=branches.grown(going),
             past_key_values=branches.cache,
             use_cache=True,
         )
-        return out.logits[0].to(torch.float32)
+        return self._model.lm_head(out.last_hidden_state)[0].to(torch.float32)
 
     def _choose(self, logits: Any, rows: Sequence["_Row"], sampling: Sampling) -> list[int]:
         """A token for each row."""

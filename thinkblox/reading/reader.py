@@ -10,7 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, draw_up, stock
+from thinkblox.reading.assumptions import anticipated, assume, bed_down, draw_up, stock
 from thinkblox.reading.carriers import too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
@@ -89,6 +89,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft)
+        bed_down(draft)
     if fill == "essentials":
         stock(draft)
     _fit_tables(draft)
@@ -109,7 +110,15 @@ def _settle_carriers(draft: Draft) -> None:
         elif bond.kind == "on" and isinstance(anchor, Mention) and not bond.negated:
             _prop(bond.subject, kind_of(anchor.noun))
         elif bond.kind == "above" and isinstance(anchor, Mention) and not bond.negated:
-            _hang_over(bond.subject, draft)
+            if _spans(kind_of(bond.subject.noun), kind_of(anchor.noun)):
+                bond.kind, bond.subject, bond.anchors = "under", anchor, (bond.subject,)
+            else:
+                _hang_over(bond.subject, draft)
+
+
+def _spans(kind: Category, other: Category) -> bool:
+    """Whether something stands on the floor over another thing there, as a loft bed over a desk."""
+    return kind.mount == other.mount == "floor" and "over" in kind.forms
 
 
 def _hang(bond: Bond, place: str) -> None:

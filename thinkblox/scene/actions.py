@@ -157,7 +157,7 @@ def _replaced(scene: "Scene", action: Replace) -> Applied:
     carried: list[str] = []
     left: list[str] = []
     for rider in scene.resting_on(old.id):
-        seated = _seated(rider, old, new, asset)
+        seated = _seated(rider, old, new, asset, on_top=_is_on_top(scene, rider, old))
         if seated is None:
             left.append(rider.id)
             continue
@@ -180,14 +180,23 @@ def _same_place(old: Placement, asset: Asset, scene: "Scene") -> Vec3:
     return (round(x, 6), round(y, 6), round(z, 6))
 
 
-def _seated(rider: Placement, old: Placement, new: Placement, asset: Asset) -> Placement | None:
+def _is_on_top(scene: "Scene", rider: Placement, old: Placement) -> bool:
+    """Whether what rests on something does so on its top rather than in it."""
+    surfaces = scene.asset_of(old).surfaces
+    at = min(surfaces, key=lambda s: abs(old.position[2] + s.position[2] - rider.position[2]), default=None)
+    return at is not None and not at.inner
+
+
+def _seated(rider: Placement, old: Placement, new: Placement, asset: Asset, *, on_top: bool) -> Placement | None:
     """A rider on the new carrier, right where it is or else where it was on the old one; None where neither is a place.
 
-    Of the surfaces under it, it takes the one nearest to its height.
+    Of the surfaces under it, it takes the one nearest to its height; what stood on top stands on top again.
     """
     for at in (rider, _carried_along(rider, old, new)):
         x, y = new.to_local((at.position[0], at.position[1]))
-        heights = [new.position[2] + s.position[2] for s in asset.surfaces if _fits(rider, s, x, y)]
+        under = [s for s in asset.surfaces if _fits(rider, s, x, y)]
+        tops = [s for s in under if not s.inner] if on_top else []
+        heights = [new.position[2] + s.position[2] for s in tops or under]
         if heights:
             height = min(heights, key=lambda h: abs(h - at.position[2]))
             return structs.replace(at, position=(*at.position[:2], round(height, 6)))

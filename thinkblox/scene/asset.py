@@ -130,7 +130,7 @@ class Link(CheckedValue, frozen=True, kw_only=True, omit_defaults=True):
         visuals: meshes that are seen instead of the shapes.
     """
 
-    name: Annotated[str, Meta(min_length=1, max_length=200)]
+    name: Annotated[str, Meta(pattern=r"^[^\x00]+\Z", max_length=200)]
     shapes: Annotated[tuple[Shape, ...], Meta(min_length=1)]
     joint: Joint | None = None
     visuals: Annotated[tuple[MeshVisual, ...], Meta(max_length=MAX_VISUALS)] = ()

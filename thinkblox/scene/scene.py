@@ -122,14 +122,17 @@ class Scene(Arrangement, frozen=True, kw_only=True):
         new = structs.replace(old, position=place, yaw=old.yaw if turn is None else turn)
         return self.with_placements([new])
 
-    def export(self, path: str | Path, *, overwrite: bool = False) -> Path:
+    def export(self, path: str | Path, *, doors: bool = False, overwrite: bool = False) -> Path:
         """Write it as one file in the format that its ending tells: "room.xml", "room.usdz", "room.glb" and so on.
+
+        With `doors` its doors have leaves on hinges, and its windows panes.
 
         Raises:
             InputError: as of `thinkblox.exporters.exporting.export_file`.
         """
         # Imports flow towards scenes; what writes them is found when it is asked for.
-        written: Path = import_module("thinkblox.exporters.exporting").export_file(self, path, overwrite=overwrite)
+        export = import_module("thinkblox.exporters.exporting").export_file
+        written: Path = export(self, path, doors=doors, overwrite=overwrite)
         return written
 
     def _with(

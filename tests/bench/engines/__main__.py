@@ -1,4 +1,4 @@
-"""Exported rooms in other engines, beside MuJoCo.
+"""Exported rooms in other engines, beside MuJoCo; `--out` writes the page that docs/engines.md is.
 
 python -m tests.bench.engines ROOMS [--engines rapier3d,dartpy] [--home DIR] [--out FILE]
 """
@@ -16,7 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from tests.bench.engines.case import moved, swings, write_case
+from tests.bench.engines.case import moved, write_case
+from tests.bench.engines.marble import marble_case, marble_told
+from tests.bench.engines.page import page
 from thinkblox.sim.environment import rooms_of
 
 HERE = Path(__file__).parent
@@ -25,6 +27,7 @@ COLUMNS = (
     "room", "engine", "masses off [%]", "moved in 2 s [mm]", "turned [degrees]", "hinges off [degrees]",
     "drawers off [mm]", "seconds",
 )  # fmt: skip
+MARBLE_COLUMNS = ("engine", "marble over the mug's bottom [mm]", "mug moved [mm]", "seconds")
 
 
 def interpreter(engine: str, home: Path) -> Path:
@@ -62,13 +65,16 @@ def driven(engine: str, case: Path, home: Path) -> dict[str, Any]:
     return json.loads(done.stdout.splitlines()[-1])  # type: ignore[no-any-return]
 
 
-def row(room: str, engine: str, case: dict[str, Any], told: dict[str, Any], wanted: Any) -> str:
+def row(room: str, engine: str, case: dict[str, Any], told: dict[str, Any]) -> str:
     """A line of the table: the largest of each difference."""
     # What does not collide, such as a rug, weighs nothing in the engine.
     kept = [thing for thing in case["things"] if thing["mass"] > 0.0]
     off = max((100.0 * abs(told["masses"].get(t["name"], 0.0) / t["mass"] - 1.0) for t in kept), default=0.0)
     away, turned, which = moved(case, told["poses"])
-    hinges, drawers = _swung(wanted, told["swings"])
+    hinges, drawers = _swung(case["swings"], told["swings"])
+    if told["swings"] and not PINS[engine].get("rubs", True):
+        slipping = _swung(case["slipping"], told["swings"])
+        hinges, drawers = f"{hinges} ({slipping[0]})", f"{drawers} ({slipping[1]})"
     far = f"{away:.2f} {which}" if away > 5.0 else f"{away:.2f}"
     cells = (room, engine, f"{off:.4f}", far, f"{turned:.2f}", hinges, drawers, f"{told['took']:.1f}")
     return f"| {' | '.join(cells)} |"
@@ -89,37 +95,65 @@ def _swung(wanted: Any, found: Any) -> tuple[str, str]:
     return f"{max(hinges):.1f}", f"{max(drawers):.1f}"
 
 
-def lines(rooms: list[str], engines: list[str], home: Path) -> Iterator[str]:
-    """The table, line by line, failures included."""
-    yield f"| {' | '.join(COLUMNS)} |"
-    yield "|---" * len(COLUMNS) + "|"
+def room_lines(rooms: list[str], engines: list[str], home: Path) -> Iterator[str]:
+    """The table of rooms, line by line, failures included."""
+    yield from _head(COLUMNS)
     for source in (source for room in rooms for source in rooms_of(room)):
         scene = source.load()
         with tempfile.TemporaryDirectory(prefix="engines-") as folder:
             case = write_case(scene, Path(folder, "room"))
-            wanted = swings(scene, case)
             for engine in engines:
                 try:
                     told = driven(engine, Path(folder, "room", "case.json"), home)
-                    yield row(source.name, engine, case, told, wanted)
+                    yield row(source.name, engine, case, told)
                 except RuntimeError as error:
                     yield f"| {source.name} | {engine} | {error} | | | | | |"
 
 
+def marble_lines(engines: list[str], home: Path) -> Iterator[str]:
+    """The table of a marble in a mug, MuJoCo first."""
+    yield from _head(MARBLE_COLUMNS)
+    with tempfile.TemporaryDirectory(prefix="engines-") as folder:
+        case = marble_case(Path(folder, "room"))
+        rests = {thing["name"]: [thing["rests"], thing["quat"]] for thing in case["things"]}
+        yield f"| MuJoCo | {marble_told(case, rests)} | 0.00 | |"
+        for engine in engines:
+            try:
+                told = driven(engine, Path(folder, "room", "case.json"), home)
+                mug = {name: pose for name, pose in told["poses"].items() if name.startswith("cup")}
+                stayed = f"{moved(case, mug)[0]:.2f}"
+                yield f"| {engine} | {marble_told(case, told['poses'])} | {stayed} | {told['took']:.1f} |"
+            except RuntimeError as error:
+                yield f"| {engine} | {error} | | |"
+
+
+def _head(columns: tuple[str, ...]) -> Iterator[str]:
+    yield f"| {' | '.join(columns)} |"
+    yield "|---" * len(columns) + "|"
+
+
+def _printed(lines: Iterator[str]) -> list[str]:
+    """All lines, each printed as it comes."""
+    found = []
+    for line in lines:
+        print(line, flush=True)
+        found.append(line)
+    return found
+
+
 def main() -> int:
-    """Print the table, and write it where asked to."""
+    """Print the tables, and write the page where asked to."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("rooms", nargs="+")
     parser.add_argument("--engines", default=",".join(PINS))
     parser.add_argument("--home", type=Path, default=Path("out/engines"))
     parser.add_argument("--out", type=Path)
     arguments = parser.parse_args()
-    table = []
-    for line in lines(arguments.rooms, arguments.engines.split(","), arguments.home.absolute()):
-        print(line, flush=True)
-        table.append(line)
+    engines, home = arguments.engines.split(","), arguments.home.absolute()
+    rooms = _printed(room_lines(arguments.rooms, engines, home))
+    marbles = _printed(marble_lines(engines, home))
     if arguments.out is not None:
-        arguments.out.write_text("\n".join(table) + "\n")
+        arguments.out.write_text(page(PINS, rooms, marbles), encoding="utf-8")
     return 0
 
 

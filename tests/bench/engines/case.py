@@ -1,6 +1,8 @@
 """What a driver is given: an exported room, and what the engine that measured it makes of the same."""
 
 import json
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -8,14 +10,15 @@ import mujoco
 import numpy as np
 from msgspec import structs
 
+from thinkblox.exporters.exporting import export_scene
 from thinkblox.exporters.inventory import InventoryObject
 from thinkblox.exporters.naming import safe_name
-from thinkblox.exporters.saving import save_scene
 from thinkblox.exporters.stocktaking import inventory_of
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import add_placement, new_spec
 from thinkblox.sim.settings import Physics
+from thinkblox.value import Vec3
 
 SECONDS = 2.0
 """How long a room is let alone [s]."""
@@ -25,14 +28,19 @@ TILTED = (2.0, 0.0, -9.6)
 """Gravity that draws doors and drawers open, in the frame of what they are part of [m/s2]."""
 
 
-def write_case(scene: Scene, folder: Path) -> dict[str, Any]:
+def write_case(scene: Scene, folder: Path, dropped: Mapping[str, Vec3] | None = None) -> dict[str, Any]:
     """Export a room into a folder with `case.json`; returns that.
 
-    Things stand where they came to rest. `swinging` are the assets with doors and drawers, each alone and held still.
+    Things stand where they came to rest, but for those that are `dropped`, from where they are by id [m]; the room's
+    doors and windows are things too. `swinging` are the assets with doors and drawers, each alone and held still, and
+    `swings` how far these are open at the times in MuJoCo [rad, m], and `slipping` the same with nothing that rubs in
+    their joints.
     """
-    inventory = inventory_of(scene)
-    save_scene(scene, folder, formats=("mjcf", "urdf"), pictures=False, overwrite=True)
+    inventory = inventory_of(scene, doors=True)
+    export_scene(scene, folder, formats=("mjcf", "urdf", "sdf"), doors=True, overwrite=True)
     things = [_thing(item, folder) for item in inventory.objects]
+    for thing in things:
+        thing["position"] = (dropped or {}).get(thing["id"], thing["rests"])
     walls = [
         {"position": g.shape.position, "quat": g.shape.quat_wxyz, "size": g.shape.size, "friction": g.friction[0]}
         for wall in inventory.walls
@@ -50,6 +58,8 @@ def write_case(scene: Scene, folder: Path) -> dict[str, Any]:
         "things": things,
         "boxes": walls,
         "swinging": list(swinging.values()),
+        "swings": _swings(inventory.scene, list(swinging.values())),
+        "slipping": _swings(inventory.scene, list(swinging.values()), rubbing=False),
     }
     (folder / "case.json").write_text(json.dumps(case))
     return case
@@ -57,7 +67,8 @@ def write_case(scene: Scene, folder: Path) -> dict[str, Any]:
 
 def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
     first = item.bodies[0]
-    models = list((folder / "assets").glob(f"{safe_name(item.asset)}_*.urdf"))
+    called = re.compile(re.escape(safe_name(item.asset)) + r"_[0-9a-f]{8}\.urdf")
+    models = [file for file in (folder / "assets").iterdir() if called.fullmatch(file.name)]
     friction = next((geom.friction[0] for body in item.bodies for geom in body.geoms if geom.collides), 0.0)
     return {
         "name": item.name,
@@ -66,7 +77,7 @@ def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
         "model": str(models[0]),
         "free": item.free,
         "collides": any(geom.collides for body in item.bodies for geom in body.geoms),
-        "position": first.settled[0],
+        "rests": first.settled[0],
         "quat": first.settled[1],
         "mass": sum(body.mass for body in item.bodies),
         "friction": friction,
@@ -75,14 +86,17 @@ def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
     }
 
 
-def swings(scene: Scene, case: dict[str, Any]) -> dict[str, dict[str, list[float]]]:
-    """How far the doors and drawers of each asset are open at the times, in MuJoCo [rad, m]."""
+def _swings(
+    scene: Scene, swinging: Sequence[dict[str, Any]], *, rubbing: bool = True
+) -> dict[str, dict[str, list[float]]]:
     found = {}
-    for thing in case["swinging"]:
+    for thing in swinging:
         physics = Physics(gravity=TILTED)
         spec, placement = new_spec(physics), scene[thing["id"]]
         add_placement(spec, _at_origin(placement), scene.asset_of(placement), free=False)
         model = spec.compile()
+        if not rubbing:
+            model.dof_frictionloss[:] = 0.0
         data, seen = mujoco.MjData(model), dict[str, list[float]]()
         for time in TIMES:
             while data.time < time - 1e-9:
@@ -104,7 +118,7 @@ def moved(case: dict[str, Any], poses: dict[str, Any]) -> tuple[float, float, st
         if not thing["free"] or thing["name"] not in poses:
             continue
         position, quat = (np.asarray(each) for each in poses[thing["name"]])
-        away = float(np.linalg.norm(position - thing["position"])) * 1000.0
+        away = float(np.linalg.norm(position - thing["rests"])) * 1000.0
         same = min(abs(float(quat @ thing["quat"])) / float(np.linalg.norm(quat)), 1.0)
         turned = max(turned, float(np.degrees(2.0 * np.arccos(same))))
         if away > worst:

@@ -20,6 +20,9 @@ def main() -> None:
     handles = robot.insert_using_impulse_joints(world.rigid_bodies, world.colliders, world.impulse_joints)
     bodies = {name: handles.bodies[i].body for name, i in handles.body_name_to_idx.items() if handles.bodies[i]}
     handles.apply_keyframe(world.rigid_bodies, None, "settled")
+    for thing in case["things"]:
+        if thing["position"] != thing["rests"]:
+            world.rigid_bodies[bodies[thing["name"]]].translation = thing["position"]
     begun = time.perf_counter()
     for _ in range(round(case["seconds"] / case["timestep"])):
         world.step()

@@ -26,8 +26,10 @@ from thinkblox.value import Vec3
 HOPELESS = 50.0
 MOOD = 0.25
 """How much a seed may prefer one part of the room to another."""
-ZONED = 3.0
-"""How much more that is for large things that stand by no other: by them a room gets its zones."""
+ZONED = 6.0
+"""How much more that is for large things that stand by no other, as far as floor is to spare: they make the zones."""
+LEADING = 4.5
+"""How quickly that changes over the room for them, as a share of it: what is slow keeps them in the middle of walls."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
 DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
@@ -75,12 +77,11 @@ def _mood(situation: Situation, rects: Rects, rng: np.random.Generator) -> Array
 
     It varies slowly over the room: ideas that differ in detail keep their order, so that what is even stays even.
     """
-    reach = max(situation.room.extent)
-    waves = rng.standard_normal((3, 2)) * 2.0 / reach
+    leads = is_large(situation.size) and not situation.target.depends_on
+    waves = rng.standard_normal((3, 2)) * (LEADING if leads else 2.0) / max(situation.room.extent)
     field = np.sin(rects.centre @ waves.T + rng.uniform(0.0, 2 * np.pi, 3)).mean(-1)
     turned = np.cos(rects.yaw - rng.uniform(0.0, 2 * np.pi))
-    leads = is_large(situation.size) and not situation.target.depends_on
-    mood = MOOD * (ZONED if leads else 1.0)
+    mood = MOOD * (1.0 + ZONED * situation.spare if leads else 1.0)
     return np.asarray(mood * (field + 0.5 * turned) + 0.002 * rng.standard_normal(len(rects)))
 
 

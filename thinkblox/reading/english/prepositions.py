@@ -159,7 +159,7 @@ class Prepositions(Negation):
                 thing.seats = noun.count
             self._go_past(noun)
         elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
-            self.draft.people = noun.count
+            self._for_people(noun)
             self._go_past(noun)
         elif noun.kind == "thing" and noun.word in grammar().lists["animals"]:
             self._spend(noun)

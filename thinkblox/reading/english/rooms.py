@@ -18,6 +18,8 @@ _PARTS = ("wall", "floor", "corner", "ceiling")
 """Parts of a room that words before them tell apart."""
 _COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
+_THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
+"""What rooms are called that are for children."""
 
 
 class Rooms(Memberships):
@@ -67,7 +69,7 @@ class Rooms(Memberships):
             self.at += 1
             self._room(replace(noun, kind="room", value="room"))
             return True
-        if noun.room:
+        if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
@@ -115,8 +117,9 @@ class Rooms(Memberships):
         if counted and self._is_listed_person():
             self._lose(noun.start, noun.end)
             return
-        if noun.count and not self.draft.things and not noun.each:
-            self.draft.people = noun.count
+        listed = not self.draft.people and self.separator in ("comma", "and", "comma_and") and not noun.definite
+        if noun.count and not noun.each and (listed or not self.draft.things):
+            self._for_people(noun)
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
         if everyone and self._is_link(self.peek(), "verbs", "have"):
             seats = (t.seats for t in reversed(self.draft.things) if t.seats)
@@ -133,6 +136,13 @@ class Rooms(Memberships):
         listed = bool(self.separator) and any(node.things for node in self.frontier)
         doing = self._is_link(self.peek(), "verbs") or self._is_link(self.peek(), "joins", "which")
         return (led or listed or self.existential) and bool(self.draft.things) and not doing
+
+    def _for_people(self, noun: Noun) -> None:
+        """The room is for so many; children have one of their own."""
+        self.draft.people = noun.count or 0
+        children = noun.text.lower().split()[-1] in grammar().lists["children"]
+        if children and self.draft.room in _THEIRS:
+            self.draft.room = _THEIRS[self.draft.room]
 
     def _place(self, noun: Noun) -> None:
         if self._stays_free():

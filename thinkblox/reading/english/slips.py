@@ -16,8 +16,17 @@ _LINKS = ("around", "beside", "under", "between", "against", "behind", "opposite
 """Words besides those of the lexicon that may be meant."""
 
 
-def meant_by(lexicon: Lexicon, word: str) -> str:
-    """The one word that was meant by a word that nothing knows; "" where it is none or could be several."""
+def meant_by(lexicon: Lexicon, word: str, also: frozenset[str] = frozenset()) -> str:
+    """The one word that was meant by a word that nothing knows; "" where it is none or could be several.
+
+    Args:
+        lexicon: of the language.
+        word: folded.
+        also: other words that may be meant; of short ones two letters may be swapped.
+    """
+    if (2 < len(word) < _LEAST and word.isascii() and word.isalpha()) and not _is_word(lexicon, word):
+        swapped = {word[:n] + word[n + 1] + word[n] + word[n + 2 :] for n in range(len(word) - 1)} & also
+        return swapped.pop() if len(swapped) == 1 else ""
     if (
         len(word) < _LEAST
         or not word.isascii()
@@ -26,7 +35,7 @@ def meant_by(lexicon: Lexicon, word: str) -> str:
         or _is_word(lexicon, word)
     ):
         return ""
-    known = _words(lexicon.code)
+    known = _words(lexicon.code) | {other for other in also if len(other) >= _LEAST}
     found = {other for other in _slips(word) if other in known and not word.startswith(other)}
     return found.pop() if len(found) == 1 else ""
 

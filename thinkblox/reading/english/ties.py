@@ -8,6 +8,8 @@ from thinkblox.reading.english.referents import is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+_PAIR = 2
+"""Of a longer list that was closed by "and", nothing more comes."""
 """How things stand to what they belong to more closely than to be beside it."""
 
 
@@ -29,9 +31,17 @@ class Ties(Relating):
             if tie in _CARRIED or tie == "next_to":
                 self.frontier = [head]
                 return frame
+        if self.clause.times > 1 and self.separator in ("comma", "comma_and") and self._is_group_told():
+            self.clause = Listed()
         if self.separator in ("and", "comma_and"):
             self.clause.closing = True
         return self.clause
+
+    def _is_group_told(self) -> bool:
+        """Whether what each of a group is was told to its end: "each a desk with a lamp and a chair, a sink"."""
+        inner = [n.frame for n in self.frontier if n.frame is not None and n.frame is not self.clause]
+        closed = [frame for frame in inner if frame.closing]
+        return self.clause.closing or any(len(f.members) > _PAIR or self._told_apart() for f in closed)
 
     def _told_apart(self) -> bool:
         """Whether what comes says that the thing just named is somewhere by itself."""
@@ -187,7 +197,8 @@ class Ties(Relating):
             return "inside"
         if usual:
             return usual
-        if self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
+        upright = not self.habits.is_in(thing.noun, "lounges") or self.habits.is_in(head.noun, "lounged_at")
+        if upright and self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
             return seated
         contains = self._contains(head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
