@@ -72,8 +72,10 @@ def washbasin(spec: Spec) -> Build:
 
 
 def vanity(spec: Spec) -> Build:
-    """Return a basin at the right end of a worktop over a cabinet, with a tap."""
+    """Return a basin at the right end of a worktop over a cabinet, with a tap; a double one has a basin at each end."""
     x, y, z = spec.size
+    if spec.has("double"):
+        return _double_vanity(spec)
     split = -y / 2 + min(0.56, 0.5 * y)
     build = _basin_cabinet(spec, (-y / 2, split), max(2, round(y / 0.45)))
     build.body.append(box(PORCELAIN, (-x / 2, x / 2), (split, y / 2), (z - 0.23, z - 0.13)))
@@ -81,11 +83,21 @@ def vanity(spec: Spec) -> Build:
     return build
 
 
+def _double_vanity(spec: Spec) -> Build:
+    x, y, z = spec.size
+    end = min(0.56, 0.4 * y)
+    build = _basin_cabinet(spec, (-y / 2, -y / 2 + end), max(2, round(y / 0.45)))
+    build.body += _basin(spec, (y / 2 - end, y / 2))
+    between = (-y / 2 + end, y / 2 - end)
+    build.body.append(box(PORCELAIN, (-x / 2, x / 2), between, (z - 0.23, z - 0.13)))
+    build.surfaces = [top_surface("worktop", (-x / 2, x / 2), between, z - 0.13)]
+    return build
+
+
 def _basin_cabinet(spec: Spec, basin: Range, doors: int) -> Build:
     """A cabinet over the whole width with a basin and a tap over a part of it [m], without surfaces."""
     x, y, z = spec.size
-    rim, (low, high) = z - 0.13, basin
-    white = PORCELAIN
+    rim = z - 0.13
     parts = cabinet_parts(
         spec,
         (-x / 2, x / 2 - 0.015),
@@ -95,9 +107,17 @@ def _basin_cabinet(spec: Spec, basin: Range, doors: int) -> Build:
         plinth=0.1,
         finish=spec.wood,
     )
+    return Build(body=parts.body + _basin(spec, basin), moving=parts.moving)
+
+
+def _basin(spec: Spec, basin: Range) -> list[Part]:
+    """A basin with a tap over a part of the width [m]."""
+    x, _, z = spec.size
+    rim, (low, high) = z - 0.13, basin
+    white = PORCELAIN
     hollow = ((-x / 2 + 0.13, x / 2 - 0.04), (low + 0.07, high - 0.07))
     drain = sum(hollow[1]) / 2
-    body = [
+    return [
         box(white, (-x / 2, x / 2), basin, (rim - 0.1, rim - 0.08)),
         box(white, (-x / 2, hollow[0][0]), basin, (rim - 0.08, rim)),
         box(white, (hollow[0][1], x / 2), basin, (rim - 0.08, rim)),
@@ -105,7 +125,6 @@ def _basin_cabinet(spec: Spec, basin: Range, doors: int) -> Build:
         disc(CHROME, (0.04, drain), 0.025, (rim - 0.08, rim - 0.077)),
         *(moved(part, (0.0, drain, 0.0)) for part in tap(-x / 2 + 0.06, rim, z)),
     ]
-    return Build(body=parts.body + body, moving=parts.moving)
 
 
 def shower_cabin(spec: Spec) -> Build:

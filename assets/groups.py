@@ -37,6 +37,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "own_bed": "one for each who sleeps in a room",
         "takes_built_in": "a sink or hob can be let into it",
         "large_tables": "too large to be brought in for one small thing, where nobody dines or shows",
+        "sat_in": "a table with its own seats",
         "fills_shelves": "shelves full of it are described, not asked for",
         "takes_books": "can be full of books",
         # What the planner speaks of.

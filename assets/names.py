@@ -57,6 +57,9 @@ def thing_called(phrase: str, length: int = 1) -> ThingName | None:
     """What a whole phrase in lower case names, singular or plural; `length` is its number of words."""
     known = _phrases(revision())
     phrase = phrase.replace("-", " ")
+    first, several, _ = phrase.partition(" ")
+    if several and first not in _beginnings(revision()):
+        return None
     if found := known.get(phrase):
         return _named(found, found.singular or phrase, length, plural=found.plural)
     head, space, last = phrase.rpartition(" ")
@@ -96,6 +99,12 @@ def _phrases(revision: int) -> dict[str, _Meaning]:
         else:
             found.update(_read(name, kind.words))
     return found
+
+
+@lru_cache(maxsize=1)
+def _beginnings(revision: int) -> frozenset[str]:
+    """The first words of the names that have several."""
+    return frozenset(phrase.partition(" ")[0] for phrase in _phrases(revision) if " " in phrase)
 
 
 def _is_simple(words: str) -> bool:

@@ -1,6 +1,7 @@
 """From English plurals back to their nouns: "shelves" is of "shelf", "mice" of "mouse"."""
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 _IRREGULAR: Mapping[str, str] = {
     "men": "man",
@@ -111,6 +112,7 @@ def singulars(word: str) -> Iterator[str]:
             yield from (word[: -len(ending)] + stem for stem in stems)
 
 
+@lru_cache(maxsize=4096)
 def singular(word: str) -> str:
     """The likeliest singular of a lower-case noun by its spelling; the word itself where it has no plural ending."""
     if word in _IRREGULAR:

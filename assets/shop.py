@@ -242,8 +242,27 @@ def display_case(spec: Spec) -> Build:
         ),
         box(GLASS, around(0, x - 0.02), around(0, y - 0.02), (z - pane, z)),
     ]
+    if not spec.has("empty"):
+        body += _shown(spec, y - 0.06, low + 0.01, z - low - 0.06)
     inside = top_surface("cloth", *area, low + 0.01, headroom=z - low - 0.02 - pane)
     return Build(body=body, surfaces=[inside])
+
+
+def _shown(spec: Spec, width: float, base: float, most: float) -> list[Part]:
+    """What is shown along the back of a glass case: boxes, books on edge and small stands, so wide and high [m]."""
+    parts: list[Part] = []
+    count = max(2, int(width / 0.22))
+    for n in range(count):
+        at = width * ((n + 0.5) / count - 0.5)
+        tall = spec.between(0.3, 0.8) * min(most, 0.3)
+        colour = spec.choice(
+            ((0.62, 0.24, 0.2), (0.2, 0.3, 0.42), (0.85, 0.72, 0.42), (0.36, 0.46, 0.36), (0.9, 0.88, 0.82))
+        )
+        wide = spec.between(0.08, 0.15)
+        parts.append(
+            box(Finish(colour, "paper"), around(-0.25 * spec.size[0], 0.05), around(at, wide), (base, base + tall))
+        )
+    return parts
 
 
 def mannequin(spec: Spec) -> Build:

@@ -34,6 +34,8 @@ _SCALES: dict[str, Vec3] = {
 }
 
 
+_SMALL_VARIED = 1.8
+"""How much more than furniture differs in size what stands on it or hangs."""
 COUNTED_PARTS = ("drawer", "door")
 """Parts of which a cabinet is made with as many as are asked for: "3-drawers"."""
 
@@ -67,7 +69,7 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
             sx, sy, sz = _SCALES[word]
             x, y, z = x * sx, y * sy, z * sz
     x, y = _plan(category, x, y, words)
-    share = category.variation * (0.35 if exact else 1.0)
+    share = category.variation * (0.35 if exact else 1.0) * (1.0 if category.mount == "floor" else _SMALL_VARIED)
     fx, fy, fz = (1 + share * float(v) for v in rng.uniform(-1, 1, 3))
     if abs(x - y) < 1e-9:
         fy = fx

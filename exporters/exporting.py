@@ -7,13 +7,15 @@ from pathlib import Path
 from thinkblox.errors import InputError
 from thinkblox.exporters.folder import check_folder, made_parents, whole_folder
 from thinkblox.exporters.formats import DEFAULT, flavored, format_for, formats_named
-from thinkblox.exporters.saving import FolderWriting
+from thinkblox.exporters.saving import THUMBS, FolderWriting, thumbnail
 from thinkblox.holding import note_placed, signals_held
 from thinkblox.scene.asset_files import asset_files
 from thinkblox.scene.scene import Scene
 from thinkblox.value import to_json
 from thinkblox.whole_file import check_name, check_writable
 from thinkblox.workplace import workplace
+
+_STAGES = (".usda", ".usdc")
 
 
 def export_file(scene: Scene, path: str | Path, *, doors: bool = False, overwrite: bool = False) -> Path:
@@ -83,11 +85,12 @@ def export_scene(
     formats: Sequence[str] = DEFAULT,
     flavor: str | None = None,
     doors: bool = False,
+    thumbnails: bool = False,
     overwrite: bool = False,
 ) -> Path:
     """Write a scene in several formats to the folder `out`, with its scene.json and a manifest; returns its path.
 
-    Nothing is verified again and no pictures are drawn: `save_scene` does both.
+    Nothing is verified again, and no pictures are drawn but thumbnails: `save_scene` does both.
 
     Args:
         scene: any.
@@ -95,6 +98,7 @@ def export_scene(
         formats: names of export formats.
         flavor: of those formats that have it: "robosuite" or "mjx", of "mjcf".
         doors: with leaves on hinges in its doors, and panes in its windows, which what was measured has not.
+        thumbnails: of USD stages, where viewers of such files look for them.
         overwrite: replace a folder that we wrote there earlier.
 
     Raises:
@@ -112,5 +116,9 @@ def export_scene(
             writing.add(name, data, "asset")
         for kind in chosen:
             writing.export(kind, inventory)
+        if thumbnails and (stages := [kind.file for kind in chosen if kind.suffix in _STAGES]):
+            picture = thumbnail(scene, inventory.state)
+            for name in stages:
+                writing.add(f"{THUMBS}/{name}.png", picture, "picture", f"a small picture for {name}")
         writing.finish(inventory, chosen)
     return Path(out)

@@ -105,6 +105,12 @@ def _write_sdf(inventory: "Inventory", path: Path) -> None:
     write_sdf(inventory, path)
 
 
+def _write_simready(inventory: "Inventory", path: Path) -> None:
+    from thinkblox.exporters.simready import write_simready
+
+    write_simready(inventory, path)
+
+
 _FORMATS = {
     "mjcf": ExportFormat(
         "mjcf", ".xml", _write_mjcf, "MuJoCo's model of the room, with the keyframes 'settled' and 'home'"
@@ -119,6 +125,9 @@ _FORMATS = {
     "usd": ExportFormat("usd", ".usda", _write_usd, "the same bodies, masses, colliders and joints as UsdPhysics"),
     "usdc": ExportFormat("usdc", ".usdc", _write_usd, "the same stage in USD's binary format"),
     "usdz": ExportFormat("usdz", ".usdz", _write_usd, "the same stage with all that it needs in one file"),
+    "simready": ExportFormat(
+        "simready", ".simready.json", _write_simready, "which assets are packages of SimReady's profile Robotics-Prop"
+    ),
     "glb": ExportFormat("glb", ".glb", _write_glb, "what is seen as glTF: nodes for objects and links, materials"),
     "urdf": ExportFormat("urdf", ".urdf", _write_urdf, "the room as URDF, and one URDF for each object in models"),
     "sdf": ExportFormat("sdf", ".sdf", _write_sdf, "the room as a world of SDF, for Gazebo and Drake"),

@@ -119,7 +119,9 @@ class _Book:
         return len(every) - 1
 
     def node(self, name: str, **values: Any) -> int:
-        """Add a node; what is empty is left out."""
+        """Add a node; what is empty is left out, and a rotation is within the range that its numbers may have."""
+        if "rotation" in values:
+            values["rotation"] = [min(max(part, -1.0), 1.0) for part in values["rotation"]]
         return self._add("nodes", {"name": name, **{key: value for key, value in values.items() if value != []}})
 
     def camera(self, name: str, yfov: float) -> int:

@@ -189,6 +189,19 @@ def _drawn(scene: Scene, settled: "SettledState", size: int = 1024) -> dict[str,
     return drawn
 
 
+THUMBS, _SMALL = ".thumbs/256x256", 256
+"""Where viewers of USD look for small pictures of files, and how wide and high these are [pixels]."""
+
+
+def thumbnail(scene: Scene, settled: "SettledState") -> bytes:
+    """A small picture of a scene as it rests, as PNG."""
+    from thinkblox.sim.render import render_preview
+
+    file = BytesIO()
+    render_preview(scene, size=_SMALL, poses=settled.poses).save(file, format="PNG")
+    return file.getvalue()
+
+
 class FolderWriting:
     """A folder being filled, and what its manifest will say of it."""
 
@@ -201,7 +214,7 @@ class FolderWriting:
         if name in self._files:
             raise InputError(f"an extra file cannot be called {name!r}: a format has written that file")
         file = self._room / name
-        file.parent.mkdir(exist_ok=True)
+        file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(data)
         self._files[name] = ManifestFile(name=name, kind=kind, says=says)
 

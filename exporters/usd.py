@@ -2,6 +2,7 @@
 
 import math
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -24,6 +25,8 @@ from thinkblox.scene.room import Room
 from thinkblox.sim.build import package_version
 from thinkblox.sim.settings import Physics
 
+_SIMREADY = "SimReady_Metadata"
+"""Where a prop's description is in its stage."""
 MANY = 20
 """With more objects than these a stage is binary where its name leaves it open."""
 _THEN = 946_684_800
@@ -62,6 +65,21 @@ def _write_layers(inventory: Inventory, path: Path) -> None:
     write_beside(path, texture_files(inventory, room_parts(inventory).pictures))
 
 
+def write_prop(inventory: Inventory, path: Path, described: Mapping[str, str]) -> None:
+    """Write the objects of an inventory without their room, as text, with more metadata; read again and checked."""
+    layers = AssetLayers(inventory)
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    with Sdf.ChangeBlock():
+        world = _stage(layer, inventory)
+        layer.customLayerData = {**layer.customLayerData, **described, _SIMREADY: dict(described)}
+        looks = Looks(world.child("Looks", "Scope"), inventory.looks)
+        _add_physics(world, inventory.physics)
+        _add_objects(world, inventory, Shelf(layer, inventory.looks, looks, layers))
+    path.write_text(layer.ExportToString(), encoding="utf-8")
+    write_beside(path, layers.files | texture_files(inventory, {}))
+    check_written(path, inventory)
+
+
 def usd_text(inventory: Inventory) -> str:
     """A scene as one text that needs no file but the textures."""
     return str(_layer(inventory).ExportToString())
@@ -97,11 +115,14 @@ def _layer(inventory: Inventory, layers: AssetLayers | None = None) -> Any:
         _add_lights(world, inventory.scene.room)
         _add_cameras(world, inventory)
         add_room(world, inventory, parts, looks, layers)
-        objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
-        shelf = Shelf(layer, inventory.looks, looks, layers)
-        for item in inventory.objects:
-            add_object(objects, item, shelf)
+        _add_objects(world, inventory, Shelf(layer, inventory.looks, looks, layers))
     return layer
+
+
+def _add_objects(world: Prim, inventory: Inventory, shelf: Shelf) -> None:
+    objects = world.child("Objects", "Xform", kind=Kind.Tokens.group)
+    for item in inventory.objects:
+        add_object(objects, item, shelf)
 
 
 def _stage(layer: Any, inventory: Inventory) -> Prim:

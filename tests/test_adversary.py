@@ -58,3 +58,12 @@ def test_a_shelf_that_pushes_something_over_is_not_valid() -> None:
     found = [judged for judged in candidates("mounted", 40047) if judged is not None]
     assert not any(judged.outcome == "false valid" for judged in found)
     assert any("pushes" in judged.verdict.reasons and not judged.verdict.settled for judged in found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("family", "seed"), [("apart", 70031), ("apart", 70047), ("leaning", 70067), ("rug", 81021), ("unequal", 81012)]
+)
+def test_hunts_that_once_found_a_hole_find_none(family: str, seed: int) -> None:
+    found = hunt(family, seed)
+    assert found.counts["false valid"] == 0, found.false

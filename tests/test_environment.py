@@ -15,15 +15,19 @@ from dm_env import test_utils
 from gymnasium.utils.env_checker import check_env
 
 from tests.environment_rooms import FLOATING, MOUNTED, full_room, robot_room
+from tests.sim_rooms import asset, put
 from thinkblox.errors import InputError
 from thinkblox.exporters.mjcf import mjcf_text
 from thinkblox.exporters.saving import write_scene
 from thinkblox.exporters.stocktaking import inventory_of
+from thinkblox.scene.asset import Shape
 from thinkblox.sim.environment import (
     Pictures,
     RandomPolicy,
+    ScriptedCarry,
     ScriptedDrive,
     ScriptedOpen,
+    ScriptedReach,
     make_environment,
     run_episode,
     vector_environment,
@@ -164,6 +168,31 @@ def test_the_script_opens_doors(door: str) -> None:
     ran = run_episode(environment, ScriptedOpen(environment))
     assert ran.reached
     assert environment.task.goal.share >= 0.6
+
+
+@pytest.mark.parametrize("target", ["desk_1", "vase_1", "wardrobe_1"])
+def test_the_script_reaches_things(target: str) -> None:
+    environment = make_environment(ROOM, "reach", target, seed=3)
+    assert run_episode(environment, ScriptedReach(environment)).reached
+
+
+def test_the_script_carries_a_vase_to_another_table() -> None:
+    environment = make_environment(ROOM, "carry", "vase_1", destination="desk_1", seed=0)
+    ran = run_episode(environment, ScriptedCarry(environment))
+    assert ran.reached
+    x, y, z = environment.physics.data.ptr.body("vase_1").xpos
+    assert abs(x - 3.6) < 0.6
+    assert abs(y - 2.4) < 0.4
+    assert z == pytest.approx(0.75, abs=0.01)
+
+
+def test_what_has_no_flat_top_is_not_carried_by_the_script() -> None:
+    ball = Shape(kind="sphere", size=(0.1, 0.1, 0.1), position=(0.0, 0.0, 0.05))
+    kind = asset("ball", (0.1, 0.1, 0.1), ball, mass=0.3)
+    scene = ROOM.with_placement(put(kind, 1.7, 1.2, 0.75, on="table_1"), kind)
+    environment = make_environment(scene, "carry", "ball_1", destination="desk_1", seed=0)
+    with pytest.raises(InputError, match="not flat"):
+        ScriptedCarry(environment)(environment.reset())
 
 
 def test_a_thing_is_carried_when_it_stands_there_and_is_let_go() -> None:

@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 import pytest
+from PIL import Image
 from pxr import Usd, UsdPhysics
 
 import thinkblox
@@ -164,7 +165,9 @@ def test_an_opening_and_an_object_of_one_name() -> None:
 def test_the_command_asks_for_them(tmp_path: Path) -> None:
     write_scene(sample_scene(), tmp_path / "room.json")
     out = tmp_path / "out"
-    assert main(["export", str(tmp_path / "room.json"), "--to", "mjcf", "--doors", "--out", str(out)]) == 0
+    said = ["--to", "mjcf,usd", "--doors", "--thumbnails"]
+    assert main(["export", str(tmp_path / "room.json"), *said, "--out", str(out)]) == 0
+    assert Image.open(out / ".thumbs/256x256/scene.usda.png").size == (256, 256)
     assert mujoco.MjModel.from_xml_path(str(out / "scene.xml")).body(LEAF).id > 0
     assert thinkblox.load_scene(out) == thinkblox.load_scene(tmp_path / "room.json")
     assert sample_scene().export(tmp_path / "room.xml", doors=True).read_text().count(LEAF) > 1

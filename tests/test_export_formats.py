@@ -55,7 +55,7 @@ def test_ours_are_there() -> None:
     assert [(known.name, known.file) for known in formats()] == [
         ("mjcf", "scene.xml"), ("mjcf-single", "scene.single.xml"), ("mjcf-robosuite", "scene.robosuite.xml"),
         ("mjcf-mjx", "scene.mjx.xml"), ("usd", "scene.usda"), ("usdc", "scene.usdc"), ("usdz", "scene.usdz"),
-        ("glb", "scene.glb"), ("urdf", "scene.urdf"), ("sdf", "scene.sdf"),
+        ("simready", "scene.simready.json"), ("glb", "scene.glb"), ("urdf", "scene.urdf"), ("sdf", "scene.sdf"),
     ]  # fmt: skip
     assert all(known.says for known in formats())
 

@@ -158,6 +158,15 @@ def test_tiny_and_huge_things(extent: float, tmp_path: Path) -> None:
         assert model.body("cube_1").mass[0] == pytest.approx(kind.mass)
 
 
+def test_rotations_in_gltf_are_within_their_range() -> None:
+    from thinkblox.exporters.glb import _Book
+
+    book = _Book({}, {})
+    root = book.node("root", rotation=[0.0, 0.0, 0.0, 1.0000000000000004])
+    data = book.bytes(root, {})
+    assert json.loads(data[20 : 20 + struct.unpack_from("<I", data, 12)[0]])["nodes"][0]["rotation"][3] == 1.0
+
+
 def test_an_unseen_and_an_untouchable_thing(tmp_path: Path) -> None:
     ghost = asset("ghost", (0.5, 0.5, 0.01), box((0.5, 0.5, 0.01), (0.0, 0.0, 0.005), collide=False))
     out = export_scene(scene(None, (put(ghost, 1.0, 1.0), ghost)), tmp_path / "out", formats=ALL)

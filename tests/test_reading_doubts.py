@@ -33,7 +33,7 @@ from thinkblox.reading import read_brief
         ("A fridge, a stove and a desk in one line.", ["1 stove next_to fridge", "1 desk next_to stove"]),
         ("A table, a chair, and two lamps wall-mounted above the table.", ["2 pendant_lamp above dining_table"]),
         ("A desk with a computer at the front.", ["1 desk against_wall near_wall", "1 computer on desk"]),
-        ("Two washers and two dryers side by side along one wall.", ["2 washing_machine against_wall wall"]),
+        ("Two washers and two dryers side by side along one wall.", ["2 washing_machine against_wall one_wall"]),
         ("A rack of dumbbells, a bench in front of the rack.", ["1 bench in_front_of dumbbell_rack"]),
         ("A sculpture on a pedestal in each corner.", ["4 sculpture on pedestal", "4 pedestal in_corner corner"]),
         # Sides and parts.

@@ -284,3 +284,31 @@ def test_the_desk_of_the_teacher_is_another_one() -> None:
 
 def test_a_fan_on_the_ceiling_is_a_ceiling_fan() -> None:
     assert _counts(read_brief("A table and a fan hanging from the ceiling.")) == {"dining_table": 1, "ceiling_fan": 1}
+
+
+def test_a_bed_over_a_desk_has_the_desk_under_it() -> None:
+    brief = read_brief("A child's room with a loft bed over a desk.")
+    assert [(r.kind, r.subject, r.anchors) for r in brief.relations if r.asked] == [("under", "desk", ("bunk_bed",))]
+
+
+@pytest.mark.parametrize(
+    ("said", "category", "count"),
+    [
+        ("three stations, each with a mirror and a chair, two wash basins at the back, and a bench", "washbasin", 2),
+        ("three stations, each with a mirror and a chair, two wash basins at the back, and a bench", "bench", 1),
+        ("six stations, each a desk with a lamp, a keyboard and a chair, and a printer in the corner", "printer", 1),
+        ("six stations, each a desk with two monitors and a keyboard, and an office chair", "office_chair", 6),
+    ],
+)
+def test_what_each_of_a_group_has_ends_with_its_list(said: str, category: str, count: int) -> None:
+    found = {request.category: request.count for request in read_brief(f"A studio with {said}.").requests}
+    assert found[category] == count
+
+
+def test_a_guitar_on_its_stand_is_one_thing_and_a_squat_rack_no_low_shelf() -> None:
+    asked = [
+        (r.category, r.count)
+        for r in read_brief("A den with a guitar on a stand and a squat rack.").requests
+        if r.asked
+    ]
+    assert asked == [("guitar", 1), ("squat_rack", 1)]

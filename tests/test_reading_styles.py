@@ -227,7 +227,7 @@ PROMPTS = {
     ),
     "Classroom: 3 rows of 5 desks with chairs, all facing the blackboard; teacher's desk in front of the "
     "blackboard with an apple and a laptop on it; cabinet in the back corner; two windows on the left wall.": (
-        "15 school_desk, 15 chair, 1 blackboard, 1 desk, 1 apple, 1 laptop, 1 cabinet",
+        "15 school_desk, 16 chair, 1 blackboard, 1 desk, 1 apple, 1 laptop, 1 cabinet",
         (
             "school_desk in_rows, chair at school_desk, school_desk facing blackboard, desk in_front_of "
             "blackboard, laptop on desk, cabinet in_corner far_wall"

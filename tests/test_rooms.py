@@ -28,7 +28,7 @@ def test_a_room_is_known_by_its_name(prompt: str, room: str, thing: str) -> None
 
 def test_everybody_has_one_of_what_each_has_there() -> None:
     yoga = counted(read_brief("A yoga studio for nine people with a mirror and a plant next to the mirror"))
-    assert (yoga["yoga_mat"], yoga["mirror"]) == (9, 1)
+    assert (yoga["yoga_mat"], yoga["studio_mirror"]) == (9, 1)
 
 
 def test_what_belongs_to_each_place_comes_along() -> None:

@@ -78,6 +78,7 @@ class Request(CheckedValue, frozen=True, kw_only=True):
         attributes: what the prompt says of it, in the catalogue's words ("round", "double", "low").
         phrase: the words it was read from; empty when assumed.
         size: what the prompt says of its size.
+        drawn: how large it is where the prompt leaves that open, as the seed has it.
         least, most: how many there may be, where the prompt leaves that open ("at least three"); `count` lies within.
         unshown: what the prompt says of it that no shape, colour or material of ours shows ("clawfoot", "tartan").
         states: how the prompt wants to find it ("open", "folded", "rolled up"); noted, not shown.
@@ -90,6 +91,7 @@ class Request(CheckedValue, frozen=True, kw_only=True):
     attributes: tuple[str, ...] = ()
     phrase: str = ""
     size: Measures = (None, None, None)
+    drawn: Measures = (None, None, None)
     least: Annotated[int, Meta(ge=0, le=200)] | None = None
     most: Annotated[int, Meta(ge=0, le=200)] | None = None
     unshown: tuple[str, ...] = ()
@@ -167,6 +169,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
         surfaces: what floor and walls are to be like.
         missing: things asked for that are not made, with their count in words.
         beyond: things asked for that are more than one room is given, with their count in words.
+        left_out: what goes without saying and has no room in a room of the given size, in sentences.
         unknown: words that meant nothing to us, or that we can do nothing about, and that name or change a thing.
         empty: the prompt wants nothing besides what it names.
         excluded: categories that must not be there.
@@ -189,6 +192,7 @@ class Brief(CheckedValue, frozen=True, kw_only=True):
     surfaces: tuple[SurfaceRequest, ...] = ()
     missing: tuple[str, ...] = ()
     beyond: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
     unknown: tuple[str, ...] = ()
     empty: bool = False
     excluded: tuple[Name, ...] = ()

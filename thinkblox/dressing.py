@@ -12,7 +12,7 @@ from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Loop, Placing
 from thinkblox.plan import Target
-from thinkblox.planning.dressing import Dresser
+from thinkblox.planning.dressing import LEAST, Dresser
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
@@ -43,6 +43,8 @@ class Dressed:
 def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target, bool, int], None]) -> Dressed:
     """Add what makes a room look lived in: furniture and pictures first, then what lies on everything that carries.
 
+    Where not enough finds room, other things are tried, and shelves are hung for more.
+
     Args:
         world: the furnished room.
         loop: what it was furnished with.
@@ -57,7 +59,9 @@ def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target
     dresser = Dresser(loop.plan, np.random.default_rng((seed, _SALT)))
     done = Dressed(world, replace(loop, effort=effort, tells=False))
     planned = 0
-    for stage in (dresser.furniture, dresser.things):
+    for number, stage in enumerate((dresser.furniture, dresser.things, dresser.things, dresser.spare, dresser.things)):
+        if number > 1 and len(done.world.scene.placements) >= LEAST:
+            break
         targets = stage(done.world.scene)
         done.loop = replace(done.loop, plan=dresser.plan)
         makeable = _makeable(done, targets)

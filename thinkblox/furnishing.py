@@ -14,7 +14,8 @@ from thinkblox.headline import UNKNOWN, in_short, relation_words, shortfall
 from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Effort, Loop, Placing
-from thinkblox.plan import Plan, Target
+from thinkblox.plan import Plan, Target, Tie
+from thinkblox.planning.tightness import is_essential
 from thinkblox.policies import Policy
 from thinkblox.prompts import prompts_version
 from thinkblox.reporting import report_on
@@ -30,6 +31,8 @@ _UNDRESSINGS = 3
 """How often what turns out to stand badly is taken away from a dressed room before it is left as it is."""
 ARRANGED = ("free",)
 """Demands that another arrangement may meet."""
+BELONGING = ("next_to", "at_foot_of", "at", "in_front_of", "behind", "on", "above")
+"""Relations without which what is only assumed is better left out."""
 DRAWN_UP = ("at", "in_front_of")
 """Relations to furniture without which a thing on the floor makes no sense."""
 
@@ -254,11 +257,49 @@ class _Attempt:
         placing = Placing(self.world, loop, target, rng)
         try:
             grown = placing.run()
+            away = "" if grown is None else _misplaced(grown.scene, loop.plan, target)
         finally:
             self.assets |= placing.assets
             self.rounds += [structs.replace(r, attempt=self.number) for r in placing.rounds]
+        if away:
+            self.rounds[-len(placing.rounds) :] = [
+                structs.replace(r, kept=False) for r in self.rounds[-len(placing.rounds) :]
+            ]
+            return away
         self.world = placing.world if grown is None else grown
         return "" if grown is not None else placing.reason or "no place was found"
+
+
+def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
+    """Why what nobody asked for is better left out than where it has come to stand; empty where it is well.
+
+    What every such room has, and what something else is to stand by, stays wherever it is.
+    """
+    tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
+    needed = any(target.id in other.depends_on for other in plan.targets)
+    if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):
+        return ""
+    if not all(anchor in scene and scene.asset_of(scene[anchor]).collides for anchor in tie.anchors):
+        return ""
+    if measure(scene, tie.kind, target.id, tie.anchors).holds and not _is_second_at_side(scene, plan, target, tie):
+        return ""
+    return f"there was no room left for it {tie.kind.replace('_', ' ')} {', '.join(tie.anchors)}"
+
+
+def _is_second_at_side(scene: Scene, plan: Plan, target: Target, tie: Tie) -> bool:
+    """Whether both of a pair stand at one side of what they are to flank: two nightstands by a bed in a corner."""
+    if tie.kind != "next_to" or tie.count != 2:
+        return False
+    anchor, own = scene[tie.anchors[0]], scene[target.id]
+    alike = (
+        t.id for t in plan.targets if t.request == target.request and t.id != target.id and tie.anchors == _next(t)
+    )
+    sides = [anchor.to_local((p.position[0], p.position[1]))[1] for p in (scene[id] for id in alike if id in scene)]
+    return any(side * anchor.to_local((own.position[0], own.position[1]))[1] > 0.0 for side in sides)
+
+
+def _next(target: Target) -> tuple[str, ...]:
+    return next((tie.anchors for tie in target.ties if tie.kind == "next_to"), ())
 
 
 def makeable_part(plan: Plan, scene: Scene, source: AssetSource) -> tuple[Plan, list[Absence]]:

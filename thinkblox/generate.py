@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 import numpy as np
 
@@ -17,7 +17,17 @@ from thinkblox.observe import Sight
 from thinkblox.orders import ORDERS, Order
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
-from thinkblox.planning import is_open, larger, reordered, varied, with_surfaces
+from thinkblox.planning import (
+    fitted,
+    is_essential,
+    is_open,
+    larger,
+    relieved,
+    reordered,
+    varied,
+    with_sizes,
+    with_surfaces,
+)
 from thinkblox.players import Players, players
 from thinkblox.policies import Briefer, Planner, Policy
 from thinkblox.reading import GrammarBriefer
@@ -30,6 +40,20 @@ from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.value import Vec3
 
 M = TypeVar("M")
+
+
+class Furnisher(Protocol):
+    """Furnishes a room, after the attempts before, for a brief of less than was asked where one is given."""
+
+    def __call__(
+        self, floor: Room, effort: Effort, before: Sequence[Furnished], less: Brief | None = None
+    ) -> Furnished:
+        """The furnished room."""
+        ...
+
+
+RELIEFS = 3
+"""How often something that is only assumed is left out of a room of a given size where what matters more is absent."""
 GROWTH = (1.35, 1.8)
 """By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
 
@@ -92,17 +116,18 @@ def generate_room(
     _check_play(cast, prompt, seed, mode, fill)
     planner = cast.planner
     brief = _made("briefer", cast.briefer.brief(prompt), Brief)
-    if isinstance(cast.briefer, GrammarBriefer) and fill != "named":
-        brief = varied(brief, seed)
+    assumes = isinstance(cast.briefer, GrammarBriefer) and fill != "named"
+    if assumes:
+        brief = fitted(with_sizes(varied(brief, seed), seed))
     source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)
     effort = _effort_for(cast, effort or Effort())
     until = time.monotonic() + effort.seconds
 
-    def furnished(floor: Room, effort: Effort, before: Sequence[Furnished]) -> Furnished:
+    def furnished(floor: Room, effort: Effort, before: Sequence[Furnished], less: Brief | None = None) -> Furnished:
         floor = with_surfaces(floor, brief, seed)
-        plan = _made("planner", planner.plan(brief, floor), Plan)
+        plan = _made("planner", planner.plan(less or brief, floor), Plan)
         plan = reordered(plan, order, lambda target: _usual(target, source), seed)
         if on_plan is not None and not before:
             on_plan(plan)
@@ -128,6 +153,7 @@ def generate_room(
             _furnish_growing(made, furnished, room, wider, effort, until)
         else:
             made.append(furnished(room, effort, ()))
+            _furnish_relieved(made, furnished, room, brief if assumes else None, effort, until)
         if fill == "lived-in":
             _best(made).dress()
     except InputError as error:
@@ -139,7 +165,7 @@ def generate_room(
 
 def _furnish_growing(
     made: list[Furnished],
-    furnished: Callable[[Room, Effort, Sequence[Furnished]], Furnished],
+    furnished: Furnisher,
     room: Room,
     wider: Callable[[float], Room],
     effort: Effort,
@@ -158,6 +184,22 @@ def _furnish_growing(
     if any(best.faults) and time.monotonic() < until:
         again = replace(effort, restarts=effort.restarts - 1)
         made.append(furnished(best.scene.room, again, made))
+
+
+def _furnish_relieved(
+    made: list[Furnished],
+    furnished: Furnisher,
+    room: Room,
+    brief: Brief | None,
+    effort: Effort,
+    until: float,
+) -> None:
+    """Furnish a room of a given size again with less that is only assumed, while what matters more is absent."""
+    once = replace(effort, restarts=0)
+    while brief is not None and _lacks_essentials(made[-1]) and len(made) <= RELIEFS and time.monotonic() < until:
+        brief = relieved(brief)
+        if brief is not None:
+            made.append(furnished(room, once, made, brief))
 
 
 def _best(made: Sequence[Furnished]) -> Furnished:
@@ -179,6 +221,13 @@ def _lacks_floor(made: Furnished) -> bool:
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
     return absent or failing or any(mounts.get(id) == "floor" for id in subjects)
+
+
+def _lacks_essentials(made: Furnished) -> bool:
+    """Whether something that is asked for, or that every such room has, is absent, or anything fails."""
+    room = made.loop.plan.brief.room_type
+    absent = any(a.asked or is_essential(a.category, room) for a in made.report.absent)
+    return absent or not made.report.valid or any(not v.valid for v in made.report.objects)
 
 
 def _made(role: str, made: object, kind: type[M]) -> M:

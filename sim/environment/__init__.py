@@ -18,7 +18,14 @@ if TYPE_CHECKING:
     from thinkblox.sim.environment.gym_env import make_gym_environment, vector_environment
     from thinkblox.sim.environment.making import make_environment
     from thinkblox.sim.environment.pictures import Pictures
-    from thinkblox.sim.environment.policies import RandomPolicy, ScriptedDrive, ScriptedOpen, run_episode
+    from thinkblox.sim.environment.policies import (
+        RandomPolicy,
+        ScriptedCarry,
+        ScriptedDrive,
+        ScriptedOpen,
+        ScriptedReach,
+        run_episode,
+    )
     from thinkblox.sim.environment.robot import Robot, load_robot
     from thinkblox.sim.environment.room_source import make_arena, opened, rooms_of
 
@@ -26,8 +33,10 @@ __all__ = [
     "Pictures",
     "RandomPolicy",
     "Robot",
+    "ScriptedCarry",
     "ScriptedDrive",
     "ScriptedOpen",
+    "ScriptedReach",
     "load_robot",
     "make_arena",
     "make_environment",
@@ -44,7 +53,10 @@ __getattr__, __dir__ = lazily(
         **dict.fromkeys(("make_gym_environment", "vector_environment"), f"{_HERE}.gym_env"),
         "make_environment": f"{_HERE}.making",
         "Pictures": f"{_HERE}.pictures",
-        **dict.fromkeys(("RandomPolicy", "ScriptedDrive", "ScriptedOpen", "run_episode"), f"{_HERE}.policies"),
+        **dict.fromkeys(
+            ("RandomPolicy", "ScriptedCarry", "ScriptedDrive", "ScriptedOpen", "ScriptedReach", "run_episode"),
+            f"{_HERE}.policies",
+        ),
         **dict.fromkeys(("Robot", "load_robot"), f"{_HERE}.robot"),
         **dict.fromkeys(("make_arena", "opened", "rooms_of"), f"{_HERE}.room_source"),
     },

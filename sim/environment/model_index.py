@@ -1,5 +1,6 @@
 """Where in a compiled model the robot and the things of a room are, and distances between them."""
 
+import math
 from typing import Any
 
 import mujoco
@@ -14,6 +15,9 @@ from thinkblox.sim.environment.room_source import OpenRoom
 Array = NDArray[np.float64]
 FRAME = f"{PREFIX}/"
 """The name of the body that a robot is attached by."""
+_PAST = 0.001
+_COLLIDING = np.array([0, 0, 0, 1, 0, 0], np.uint8)
+"""The group of what collides."""
 HIT = 0.0005
 """Deeper than this the robot is in something [m]."""
 
@@ -163,11 +167,42 @@ class ModelIndex:
         low, high = self._boxes(parts)
         return low.min(0), high.max(0)
 
+    def corners(self, id: str) -> tuple[Array, Array]:
+        """The box round an object, along the room's axes [m]."""
+        return self.box(self._parts[id])
+
+    def foot(self, id: str) -> float:
+        """The height of an object's origin [m]."""
+        return float(self.data.body(self.first_body(id)).xpos[2])
+
+    def first_body(self, id: str) -> str:
+        """The name of an object's first body."""
+        return self._item(id).name
+
+    def top_at(self, id: str, x: float, y: float) -> float | None:
+        """The height at which an object is first met from above [m]; None where something else is, or nothing."""
+        high = float(self.corners(id)[1][2])
+        start = np.array([x, y, high + _PAST])
+        away = self.first_hit(start, np.array([0.0, 0.0, -1.0]), set(self._parts[id].tolist()), _COLLIDING)
+        return None if away is None else high + _PAST - away
+
     def first_hit(self, start: Array, along: Array, parts: set[int], groups: NDArray[np.uint8]) -> float | None:
         """How far it is to the first geom of some groups on a line, where that is one of the parts [m]; else None."""
         geom = np.zeros(1, np.int32)
         away = mujoco.mj_ray(self.model, self.data, start, along, groups, 1, self.root, geom)
         return float(away) if int(geom[0]) in parts else None
+
+    def free_way(self, start: Array, along: Array, groups: NDArray[np.uint8]) -> float:
+        """How far it is on a line to anything of some groups but the robot [m]; infinite where there is nothing."""
+        geom, gone = np.zeros(1, np.int32), 0.0
+        while True:
+            away = float(mujoco.mj_ray(self.model, self.data, start + gone * along, along, groups, 1, self.root, geom))
+            if away < 0.0:
+                return math.inf
+            gone += away
+            if not self._robot_geoms[geom[0]]:
+                return gone
+            gone += _PAST
 
     def speed(self, id: str) -> float:
         """How fast an object's first body moves [m/s]."""

@@ -78,6 +78,26 @@ class FreePlaces:
         asset = self._room.scene.asset_of(placement)
         return shapely.union_all([_hull(piece.corners) for piece in pieces_of(self._plane, placement, asset)])
 
+    def floor_under(self, bottom: float, wide: float, *, but: str) -> BaseGeometry:
+        """Where its middle can be while it carries something so far round it [m] over all that is lower than `bottom`.
+
+        `but` is the id of what is carried.
+        """
+        inner = shapely.buffer(self._room.scene.room.polygon, -wide)
+        high = [piece for piece in self._all_but(but) if piece.high > bottom]
+        return shapely.difference(inner, shapely.buffer(shapely.union_all([_hull(p.corners) for p in high]), wide))
+
+    def free_of(self, area: BaseGeometry, low: float, high: float, away: float, *, but: str) -> BaseGeometry:
+        """What of an area is so far from everything between two heights [m] but the object `but`."""
+        found = [piece for piece in self._all_but(but) if piece.low < high and piece.high > low + FLAT]
+        return shapely.difference(area, shapely.buffer(shapely.union_all([_hull(p.corners) for p in found]), away))
+
+    def _all_but(self, id: str) -> list[FlatPiece]:
+        scene = self._room.scene
+        own = pieces_of(self._plane, scene[id], scene.asset_of(scene[id]))
+        mine = {(piece.low, piece.high, piece.corners.tobytes()) for piece in own}
+        return [p for p in self._pieces if (p.low, p.high, p.corners.tobytes()) not in mine]
+
     def floor_before(self, goal: BaseGeometry, within: float) -> BaseGeometry:
         """The parts of the free floor that hang together with a place from which the goal is so near [m]."""
         parts = [part for part in shapely.get_parts(self.floor) if part.area > _SPECK]

@@ -1,4 +1,4 @@
-"""Policies that show what an environment is, and that its tasks can be solved: a random one, and two by script."""
+"""Policies that show what an environment is, and that its tasks can be solved: a random one, and others by script."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,9 +9,11 @@ import shapely
 from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
+from thinkblox.sim.environment.carrying import Carrier
 from thinkblox.sim.environment.driving import Driver
 from thinkblox.sim.environment.goals import AT_HAND
 from thinkblox.sim.environment.opening import Opener
+from thinkblox.sim.environment.reaching import Reacher
 from thinkblox.sim.environment.task import Errand
 from thinkblox.sim.environment.ways import way
 
@@ -98,6 +100,34 @@ class ScriptedOpen:
         if told.first() or self._opener is None:
             self._opener = Opener(self._environment.task.errand, _names(self._environment))
         return self._opener.action()
+
+
+class ScriptedReach:
+    """Solves `reach` with "picker": drives to where its arm comes past everything to the object, and reaches out."""
+
+    def __init__(self, environment: Any) -> None:
+        self._environment = environment
+        self._reacher: Reacher | None = None
+
+    def __call__(self, told: Any) -> NDArray[np.float64]:
+        """The next action; raises InputError at the beginning of an episode when there is no place to do it from."""
+        if told.first() or self._reacher is None:
+            self._reacher = Reacher(self._environment.task.errand, _names(self._environment))
+        return self._reacher.action()
+
+
+class ScriptedCarry:
+    """Solves `carry` with "picker" for things with a flat top: takes them by that, and carries them over everything."""
+
+    def __init__(self, environment: Any) -> None:
+        self._environment = environment
+        self._carrier: Carrier | None = None
+
+    def __call__(self, told: Any) -> NDArray[np.float64]:
+        """The next action; raises InputError at the beginning of an episode when it cannot be done by this script."""
+        if told.first() or self._carrier is None:
+            self._carrier = Carrier(self._environment.task.errand, _names(self._environment))
+        return self._carrier.action()
 
 
 def _names(environment: Any) -> list[str]:

@@ -21,8 +21,8 @@ from thinkblox.verdict import Pose, Push, Support
 
 NUDGE = 1e-12
 """A speed that wakes a sleeping body and moves it nowhere [m/s]."""
-STEADY, INSTANTS = 0.95, 20
-"""Less than this share of a weight borne is looked at again, over so many instants."""
+STEADY, WHILE = 0.95, 1.0
+"""Less than this share of a weight borne is looked at again, for so long [s]: what sways out takes most of it."""
 PATIENCE = 0.25
 """What lies still must have done so for this share of the time until then: what hops is still between two hops."""
 RESTING = 0.0001
@@ -146,7 +146,7 @@ class Stage:
     def _reading(self, id: str, course: _Course) -> tuple[tuple[Support, ...], Depths]:
         """What carries an object now, with which share of its weight, and how deep things touch.
 
-        What can only stay is read at once, and what stands lightly, and is borne by turns, over some instants.
+        What can only stay is read at once, and what stands lightly, sways or is borne by turns, over a while.
         """
         body, rested = self._model.body(id), course.motion.rest is not None
         self._data.qvel[int(body.dofadr[0])] = NUDGE
@@ -158,15 +158,17 @@ class Stage:
         return shares(forces, weight), depths if rested else {}
 
     def _mean_forces(self, id: str) -> tuple[dict[str, float], Depths]:
-        """What carries an object and how deep things touch, on average over some instants."""
+        """What carries an object and how deep things touch, on average over a while."""
         total: dict[str, float] = {}
         deep: Depths = {}
-        for _ in range(INSTANTS):
-            mujoco.mj_step(self._model, self._data, nstep=2)
+        steps = max(1, self._physics.chunk // 2)
+        instants = math.ceil(WHILE / (steps * self._physics.timestep))
+        for _ in range(instants):
+            mujoco.mj_step(self._model, self._data, nstep=steps)
             for by, force in self._contacts.carriers_of(self._data, id).items():
-                total[by] = total.get(by, 0.0) + force / INSTANTS
+                total[by] = total.get(by, 0.0) + force / instants
             for pair, depth in self._contacts.depths(self._data, deeper=RESTING).items():
-                deep[pair] = deep.get(pair, 0.0) + depth / INSTANTS
+                deep[pair] = deep.get(pair, 0.0) + depth / instants
         return total, deep
 
 

@@ -62,6 +62,8 @@ SOON = 0.5
 """How long a candidate is let go among sleepers, to see whether it stands squarely or falls [s]."""
 KEPT = 32
 """Compiled parts of a room that a world keeps."""
+MUCH = 0.25
+"""What moves by this share of what is tolerated is let go again with everything awake."""
 ROOMY = 4.0
 """An empty room is so much wider than what stands in it by itself, and so much higher [m]."""
 WIDER = 0.05
@@ -296,11 +298,15 @@ class World:
         return blamed(settled, self._left_alone(there))
 
     def _doubtful(self, settled: Settled) -> bool:
-        """Whether it fails, and not for having gone so far that nothing can change that."""
-        motion = settled.motion
+        """Whether it moved much or fails, and not by so much that nothing can change that.
+
+        What falls and strikes ends elsewhere for each hair's breadth by which a sleeper lies higher.
+        """
+        motion, limits = settled.motion, self._tolerances
         if max(motion.drift, motion.drop) > self._physics.lost:
             return False
-        return bool(judge_motion(motion, self._tolerances) or self._pressed(settled))
+        far = motion.drift > MUCH * limits.drift or motion.drop > MUCH * (limits.drop + limits.clearance)
+        return far or bool(judge_motion(motion, limits) or self._pressed(settled))
 
     def _wide_enough(
         self, candidate: Placement, asset: Asset, boxes: Boxes, there: frozenset[str], *, awake: bool

@@ -105,8 +105,10 @@ def truth(scene: Scene, before: End, placement: Placement, asset: Asset) -> Trut
             _measure("tilt", _turn(begin, end), limits.tilt),
         ]
     for id, pose in before.poses.items():
-        found.append(_measure(f"shift of {id}", _shift(pose, after.poses[id]), limits.pushed))
-        found.append(_measure(f"turn of {id}", _turn(pose, after.poses[id]), limits.tilt))
+        # What stays where it was put is not pushed, though it had leaned over without the candidate upon it.
+        ends = (pose, before.start[id])
+        found.append(_measure(f"shift of {id}", min(_shift(end, after.poses[id]) for end in ends), limits.pushed))
+        found.append(_measure(f"turn of {id}", min(_turn(end, after.poses[id]) for end in ends), limits.tilt))
     for pair, depth in after.depths.items():
         if depth > before.depths.get(pair, 0.0) + limits.penetration / 10:
             found.append(_measure(f"depth of {' in '.join(pair)}", depth, limits.penetration))

@@ -20,14 +20,16 @@ from thinkblox.scene.scene import Scene
 from thinkblox.sim.environment import (
     Pictures,
     RandomPolicy,
+    ScriptedCarry,
     ScriptedDrive,
     ScriptedOpen,
+    ScriptedReach,
     make_environment,
     opened,
     rooms_of,
     run_episode,
 )
-from thinkblox.sim.environment.asking_for import moving, things
+from thinkblox.sim.environment.asking_for import moving, small_things, things
 from thinkblox.sim.environment.pictures import Picturing
 
 SHOWN = "A bedroom, 4 m by 4.5 m, with a double bed, two nightstands with a lamp on each, and a wardrobe."
@@ -48,10 +50,15 @@ def random_actions(scene: Scene, task: Any, robot: str, steps: int) -> tuple[flo
 
 
 def scripted(scene: Scene) -> "Counter[str]":
-    """What becomes of driving to everything and of opening everything."""
+    """What becomes of driving to and reaching everything, of opening everything, and of carrying what is small."""
     room = opened(rooms_of(scene)[0])
     found: Counter[str] = Counter()
-    for task, targets, script in (("drive", things(room), ScriptedDrive), ("open", moving(room), ScriptedOpen)):
+    for task, targets, script in (
+        ("drive", things(room), ScriptedDrive),
+        ("reach", things(room), ScriptedReach),
+        ("open", moving(room), ScriptedOpen),
+        ("carry", small_things(room), ScriptedCarry),
+    ):
         for target in targets:
             try:
                 environment = make_environment(scene, task, target, seed=SEED)  # type: ignore[arg-type]

@@ -23,6 +23,7 @@ def add_command(commands: "Commands") -> None:
     parser.add_argument("--out", metavar="DIR", type=Path, required=True, help="folder for the files, which is made")
     parser.add_argument("--flavor", metavar="NAME", help="of the MJCF: robosuite (its groups and sites) or mjx")
     parser.add_argument("--doors", action="store_true", help="with leaves on hinges in the doors, panes in the windows")
+    parser.add_argument("--thumbnails", action="store_true", help="small pictures of USD stages, for viewers of files")
     parser.add_argument("--overwrite", action="store_true", help="replace a folder that we wrote there earlier")
     parser.add_argument("--json", action="store_true", help="print the paths as JSON")
     parser.set_defaults(run=_export)
@@ -42,13 +43,9 @@ def _export(arguments: argparse.Namespace) -> int:
     chosen = formats_named(flavored(names, arguments.flavor))
     scene = load_scene(arguments.scene)
     out = export_scene(
-        scene,
-        arguments.out,
-        formats=names,
-        flavor=arguments.flavor,
-        doors=arguments.doors,
-        overwrite=arguments.overwrite,
-    )
+        scene, arguments.out, formats=names, flavor=arguments.flavor, doors=arguments.doors,
+        thumbnails=arguments.thumbnails, overwrite=arguments.overwrite,
+    )  # fmt: skip
     paths = [out / kind.file for kind in chosen]
     if arguments.json:
         print(json.dumps([str(path) for path in paths]))

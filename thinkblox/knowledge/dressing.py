@@ -35,12 +35,14 @@ class Dressing(Value, frozen=True, kw_only=True):
     Attributes:
         varied: categories that come in several colours, separated by commas.
         colours: these, separated by commas.
+        spare: what is put up besides where a room has too little to put things on, in the same notation.
         rooms: what else stands and hangs in a type of room, in the notation of `RoomType.contents`.
         tops: what is put on what, the first that fits.
     """
 
     varied: str
     colours: str
+    spare: tuple[str, ...]
     rooms: dict[str, tuple[str, ...]]
     tops: tuple[Tops, ...]
 

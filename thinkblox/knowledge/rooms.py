@@ -36,9 +36,11 @@ class RoomType(Value, frozen=True, kw_only=True):
         height: [m].
         contents: what it usually holds, what it is for first: "<count> <category> : <relation> <anchor> [each], ...".
         essentials: what everybody expects there, also where the prompt names other things; in the same form.
+        instead: what takes less floor and does as well where a thing of the contents finds none.
         seats_at: the table that people sit around there; empty where they do not meet around one.
         place: what each of its people has one of; empty where nobody has a place of their own.
         sleeps: people sleep in it.
+        narrow_beds: those who sleep there have single beds.
         reads: people read in it: there are books in its bookcases.
         public: people eat, meet or read together: a large table suits it.
         like: a wider type that it is one of; words mean in it what they mean there.
@@ -49,9 +51,11 @@ class RoomType(Value, frozen=True, kw_only=True):
     height: Positive = 2.6
     contents: tuple[str, ...]
     essentials: tuple[str, ...] = ()
+    instead: dict[str, str] = {}
     seats_at: str = ""
     place: str = ""
     sleeps: bool = False
+    narrow_beds: bool = False
     reads: bool = False
     public: bool = False
     like: str = ""

@@ -4,11 +4,13 @@ import numpy as np
 
 from thinkblox.brief import Brief
 from thinkblox.plan import Plan
+from thinkblox.planning.drawn_sizes import with_sizes
 from thinkblox.planning.openings import openings_wanted
 from thinkblox.planning.order import plan_brief
 from thinkblox.planning.orders import reordered
 from thinkblox.planning.rooms import is_open, larger, plan_room
 from thinkblox.planning.surfaces import with_surfaces
+from thinkblox.planning.tightness import fitted, is_essential, relieved
 from thinkblox.planning.variety import varied
 from thinkblox.scene.room import Room
 
@@ -27,12 +29,16 @@ class ExpertPlanner:
 
 __all__ = [
     "ExpertPlanner",
+    "fitted",
+    "is_essential",
     "is_open",
     "larger",
     "openings_wanted",
     "plan_brief",
     "plan_room",
+    "relieved",
     "reordered",
     "varied",
+    "with_sizes",
     "with_surfaces",
 ]

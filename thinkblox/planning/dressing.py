@@ -1,6 +1,6 @@
 """What makes a furnished room a lived-in one: more to stand and hang in it, and what lies on all that carries."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import cast
 
 import numpy as np
@@ -10,7 +10,7 @@ from thinkblox.assets import facts_of, kind_of
 from thinkblox.assets.category import Category
 from thinkblox.brief import RelationKind, Request
 from thinkblox.knowledge.dressing import dressing
-from thinkblox.knowledge.rooms import Usual
+from thinkblox.knowledge.rooms import Usual, read_usual
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.scene.asset import Surface
@@ -45,11 +45,21 @@ class Dresser:
 
     def furniture(self, scene: Scene) -> tuple[Target, ...]:
         """What else stands on the floor and hangs on the walls, largest first."""
+        usuals = self._table.furniture(self.plan.brief.room_type)
+        return self._more(scene, [(usual, self._lacking(scene, usual)) for usual in usuals])
+
+    def spare(self, scene: Scene) -> tuple[Target, ...]:
+        """What is put up where there is too little to put things on."""
+        return self._more(scene, [(usual, usual.count) for usual in read_usual(self._table.spare)])
+
+    def _lacking(self, scene: Scene, usual: Usual) -> int:
+        wanted = min(usual.count, _windows(scene)) if usual.relations[0][1] == "window" else usual.count
+        return wanted - self._there(scene, usual.category)
+
+    def _more(self, scene: Scene, wanted: Sequence[tuple[Usual, int]]) -> tuple[Target, ...]:
         targets: list[Target] = []
-        for usual in self._table.furniture(self.plan.brief.room_type):
+        for usual, count in wanted:
             ties = self._ties(scene, usual)
-            wanted = min(usual.count, _windows(scene)) if usual.relations[0][1] == "window" else usual.count
-            count = wanted - self._there(scene, usual.category)
             if ties is not None and count > 0 and self._is_welcome(usual.category):
                 targets += self._added(usual.category, count, ties)
         targets.sort(key=_rank)

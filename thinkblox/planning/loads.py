@@ -31,7 +31,7 @@ PACKED = 1.25
 """How much larger a top is than the things on it together: they differ, and stand in lines."""
 UNDER = 0.03
 """Air left above and beside what stands under a thing [m]."""
-_VARIED = 1.06
+_VARIED = 1.1
 """How much larger than usual a thing may come out."""
 _STEP = 0.02
 """To which heights are tried [m]."""
@@ -76,9 +76,10 @@ def _stands_over(anchor: Member | None) -> bool:
 
 
 def usual_size(member: Member, members: Members) -> Vec3:
-    """Its size by its words, where the prompt gives no other [m]."""
-    drawn = size_for(kind_of(member.category), frozenset(words_of(member, members)), np.random.default_rng(0))
-    x, y, z = (asked or usual for asked, usual in zip(member.request.size, drawn, strict=True))
+    """Its size by the seed or by its words, where the prompt gives no other [m]."""
+    usual = size_for(kind_of(member.category), frozenset(words_of(member, members)), np.random.default_rng(0))
+    sizes = zip(member.request.size, member.request.drawn, usual, strict=True)
+    x, y, z = (asked or own or general for asked, own, general in sizes)
     return (x, y, z)
 
 

@@ -19,6 +19,7 @@ from thinkblox.planning.openings import opening_notes
 from thinkblox.planning.parts import chosen_walls, free_parts
 from thinkblox.planning.sizes import size_note, size_of
 from thinkblox.planning.surfaces import surface_notes
+from thinkblox.planning.views import gather, keep_views
 from thinkblox.planning.walls import relations_in
 from thinkblox.scene.room import Room
 
@@ -51,11 +52,13 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
             tie_relation(brief, relation, members)
     deny((relation for relation in relations if relation.negated), members)
     imply(members, windows=any(opening.kind == "window" for opening in room.openings), free=brief.free)
+    gather(members)
+    keep_views(members)
     lower(members)
     count_off(members)
     targets = tuple(_target(member, members, room.height) for member in _ordered(members))
     sizes = (size_note(request) for request in brief.requests)
-    notes = (*filter(None, sizes), *opening_notes(brief, room), *surface_notes(brief, room))
+    notes = (*filter(None, sizes), *brief.left_out, *opening_notes(brief, room), *surface_notes(brief, room))
     return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
 
 

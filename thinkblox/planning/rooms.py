@@ -16,9 +16,11 @@ _NOTCH = 0.4
 """Share of each side that the missing corner of an L takes."""
 _SCALES = {"tiny": 0.75, "small": 0.85, "large": 1.25}
 _PROPORTIONS = {"hallway": (0.4, 0.45)}
-_USUAL_PROPORTION = (0.65, 0.95)
-_SPREAD = (1.0, 1.25)
-"""By how much a room whose size is left open may be larger than it needs to be."""
+_USUAL_PROPORTION = (0.55, 1.0)
+_SPREAD, _HALLS = 1.5, 1.2
+"""By how much a room whose size is left open may be larger than it needs to be, and one that is a hall anyway."""
+_SMALL, _LARGE = 20.0, 40.0
+"""Floors of rooms that vary most, and from which they vary as halls do [m2]."""
 _LEAST_SIDE = 1.8
 _NOT_NARROWER = 0.6
 """Least proportion of a room that is longer for what is to be far apart in it."""
@@ -57,7 +59,8 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     proportion = _proportion(brief, rng)
     if brief.width is not None and brief.depth is not None:
         return brief.width, brief.depth
-    area = brief.area if brief.area is not None else needed_area(brief) * _scale(brief) * rng.uniform(*_SPREAD)
+    least = needed_area(brief) * _scale(brief)
+    area = brief.area if brief.area is not None else least * rng.uniform(1.0, _spread(least))
     if brief.shape == "L":
         area /= 1.0 - _NOTCH**2
     digits = 2 if brief.area is not None else 1
@@ -70,6 +73,12 @@ def _sides(brief: Brief, rng: np.random.Generator) -> Vec2:
     if across > width:
         depth = max(depth, round(_NOT_NARROWER * across, 1))
     return max(width, least_width, across), max(depth, least_depth)
+
+
+def _spread(area: float) -> float:
+    """How much larger than it needs to be a room may be that needs so much floor [m2]."""
+    share = min(1.0, max(0.0, (_LARGE - area) / (_LARGE - _SMALL)))
+    return _HALLS + share * (_SPREAD - _HALLS)
 
 
 def _proportion(brief: Brief, rng: np.random.Generator) -> float:

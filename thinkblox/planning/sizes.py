@@ -27,6 +27,13 @@ OPEN: Measures = (None, None, None)
 
 def size_of(member: Member, members: Members, room_height: float) -> Measures:
     """What the asset of an object must measure in a room of that height [m]."""
+    needed, drawn = _needed(member, members, room_height), member.request.drawn
+    x, y, z = (need or own for need, own in zip(needed, drawn, strict=True))
+    return (x, y, z)
+
+
+def _needed(member: Member, members: Members, room_height: float) -> Measures:
+    """What it must measure for what is said of it, and for what is on, in, under and at it [m]."""
     kind = kind_of(member.category)
     depth, width, height = (s if _fits(s, kind, axis) else None for axis, s in enumerate(member.request.size))
     if height is None and FULL_HEIGHT in member.request.attributes and _fits(room_height - _BELOW_CEILING, kind, 2):

@@ -36,6 +36,8 @@ _FAR = 4.4
 """Free floor between things that are far from each other [m]."""
 _BOARD = 1.8
 """Free depth before a board [m]."""
+_BETWEEN_MATS = 0.5
+"""Free floor between mats in rows [m]."""
 _BESIDE, _IN_CORNER = 0.15, 0.9
 """Free width beside a piece along a wall, and beside one in a corner with its seats [m]."""
 
@@ -44,12 +46,13 @@ def needed_area(brief: Brief) -> float:
     """Floor that the brief's furniture takes with the space to use it, and not much less than is usual [m2]."""
     typical = room_type(brief.room_type).area
     if brief.empty:
-        return max(_EMPTY_AREA, _furniture_area(brief))
-    area = max(_furniture_area(brief), _TYPICAL_SHARE * typical)
+        return max(_EMPTY_AREA, furniture_area(brief))
+    area = max(furniture_area(brief), _TYPICAL_SHARE * typical)
     return max(area, _walls_area(brief))
 
 
-def _furniture_area(brief: Brief) -> float:
+def furniture_area(brief: Brief) -> float:
+    """Floor that the furniture of a brief takes with the space to use it, and the ways between [m2]."""
     return _DOOR_AREA + _WAYS * sum(r.count * _own_area(brief, r) for r in brief.requests) + _before_board(brief)
 
 
@@ -116,12 +119,20 @@ def _stands(request: Request) -> bool:
 
 
 def _own_area(brief: Brief, request: Request) -> float:
-    if not _stands(request) or _belongs_to_seating(brief, request):
+    mats = kind_of(request.category).flat and _in_rows(request)
+    if not (mats or _stands(request)) or _belongs_to_seating(brief, request):
         return 0.0
     depth, across, _ = _size(request)
+    if mats:
+        return (across + _BETWEEN_MATS) * (depth + _BETWEEN_MATS)
     across = max(across, _seated_width(brief, request))
     beside, before = _margins(brief, request)
     return (across + beside) * (depth + max(before, kind_of(request.category).clearance))
+
+
+def _in_rows(request: Request) -> bool:
+    """Whether such things lie in rows: mats, on each of which somebody has a place."""
+    return any(habit.kind == "in_rows" for habit in load_habits().of(request.category))
 
 
 def _seated_width(brief: Brief, request: Request) -> float:
@@ -181,7 +192,7 @@ def _is_against_wall(brief: Brief, request: Request) -> bool:
 def _size(request: Request) -> Vec3:
     """Size of what is requested, as asked or usual (along the front axis, across, up) [m]."""
     x, y, z = _usual_size(request.category, request.attributes, revision())
-    depth, width, height = request.size
+    depth, width, height = (size or own for size, own in zip(request.size, request.drawn, strict=True))
     return (depth or x, width or y, height or z)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from thinkblox.assets.stand_ins import stand_in
+from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
@@ -21,8 +21,9 @@ _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
 _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
-_MOST_FILLED = 6
+_MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
+_SINGLE = "single"
 
 
 def assume(draft: Draft, fill: Fill) -> None:
@@ -59,9 +60,19 @@ def stock(draft: Draft) -> None:
     if not room_type(draft.room).reads or sum(t.count or 1 for t in cases) > _MOST_FILLED:
         return
     for case in cases:
-        carries = any(b.kind == "on" and case in b.anchors for b in draft.bonds)
+        carries = any(b.kind in ("on", "inside") and case in b.anchors for b in draft.bonds)
         if not carries and not {"empty", "filled"} & set(case.attributes):
             case.attributes.append("filled")
+
+
+def bed_down(draft: Draft) -> None:
+    """Single beds where nobody says which: for children and students, and where there are several in a bedroom."""
+    beds = [t for t in draft.things if load_habits().is_in(t.noun, "own_bed")]
+    for bed in [t for t in beds if _SINGLE in kind_of(t.noun).variants]:
+        several = (bed.count or 1) > 1 and room_type(draft.room).sleeps
+        sized = bed.size is not None or not kind_of(bed.noun).variants.keys().isdisjoint(bed.attributes)
+        if (several or room_type(draft.room).narrow_beds) and not sized and not {"large", "big"} & set(bed.attributes):
+            bed.attributes.append(_SINGLE)
 
 
 def draw_up(draft: Draft) -> None:
@@ -75,7 +86,7 @@ def draw_up(draft: Draft) -> None:
     if not draft.people:
         _share_out(draft)
     seats = [t for t in draft.things if _is_upright(t)]
-    taken = {id(t) for t in seats if not t.asked and draft.bonds_of(t)}
+    taken = {id(t) for t in seats if _has_its_table(draft, t)}
     free = [t for t in seats if id(t) not in taken]
     for table in [t for t in draft.things if t.asked and not t.seats and _is_for_one(draft, t)]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
@@ -90,12 +101,20 @@ def draw_up(draft: Draft) -> None:
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
 
 
+def _has_its_table(draft: Draft, seat: Mention) -> bool:
+    """Whether a seat is spoken for: assumed for something, or asked to be at another table."""
+    bonds = draft.bonds_of(seat)
+    return any(b.kind in _DRAWN_UP and isinstance(a, Mention) for b in bonds for a in b.anchors) or (
+        bool(bonds) and not seat.asked
+    )
+
+
 def _is_for_one(draft: Draft, table: Mention) -> bool:
     """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
-    if not draft.people:
-        return True
     place = room_type(draft.room).place
-    return bool(place) and table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
+    if not draft.people or not place:
+        return True
+    return table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
 
 
 def _is_desk(thing: Mention) -> bool:
@@ -197,6 +216,8 @@ def _have_places(draft: Draft, category: str) -> bool:
     loungers = [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "lounges")]
     if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _ENOUGH_SEATS:
         return True
+    if load_habits().is_in(category, "meal_tables") and _has(draft, "sat_in"):
+        return True
     named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
     return category == room_type(draft.room).place and named
 
@@ -238,7 +259,9 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
-        if any(b.kind in _SEATED and thing in b.anchors for b in draft.bonds):
+        if drawn := [b.subject for b in draft.bonds if b.kind in _SEATED and thing in b.anchors]:
+            if len(drawn) == 1 and not drawn[0].asked:
+                drawn[0].count = thing.seats * (thing.count or 1)
             continue
         free = [t for t in draft.things if _is_chair(t) and not draft.bonds_of(t)]
         for seat in free:
@@ -256,10 +279,24 @@ def _seat(draft: Draft) -> None:
 
 
 def _staff(draft: Draft) -> None:
-    """Desks for the people of an office, where only "desks" are named."""
+    """Desks for the people of a room, and seats for the desks or tables, where only "desks" and "chairs" are named."""
+    place = room_type(draft.room).place
     for desk in draft.things:
-        if draft.people and desk.count is None and not desk.rows and desk.noun == room_type(draft.room).place:
+        own = desk.noun == place if place else _is_desk(desk)
+        if draft.people and desk.count is None and not desk.rows and own:
             desk.count = draft.people
+    bare = [t for t in draft.things if t.count is None and not t.rows and not draft.bonds_of(t)]
+    for seat in [t for t in bare if _is_upright(t)]:
+        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and t.count]
+        tables = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun) and not _is_sat_at(draft, t)]
+        if len(tables) == 1:
+            table, (kind, _, each) = tables[0]
+            seat.count = table.seats or each
+            draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+
+
+def _is_sat_at(draft: Draft, table: Mention) -> bool:
+    return any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds)
 
 
 def _give_places(draft: Draft) -> None:
@@ -331,7 +368,8 @@ def _build_in(draft: Draft) -> None:
     for thing in [t for t in alone if not any(b.kind == "on" for b in draft.bonds_of(t))]:
         cabinet = _add(draft, "base_cabinet", thing.count or 1)
         for bond in draft.bonds:
-            bond.subject = cabinet if bond.subject is thing else bond.subject
+            if bond.subject is thing:
+                draft.hand_over(bond, cabinet)
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))

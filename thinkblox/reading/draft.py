@@ -76,6 +76,26 @@ class Bond:
     told: bool = False
 
 
+class _Subjects:
+    """The bonds of a list by their subjects; what is appended to the list is found as well."""
+
+    def __init__(self, bonds: list[Bond]) -> None:
+        self._bonds = bonds
+        self._seen = 0
+        self._by_subject: dict[Mention, list[Bond]] = {}
+
+    def is_of(self, bonds: list[Bond]) -> bool:
+        """Whether it is of this very list, from which nothing was taken away."""
+        return self._bonds is bonds and self._seen <= len(bonds)
+
+    def bonds_of(self, thing: Mention) -> list[Bond]:
+        """The bonds whose subject is `thing`, in their order."""
+        for bond in self._bonds[self._seen :]:
+            self._by_subject.setdefault(bond.subject, []).append(bond)
+        self._seen = len(self._bonds)
+        return list(self._by_subject.get(thing, ()))
+
+
 @dataclass(eq=False)
 class Gap:
     """A door or window that was asked for; count 0 when there is to be none."""
@@ -107,10 +127,18 @@ class Draft:
     surfaces: list[SurfaceRequest] = field(default_factory=list)
     account: tuple[Word, ...] = ()
     themes: list[Theme] = field(default_factory=list)
+    _subjects: "_Subjects | None" = field(default=None, repr=False, compare=False)
 
     def bonds_of(self, thing: Mention) -> list[Bond]:
         """The bonds whose subject is `thing`."""
-        return [bond for bond in self.bonds if bond.subject is thing]
+        if self._subjects is None or not self._subjects.is_of(self.bonds):
+            self._subjects = _Subjects(self.bonds)
+        return self._subjects.bonds_of(thing)
+
+    def hand_over(self, bond: Bond, subject: Mention) -> None:
+        """Say of another thing what a bond says; nothing else may change the subject of a bond."""
+        bond.subject = subject
+        self._subjects = None
 
     def drop(self, thing: Mention) -> None:
         """Forget a thing and its bonds."""

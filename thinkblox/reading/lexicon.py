@@ -102,6 +102,7 @@ class Lexicon:
     contractions: Mapping[str, tuple[str, ...]]
     phrases: dict[tuple[str, ...], tuple[Entry, ...]] = field(default_factory=dict)
     prefixes: set[tuple[str, ...]] = field(default_factory=set)
+    _begun: dict[Sort, frozenset[str]] = field(default_factory=dict, repr=False, compare=False)
 
     def tokens(self, text: str) -> list[Token]:
         """The tokens of a text, with contractions ("zum", "du") spelt out, and whole phrases that say one look named.
@@ -127,12 +128,22 @@ class Lexicon:
 
     def _look_at(self, tokens: list[Token], at: int) -> tuple[str, int]:
         """The attribute that three or more words say which begin with a thing or a place, and how many they are."""
+        if tokens[at].text not in self.begun("attribute"):
+            return "", 0
         for length in range(LONGEST, 2, -1):
             key = tuple(token.text for token in tokens[at : at + length])
             looks = [e.value for e in self.phrases.get(key, ()) if e.sort == "attribute"]
             if looks and any(e.sort in ("place", "object") for e in self.phrases.get(key[:1], ())):
                 return looks[0], length
         return "", 0
+
+    def begun(self, sort: Sort) -> frozenset[str]:
+        """The first words of the phrases that have a meaning of such a sort."""
+        if sort not in self._begun:
+            self._begun[sort] = frozenset(
+                key[0] for key, entries in self.phrases.items() if any(entry.sort == sort for entry in entries)
+            )
+        return self._begun[sort]
 
     def longest(self, tokens: list[Token], start: int, most: int = LONGEST) -> Lexeme:
         """The longest phrase that begins at `start`, or a single token without a meaning."""
@@ -197,6 +208,7 @@ class Lexicon:
         if not key or entry in self.phrases.get(key, ()):
             return
         self.phrases[key] = (*self.phrases.get(key, ()), entry)
+        self._begun.clear()
         for end in range(1, len(key)):
             self.prefixes.add(key[:end])
 

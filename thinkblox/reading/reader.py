@@ -10,7 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, draw_up, stock
+from thinkblox.reading.assumptions import anticipated, assume, bed_down, draw_up, stock
 from thinkblox.reading.carriers import too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
@@ -89,6 +89,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft)
+        bed_down(draft)
     if fill == "essentials":
         stock(draft)
     _fit_tables(draft)
@@ -97,8 +98,9 @@ def _finish(draft: Draft, fill: Fill) -> None:
 def _settle_carriers(draft: Draft) -> None:
     """What has no inside carries on top, and furniture "on" a wall stands against it."""
     opposite = any(bond.anchors == ("opposite_wall",) for bond in draft.bonds)
+    shared = len({id(bond.subject) for bond in draft.bonds if bond.anchors == ("one_wall",)}) > 1
     for bond in draft.bonds:
-        if bond.anchors == ("one_wall",) and not opposite:
+        if bond.anchors == ("one_wall",) and not (opposite or shared):
             bond.anchors = ("wall",)
         anchor = bond.anchors[0] if bond.anchors else None
         if bond.kind == "inside" and isinstance(anchor, Mention) and load_habits().is_in(anchor.noun, *_TOPS):
@@ -108,7 +110,15 @@ def _settle_carriers(draft: Draft) -> None:
         elif bond.kind == "on" and isinstance(anchor, Mention) and not bond.negated:
             _prop(bond.subject, kind_of(anchor.noun))
         elif bond.kind == "above" and isinstance(anchor, Mention) and not bond.negated:
-            _hang_over(bond.subject, draft)
+            if _spans(kind_of(bond.subject.noun), kind_of(anchor.noun)):
+                bond.kind, bond.subject, bond.anchors = "under", anchor, (bond.subject,)
+            else:
+                _hang_over(bond.subject, draft)
+
+
+def _spans(kind: Category, other: Category) -> bool:
+    """Whether something stands on the floor over another thing there, as a loft bed over a desk."""
+    return kind.mount == other.mount == "floor" and "over" in kind.forms
 
 
 def _hang(bond: Bond, place: str) -> None:

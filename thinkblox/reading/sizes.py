@@ -127,8 +127,8 @@ def _number(lexicon: Lexicon, tokens: list[Token], start: int) -> tuple[float, i
     token = tokens[start]
     if token.kind == "number":
         return token.value, start + 1
-    lexeme = lexicon.longest(tokens, start)
-    if entry := lexeme.entry("count"):
+    lexeme = lexicon.longest(tokens, start) if token.text in lexicon.begun("count") else None
+    if lexeme is not None and (entry := lexeme.entry("count")):
         return float(entry.value), start + lexeme.length
     if token.text in _NOT_FINITE and start + 1 < len(tokens):
         unit, _ = _unit(lexicon, tokens, start + 1)

@@ -1,6 +1,7 @@
 """Ideas for seats at tables: drawn up to a desk, or evenly around a table."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -28,6 +29,8 @@ UNTUCKED = (0.0, -0.05, -0.1)
 """The same for what nobody sits on."""
 SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
 """Outward direction of each side in the table's own frame [degrees]."""
+OTHERWISE = 1.0
+"""Cost of sitting at other sides than at the tables alike."""
 SAME_SEAT = 0.15
 """A placed seat nearer than this to a place, seen along the edge, has taken it [m]."""
 
@@ -68,12 +71,26 @@ def _company_at(anchor: Placement, side: str, tie: Tie) -> list[Place]:
 
 def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     """Every arrangement of the whole company about the anchor; from each, the places that are still free."""
+    pattern = _pattern_elsewhere(situation, anchor, tie)
     for order, places in enumerate(_companies(situation, anchor, tie.count)):
+        other = OTHERWISE * (bool(pattern) and pattern != Counter(place.outward for place in places))
         free, strays, tucks = free_places(situation, anchor, places)
         spoilt = _spoilt(situation, anchor, free)
         for place in free:
-            cost = 0.4 * order + 2.0 * strays + sum(spoilt) - _from_middle(place)
+            cost = 0.4 * order + other + 2.0 * strays + sum(spoilt) - _from_middle(place)
             yield from seats(situation, anchor, place, cost=cost, tucks=tucks)
+
+
+def _pattern_elsewhere(situation: Situation, anchor: Placement, tie: Tie) -> Counter[float]:
+    """At how many sides of an alike table as many sit already; empty where there is none."""
+    targets = situation.observation.plan.targets
+    for table in situation.alike(anchor.id):
+        seats = situation.placed(
+            tuple(t.id for t in targets for k in t.ties if k.kind == "around" and table.id in k.anchors)
+        )
+        if len(seats) == tie.count and abs(table.size[0] - anchor.size[0]) < SAME_SEAT:
+            return Counter(90.0 * (round((p.yaw - table.yaw - 180.0) / 90.0) % 4) for p in seats)
+    return Counter()
 
 
 def _from_middle(place: Place) -> float:

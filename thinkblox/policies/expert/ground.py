@@ -16,6 +16,8 @@ NARROW_SHARE, LOW_SHARE = 0.01, 0.016
 """How much it counts what is narrow, or little higher than the sill, against what hides a window."""
 BARELY = 0.2
 """How far above the sill a head of a bed may reach before a window, where no wall is free [m]."""
+SEEN_OVER, IN_VIEW = 0.6, 4.0
+"""Height over which one looks from a sofa [m], and cost per metre of what is higher between it and a screen."""
 MOVABLE = 15.0
 """What is lighter than this is moved aside when the floor is needed [kg]."""
 
@@ -28,6 +30,8 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
     costs += in_the_way(situation, rects)
+    if situation.size[2] > SEEN_OVER:
+        costs += IN_VIEW * overlap_depth(rects, situation.views).max(-1, initial=0.0)
     if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
         near = separation(rects, situation.door_zones)
         costs += 0.8 * np.maximum(0.0, 0.35 - near).max(-1)

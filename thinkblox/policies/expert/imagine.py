@@ -52,6 +52,8 @@ WITHIN_CORNER = 3.0
 """How much better a low table stands within such a sofa than before all of it, which is not before it as measured."""
 SIDE_BY_SIDE = 4.0
 """Cost of two alike one behind the other that are to be next to each other."""
+CROWDED_SIDE = 6.0
+"""Cost of a second of two at the same side, where one belongs to each."""
 ASKEW = 4.0
 """Cost of turning a thing against what carries it, by whose sides others stand."""
 BY_ANOTHER = 2.0
@@ -301,8 +303,9 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     if tie.count > 1:
         sides = (sides[tie.index % 2], sides[1 - tie.index % 2])
     for rank, side in enumerate(sides):
+        taken = CROWDED_SIDE if tie.count == 2 and _has_sibling(situation, anchor, side) else 0.0
         for idea in beside.sides_of(situation, anchor, (side,)):
-            yield _dearer(idea, 0.3 * rank if tie.count > 1 else 0.0)
+            yield _dearer(idea, taken + (0.3 * rank if tie.count > 1 else 0.0))
     used = situation.scene.asset_of(anchor).front == "one"
     alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
     for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", IN_USE if used else 2.5)):
@@ -311,6 +314,13 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     for other in situation.alike(anchor.id):
         for idea in beside.sides_of(situation, other, sides):
             yield _dearer(idea, BY_ANOTHER)
+
+
+def _has_sibling(situation: Situation, anchor: Placement, side: str) -> bool:
+    """Whether another of the target's request stands at a side of the anchor."""
+    spots = (anchor.to_local((p.position[0], p.position[1])) for p in situation.siblings)
+    sign = 1.0 if side == "left" else -1.0
+    return any(abs(x) < anchor.size[0] / 2 and 0.0 < sign * y < anchor.size[1] / 2 + 1.0 for x, y in spots)
 
 
 def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -484,6 +494,8 @@ def _opposite(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Ide
 def _near(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
     if facts_of(anchor.category).is_in("boards") and situation.asset.gaze == "back":
         yield from open_floor.presenting(situation, anchor)
+    if _is_lounge(situation, anchor):
+        yield from open_floor.about_low_table(situation, anchor)
     along = 2.0 if _is_lounge(situation, anchor) else 0.2
     for idea in beside.sides_of(situation, anchor, ("left", "right", "front", "back")):
         yield _dearer(idea, along)

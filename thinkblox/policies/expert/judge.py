@@ -26,9 +26,13 @@ from thinkblox.value import Vec3
 HOPELESS = 50.0
 MOOD = 0.25
 """How much a seed may prefer one part of the room to another."""
-ZONED = 3.0
-"""How much more that is for large things that stand by no other: by them a room gets its zones."""
+ZONED = 4.0
+"""How much more that is for large things that stand by no other, as far as floor is to spare: they make the zones."""
+LEADING = 4.5
+"""How quickly that changes over the room for them, as a share of it: what is slow keeps them in the middle of walls."""
 UNMET_ASKED, UNMET_HABIT = 8.0, 1.5
+MISSED_BY, FAR_OFF = 0.4, 3.0
+"""Cost per metre by which it misses what it is to be close by, and the most of it."""
 DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
 FINALISTS, MOST_LOOKED_AT = 40, 400
@@ -75,12 +79,12 @@ def _mood(situation: Situation, rects: Rects, rng: np.random.Generator) -> Array
 
     It varies slowly over the room: ideas that differ in detail keep their order, so that what is even stays even.
     """
-    reach = max(situation.room.extent)
-    waves = rng.standard_normal((3, 2)) * 2.0 / reach
+    built = situation.facts.is_in("built_in_line")
+    leads = is_large(situation.size) and not situation.target.depends_on and not built
+    waves = rng.standard_normal((3, 2)) * (LEADING if leads else 2.0) / max(situation.room.extent)
     field = np.sin(rects.centre @ waves.T + rng.uniform(0.0, 2 * np.pi, 3)).mean(-1)
     turned = np.cos(rects.yaw - rng.uniform(0.0, 2 * np.pi))
-    leads = is_large(situation.size) and not situation.target.depends_on
-    mood = MOOD * (ZONED if leads else 1.0)
+    mood = MOOD * (1.0 + ZONED * situation.spare if leads else 1.0)
     return np.asarray(mood * (field + 0.5 * turned) + 0.002 * rng.standard_normal(len(rects)))
 
 
@@ -193,7 +197,16 @@ def _unmet(situation: Situation, idea: Idea) -> float:
         if not measure(scene, tie.kind, situation.target.id, tie.anchors, rows=tie.rows).holds:
             other = _holds_with_another(situation, scene, tie)
             cost += UNMET_HABIT * (tie.asked or not other) if other or not tie.asked else UNMET_ASKED
+            cost += _away(scene, situation.target.id, tie)
     return cost
+
+
+def _away(scene: Layout, id: str, tie: Tie) -> float:
+    """What it costs by how much a thing misses what it is to be close by: better two metres than ten."""
+    if tie.kind not in ("next_to", "near", "in_front_of") or not all(anchor in scene for anchor in tie.anchors):
+        return 0.0
+    own = scene[id].footprint
+    return min(FAR_OFF, MISSED_BY * min(float(own.distance(scene[anchor].footprint)) for anchor in tie.anchors))
 
 
 def _holds_with_another(situation: Situation, scene: Layout, tie: Tie) -> bool:

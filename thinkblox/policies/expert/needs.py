@@ -60,7 +60,7 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
         case "around":
             return Need(ALL_ROUND, depth + BEHIND_SEAT, None, 2 if tie.count <= 2 else 4, 2.5)
         case "at":
-            return Need(("front",), depth + BEHIND_SEAT, width, 1, 4.0)
+            return Need(("front",), depth + BEHIND_SEAT, width, 1, 6.0)
         case "in_front_of" | "near" if anchor.is_in("boards") and own.gaze == "back":
             return Need(("front",), BEFORE_BOARD + depth, None, 1, 1.0)
         case "in_front_of" | "at_foot_of":

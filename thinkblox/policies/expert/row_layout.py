@@ -11,6 +11,8 @@ from thinkblox.value import Vec2
 
 FACE_TO_FACE = (1.8, 1.6, 2.1, 1.4, 1.2)
 """Free distance between two rows that look at each other [m]."""
+UNEVEN = 1.5
+"""How much dearer a block is of which a corner stays empty, in other ways to share out the rows."""
 WITH_SEATS = (1.6, 1.4, 1.2)
 """Free distance between tables that people sit around, each way [m]."""
 WIDEST_WITH_SEATS = 2.4
@@ -35,8 +37,9 @@ class _Spacing:
 
 def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[RowLayout]:
     """Every way to lay out the members of a request in rows."""
-    for dear, rows in enumerate(_row_counts(tie)):
+    for rank, rows in enumerate(_row_counts(tie)):
         columns = -(-tie.count // rows)
+        dear = rank + UNEVEN * bool(tie.count % rows)
         for yaw in _directions(situation, facing, mutual=mutual):
             for spacing in _spacings(situation, rows, columns, yaw, mutual=mutual):
                 dearer = replace(spacing, cost=spacing.cost + 0.4 * dear)

@@ -1,5 +1,6 @@
 """The situation in which ideas are had: what stands, what is to come, and the floor that is spoken for."""
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -18,12 +19,18 @@ from thinkblox.scene.asset import AssetCard, Mount
 from thinkblox.scene.free_parts import parts
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
-from thinkblox.scene.room import Opening, Room
+from thinkblox.scene.room import Opening, Room, turn_between
+from thinkblox.scene.support import ON_FLOOR
 from thinkblox.scene.zones import beside, joined
 from thinkblox.value import Vec2, Vec3
 
 WINDOW_DEPTH = 0.3
 """How far into the room a window is kept free of tall furniture [m]."""
+
+FULL = 0.45
+"""Share of a floor that furniture takes at most for it to be used."""
+EYES = 1.1
+"""Height of the eyes of who sits in a lounge seat [m]."""
 
 WITHIN = 0.01
 """Depth from which the box of one thing reaches into that of another [m]."""
@@ -162,6 +169,19 @@ class Situation:
         return joined(zones)
 
     @cached_property
+    def views(self) -> Rects:
+        """The floor between lounge seats and what they look at across the room, where both stand."""
+        rows = []
+        for target in self.observation.plan.targets:
+            looks = (a for tie in target.ties if tie.kind in ("opposite", "facing") for a in tie.anchors)
+            for other in self.placed(tuple(looks)) if target.id in self.scene else ():
+                one = self.scene[target.id]
+                seats = [p for p in (one, other) if facts_of(p.category).is_in("lounges")]
+                if len(seats) == 1 and one.position[2] < ON_FLOOR > other.position[2]:
+                    rows.append(_between(one, other))
+        return Rects.of(rows)
+
+    @cached_property
     def promised(self) -> Rects:
         """The floor by placed objects that is meant for what is still to come, other than the target."""
         zones: list[Rects] = []
@@ -178,6 +198,8 @@ class Situation:
                         wanted = seat_need(tie, of=anchor.size, size=size)
                         wanted = wanted or need(later, tie, of=anchor.category, size=size)
                         zones += _sides_meant(anchor, wanted)
+                        if tie.kind == "opposite" and self.kind(later).mount == "floor":
+                            zones.append(Rects.of(_across(self.room, anchor, size)))
         return joined(zones)
 
     @cached_property
@@ -203,9 +225,23 @@ class Situation:
                 side = max(self.kind(t).size[:2]) + 0.9
                 rows.append(((x, y), (side, side), 0.0, 0.0, 1.5))
         loose = [t for t in later if t.id in seated and not any(map(_is_amid, t.ties))]
-        if loose and not rows:
+        if loose and not rows and not self._is_looked_across:
             rows.append(_in_the_middle(self.room, len(loose), self.kind(loose[0]).size))
         return Rects.of(rows)
+
+    @cached_property
+    def _is_looked_across(self) -> bool:
+        """Whether lounge seats look at something across the room: the middle is theirs."""
+        lounges = {t.id for t in self.observation.plan.targets if facts_of(t.category).is_in("lounges")}
+        ties = (tie for t in self.observation.plan.targets for tie in t.ties if t.id not in lounges)
+        return any(tie.kind in ("opposite", "facing") and not lounges.isdisjoint(tie.anchors) for tie in ties)
+
+    @cached_property
+    def spare(self) -> float:
+        """How freely the furniture of the plan can stand: 0 where it takes FULL of the floor, 1 where half of that."""
+        kinds = map(self.kind, self.observation.plan.targets)
+        taken = sum(k.size[0] * k.size[1] for k in kinds if k.mount == "floor" and is_large(k.size))
+        return min(1.0, max(0.0, 2.0 * (1.0 - taken / self.room.polygon.area / FULL)))
 
     @cached_property
     def followers(self) -> tuple[Target, ...]:
@@ -265,6 +301,26 @@ def _shares(category: str, attributes: tuple[str, ...], revision: int) -> Vec3:
     said = size_for(kind, frozenset(attributes), np.random.default_rng(0))
     usual = size_for(kind, frozenset(), np.random.default_rng(0))
     return (said[0] / usual[0], said[1] / usual[1], said[2] / usual[2])
+
+
+def _across(room: Room, anchor: Placement, size: Vec3) -> list[tuple[Vec2, Vec2, float, float, float]]:
+    """The floor by the wall that a thing looks at, for what is to stand there, as rows of `Rects.of`."""
+    rows = []
+    for wall in room.walls:
+        along, inward = wall.coordinates((anchor.position[0], anchor.position[1]))
+        if turn_between(wall.yaw, anchor.yaw) > 179.0 and inward > 1.0 and 0.0 < along < wall.length:
+            half = size[1] / 2
+            middle = min(max(along, half), max(half, wall.length - half))
+            rows.append((wall.point(middle, size[0] / 2), (size[0], size[1]), wall.yaw, 0.0, 1.5))
+    return rows[:1]
+
+
+def _between(one: Placement, other: Placement) -> tuple[Vec2, Vec2, float, float, float]:
+    """The floor between two things, as wide as the narrower of them, as a row of `Rects.of`."""
+    (ax, ay, _), (bx, by, _) = one.position, other.position
+    length = math.hypot(bx - ax, by - ay)
+    yaw = math.degrees(math.atan2(by - ay, bx - ax))
+    return ((ax + bx) / 2, (ay + by) / 2), (length, min(one.size[1], other.size[1])), yaw, 0.0, EYES
 
 
 def _is_amid(tie: Tie) -> bool:

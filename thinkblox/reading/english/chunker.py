@@ -10,7 +10,6 @@ from thinkblox.reading.english.phrase import PhraseReader
 from thinkblox.reading.english.places import two_walls_at
 from thinkblox.reading.english.surfaces import surface_at
 from thinkblox.reading.english.turns import correction_at
-from thinkblox.reading.english.unread import unread_at
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
@@ -147,7 +146,7 @@ class Cutter:
         return isinstance(last, Connector) and last.value == "leave"
 
     def _unread(self) -> Stray | None:
-        unread = unread_at(self.tokens, self.at)
+        unread = self._phrases.unread_at(self.at)
         if not unread or self._is_said_of_it():
             return None
         text = " ".join(part.shown for part in self.tokens[self.at : self.at + unread])
@@ -233,7 +232,7 @@ class Cutter:
                 return Connector("prepositions", "in", self.at, self.at + 1, "in")
         if (doing := self._participle()) is not None:
             return doing
-        if noun is not None and (link is None or self._is_noun(noun, link)):
+        if noun is not None and (link is None or (not self._is_placing(link) and self._is_noun(noun, link))):
             return noun
         last = self.made[-1] if self.made else None
         if link is not None and link.sort == "verbs" and link.value == "other" and self._after_preposition():
@@ -290,7 +289,9 @@ class Cutter:
         """Read a verb that no list has after "can", "should", "want to": it names nothing."""
         before, token = self._text_at(self.at - 1) if self.at else "", self.tokens[self.at]
         modal = grammar().lists["modals"]
-        if token.text in modal and before in grammar().lists["speakers"]:
+        if token.text in modal and (before in grammar().lists["speakers"] or self._after_people()):
+            return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        if before == "and" and self._goes_on_doing(modal):
             return Connector("fillers", "words", self.at, self.at + 1, token.shown)
         infinitive = before == "to" and self.at > 1 and self._text_at(self.at - 2) in grammar().lists["wishes"]
         if token.kind != "word" or not (before in modal or infinitive):
@@ -298,7 +299,22 @@ class Cutter:
         known = self._phrases.thing_at(self.at) is not None and not infinitive
         if known or grammar().at(self.tokens, self.at, *_LINKS, "determiners", "pronouns", "states"):
             return None
-        return Connector("fillers", "words", self.at, self.at + 1, token.shown)
+        people = isinstance(subject := self.made[-2] if len(self.made) > 1 else None, Noun) and subject.kind == "people"
+        return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
+
+    def _after_people(self) -> bool:
+        last = self.made[-1] if self.made else None
+        return isinstance(last, Noun) and last.kind == "people"
+
+    def _goes_on_doing(self, modal: frozenset[str]) -> bool:
+        """Whether a second verb follows "can work at a desk and": "relax on the sofa"."""
+        start = self.at
+        while start and self.tokens[start - 1].text not in ".;:!?":
+            start -= 1
+        wished = any(t.text in modal for t in self.tokens[start : self.at])
+        placed = grammar().at(self.tokens, self.at + 1, "prepositions") is not None
+        named = self._phrases.thing_at(self.at) is not None or self.tokens[self.at].text.endswith("s")
+        return wished and placed and not named and self.tokens[self.at].kind == "word"
 
     def _after_preposition(self) -> bool:
         last = self.made[-1] if self.made else None
@@ -306,6 +322,9 @@ class Cutter:
 
     def _link(self) -> Function | None:
         found = grammar().all_at(self.tokens, self.at, *_LINKS)
+        if not found:
+            return None
+        found = [function for function in found if not self.tokens[self.at + function.length - 1].glued]
         if not found:
             return None
         found = [function for function in found if not self._takes_bound(function)] or found
@@ -324,6 +343,10 @@ class Cutter:
         end = self.at + function.length
         cut = function.sort == "fillers" and function.length > 1 and self._text_at(end - 1) == "all"
         return cut and end < len(self.tokens) and self.tokens[end].kind != "mark"
+
+    def _is_placing(self, link: Function) -> bool:
+        """Whether "around six" after a noun is around them: "chairs around six tables", "a desk under two lamps"."""
+        return link.sort == "prepositions" and link.value in ("around", "under", "above") and self._after_noun()
 
     def _is_noun(self, noun: Noun, link: Function) -> bool:
         """Whether words that could also link others are a noun phrase: "the stand", "no lamp", "display fridge"."""
@@ -352,10 +375,22 @@ class Cutter:
     def _is_name_of_verb(self, noun: Noun, link: Function) -> bool:
         """Whether a verb begins the name of a listed thing: ", and display racks along the wall"."""
         last = self.made[-1] if self.made else None
+        if self._is_plural_name(noun, link):
+            return True
         listed = isinstance(last, Connector) and (last.sort == "joins" or last.value in ("comma", "with"))
         shown = link.sort == "verbs" and self.tokens[self.at].text in grammar().lists["naming_verbs"]
         first = self._phrases.thing_at(self.at + 1) if self.at + 1 < len(self.tokens) else None
         return listed and shown and first is not None and noun.kind == "thing" and noun.end - noun.start > 1
+
+    def _is_plural_name(self, noun: Noun, link: Function) -> bool:
+        """Whether a verb on -s is the plural of a thing: "watches and rings inside"."""
+        joint, before = self.made[-1:], self.made[-2:-1]
+        joined = bool(joint) and isinstance(joint[0], Connector) and joint[0].sort == "joins"
+        bare = bool(before) and isinstance(before[0], Noun) and before[0].kind == "thing" and before[0].plural
+        verb = link.sort == "verbs" and self.tokens[self.at].text.endswith("s")
+        if not (joined and bare and verb) or grammar().at(self.tokens, self.at + 1, "determiners", "count") is not None:
+            return False
+        return noun.kind == "thing" and self._phrases.thing_at(self.at) is not None
 
     def _participle(self) -> Connector | None:
         """Read a verb that no list has: "are chilling in the fridge", "a kiln humming in the corner"."""

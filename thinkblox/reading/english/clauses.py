@@ -161,7 +161,7 @@ class Clauses(Audit):
                 noun = whole
         if self._is_said_of_subject(noun):
             return
-        if self.separator and self._is_new_clause(noun):
+        if self.separator and (self._is_verb_left_out(noun) or self._is_new_clause(noun)):
             kept = self.separator
             topic = self.clause.members[:1] or (self.subject.things[:1] if self.subject else [])
             self.referents.topics += topic
@@ -191,7 +191,8 @@ class Clauses(Audit):
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""
-        if self._is_capacity(noun):
+        done = self._is_link(self._before(), "fillers", "doing") and noun.count is None and not noun.det
+        if self._is_capacity(noun) or done:
             return True
         if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
             return True
@@ -231,6 +232,17 @@ class Clauses(Audit):
         last = self._before()
         bare = not noun.det and noun.count is None and not noun.plural and noun.material != ""
         return bare and self._is_link(last, "verbs", "be") and self.predicate
+
+    def _is_verb_left_out(self, noun: Noun) -> bool:
+        """Whether a known thing is where a preposition says: "the sofa is by the wall, and the desk by the window"."""
+        placed = self.predicate and self.verb in ("be", "stand", "hang") and noun.definite and not noun.each
+        if not placed or self.subject is None or not self._is_link(self.peek(), "prepositions"):
+            return False
+        if self._is_link(self.peek(), "prepositions", "with", "of", "for", "as", "without"):
+            return False
+        told = any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
+        known = self.referents.named(noun)
+        return told and known is not None and known not in self.subject.things
 
     def _is_said_of_subject(self, noun: Noun) -> bool:
         """Take "a recliner", "glass" after "is" for what the subject is."""

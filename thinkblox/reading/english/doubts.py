@@ -34,6 +34,9 @@ class Doubts(Corrections):
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
         self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
+        for thing, link in self.circles:
+            if not any(bond.kind == "around" for bond in self.draft.bonds_of(thing)):
+                self._lose(link.start, link.end)
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
                 self.draft.unknown.append(f"{noun.text} (which of {thing.count}?)")
@@ -65,7 +68,7 @@ class Doubts(Corrections):
 
     def _numbers(self) -> set[int]:
         """Every number that something of the draft has: things, all of a kind together, rows, places, people."""
-        draft, found = self.draft, {self.draft.people}
+        draft, found = self.draft, {self.draft.people, *self.numbers}
         kinds: dict[str, int] = {}
         for thing in draft.things:
             total = self.referents.total(thing)
@@ -109,6 +112,8 @@ class Doubts(Corrections):
         hovers = bond.kind == "above" and is_small(thing) and not (hung or self._has_carrier(thing))
         if carried and (hovers or (bond.kind in _BESIDE and self._lies_nowhere(thing, anchor))):
             return f"{thing.text} {bond.kind.replace('_', ' ')} {anchor.text} (on what?)"
+        if bond.kind in ("on", "inside") and last_word(thing) in grammar().lists["sticking"]:
+            return f"{thing.text} on {anchor.text} (stuck to it?)"
         if bond.told and bond.kind == "on" and self._stands(thing) and not self._is_floor(anchor):
             return f"{thing.text} {bond.kind} {anchor.text} (hardly)"
         return ""
@@ -140,8 +145,9 @@ class Doubts(Corrections):
         return lies and not above and self.habits.is_in(anchor.noun, *_FURNITURE) and not is_small(anchor)
 
     def _are_many(self, bond: Bond) -> bool:
-        """Whether a bond is of several, of which some may have been told apart."""
-        return bond.subject.many or len(self.referents.family(bond.subject)) > 1
+        """Whether a bond is of several, of which some may have been told apart, or one of several that are so."""
+        alike = [b for b in self.draft.bonds if b.kind == bond.kind and b.anchors == bond.anchors]
+        return bond.subject.many or len(self.referents.family(bond.subject)) > 1 or len(alike) > 1
 
     def _is_lone_of_several(self, thing: Mention, anchors: list[Mention]) -> bool:
         """Whether one thing is said to be on, in or at several, and nothing tells which."""

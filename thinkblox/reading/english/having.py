@@ -18,6 +18,7 @@ class Having(Groups):
         self.negating = False
         noun = self._next_noun()
         if noun is not None and noun.kind == "abstract" and kind == "with":
+            self._hold_matter(noun)
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
@@ -26,6 +27,8 @@ class Having(Groups):
             if node is not None:
                 self._features(node.things[-1], noun)
                 return
+        if kind == "with" and noun is not None and self._is_among(noun):
+            return
         head = self._head_for(noun, kind)
         if head is None or (kind == "with" and noun is not None and self._is_of_room_again(noun, head)):
             return
@@ -71,6 +74,30 @@ class Having(Groups):
         """Whether the list before was of each: "tables, each covered with a cloth and set with two plates"."""
         said = [n.frame for n in self.frontier if n.frame is not None and n.frame.head is head]
         return self.separator in ("and", "comma", "comma_and") and any(frame.each for frame in said)
+
+    def _hold_matter(self, noun: Noun) -> None:
+        """Say of shelves "with supplies" that they are filled; of what, as "with paint", is not understood."""
+        node = next((n for n in reversed(self.frontier) if n.things), None)
+        head = node.things[-1] if node is not None else None
+        if head is None or not self._contains(head):
+            return
+        if noun.word in grammar().lists["goods"]:
+            head.attributes += ["filled"] if "filled" not in head.attributes else []
+        elif noun.word in grammar().lists["matter"]:
+            self._lose(noun.start, noun.end)
+
+    def _is_among(self, noun: Noun) -> bool:
+        """Take "with the sink in the middle" for where something just named is; among others that is not understood."""
+        known = self.referents.named(noun) if noun.kind == "thing" and noun.det == "the" else None
+        if known is None or known not in self.clause.members or not self._is_link(self.peek(1), "prepositions"):
+            return False
+        place = self._next_noun(2)
+        alone = not self._is_link(self.peek(3), "prepositions")
+        if alone and place is not None and place.value in ("middle", "centre"):
+            self._spend(noun)
+            self._go_past(place)
+            self._lose(noun.start, place.end)
+        return True
 
     def _is_of_room_again(self, noun: Noun, head: Node) -> bool:
         """Whether the room has it: "a sunroom full of plants, with two armchairs"."""
@@ -135,6 +162,9 @@ class Having(Groups):
             return self.subject if self.subject is not None and self.subject.things else None
         if self.each:
             return next((n for n in nodes if any(t.many for t in n.things)), nodes[0])
+        told = self._before(0)
+        if isinstance(told, Connector) and told.text.lower().startswith(("which ", "that ")) and not self.separator:
+            return nodes[0]
         covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
         if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not covers:
             outer = [n for n in nodes if n.frame is not None]

@@ -63,6 +63,7 @@ class Heads(Modifiers):
             return
         if last.known is not None:
             self._known_head(noun, self._kind_of_room(nouns) or last.known)
+            self._no_hallway(noun, nouns)
             self._modifiers(noun, named[:-1])
             self._kind_of_its_own(noun, named[:-1], last)
             return
@@ -73,10 +74,16 @@ class Heads(Modifiers):
         noun.plural |= singular(words[-1]) != words[-1]
         noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
 
+    def _no_hallway(self, noun: Noun, nouns: list[Unit]) -> None:
+        """Take a hall of some kind that we do not know for a room: a village hall is no hallway."""
+        if noun.kind == "room" and nouns[-1].text.lower() == "hall" and len(nouns) > 1:
+            noun.value = noun.value if self._kind_of_room(nouns) else "room"
+
     def _kind_of_room(self, nouns: list[Unit]) -> Known | None:
         """The gym of "a gym room"."""
         last, kind = nouns[-1].known, nouns[-2].known if len(nouns) > 1 else None
-        of_room = last is not None and last.entry.value == "room" and kind is not None and kind.entry.sort == "room"
+        general = last is not None and (last.entry.value == "room" or nouns[-1].text.lower() == "hall")
+        of_room = general and kind is not None and kind.entry.sort == "room"
         return kind if of_room else None
 
     def _is_columns(self, noun: Noun, nouns: list[Unit]) -> bool:

@@ -84,6 +84,7 @@ class Memberships(Ties):
         """Take a thing into a list: relate it to the head."""
         first = not frame.members
         if thing not in frame.members:
+            self.numbers.add(thing.count or 0)
             thing.count = (thing.count or 1) * frame.times if frame.times > 1 else thing.count
             frame.members.append(thing)
         head = frame.head.thing if frame.head is not None else None

@@ -27,7 +27,7 @@ class Descriptions(Rooms):
     def _adjective(self, said: Adjective) -> None:
         """Read "the sofa is red", "three of them chrome", "leave the middle free"."""
         self.draft.style += said.styles if not self.predicate else []
-        if self._is_another_like(said):
+        if self._is_another_like(said) or self._says_how_high(said):
             return
         if self.leaving or (self.predicate and self.subject is not None and self.subject.thing is None):
             return
@@ -42,6 +42,14 @@ class Descriptions(Rooms):
             thing.attributes += said.attributes if not self.negating else []
             thing.unshown += said.unshown if not self.negating else []
             thing.states += said.states if not self.negating else []
+
+    def _says_how_high(self, said: Adjective) -> bool:
+        """Say of "mounted high on the wall" that we do not see to it."""
+        hung = self._is_link(self._before(), "participles") or self._is_link(self._before(), "verbs", "hang", "stand")
+        placed = hung and self._is_link(self.peek(), "prepositions")
+        if placed and said.text.lower() == "high":
+            self._lose(said.start, said.end)
+        return placed and said.text.lower() in ("high", "low")
 
     def _is_another_like(self, said: Adjective) -> bool:
         """Read "a blue quilt on one and a yellow on the other", the second without its noun."""
@@ -133,7 +141,9 @@ class Descriptions(Rooms):
         kind = relation_kind(link.value)
         if kind in ("facing", "next_to"):
             bind(self.draft, Bond(kind, thing, (thing,)))
-        elif link.value != "around":
+        elif link.value == "around":
+            self.circles.append((thing, link))
+        else:
             self._lose(link.start, link.end)
 
     def _not_mutual(self, link: Connector, things: list[Mention]) -> None:

@@ -32,6 +32,8 @@ _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
 _ROUNDED = {"round", "oval", "square"}
 """Shapes of tables that have no two long sides."""
+_NUMBERS = {"three": 3, "four": 4}
+"""How many "all three" are."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -130,7 +132,8 @@ class Meanings:
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         kind = self._kind(where.word)
-        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything":
+        of_many = said.value == "all" and len(self.referents.standing(subjects)) > 1
+        if where.word in ("of", "for", "as", "with", "to", "from") or said.text.lower() == "everything" or of_many:
             return None
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
@@ -146,6 +149,16 @@ class Meanings:
             return self._fitting(Meaning(kind, (found,), told=True), subjects, noun) if found is not None else None
         if said.value == "other":
             return self._other(kind, subjects)
+        return self._them(where, said, subjects, likely, noun)
+
+    def _them(
+        self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
+    ) -> Meaning | None:
+        """What "them", "all three" and "each of them" mean."""
+        kind = self._kind(where.word)
+        if (number := _NUMBERS.get(said.text.lower().split()[-1])) and said.value == "them":
+            three = self.referents.latest(number, subjects)
+            return self._fitting(Meaning(kind, three, told=True), subjects, noun) if three else None
         two = self.referents.both(subjects) if said.text.lower().startswith("both") else ()
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
@@ -277,7 +290,10 @@ class Meanings:
     def _lies_at_side(self, said: Noun, subjects: list[Mention], noun: str, whole: Mention) -> bool:
         """Whether "the left end of the desk" is a place on its top, for what usually lies there."""
         habits = load_habits()
-        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det in ("my", "other"):
+        ends = said.text.lower().endswith((" end", " edge"))
+        if said.value not in ("left", "right", "front", "back", "side", "end") or said.det == "other":
+            return False
+        if said.det == "my" and not ends:
             return False
         name = subjects[-1].noun if subjects else noun
         lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))
@@ -304,6 +320,9 @@ class Meanings:
             return Meaning("on", (other,), told=True)
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
+        alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        if said.value == "middle" and said.det == "the" and alone and likely and not self._is_top(likely[0]):
+            return Meaning("on", self._middle_of_top(likely).anchors, told=True)
         carried = said.value in _CARRYING
         kind = "on" if carried else _WHOLE_BY.get(said.value, "")
         its = said.det == "my" and "their" not in said.text.lower()
@@ -327,6 +346,8 @@ class Meanings:
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
+            return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:
             return Meaning("next_to", (whole.value,), both=said.det in ("each", "either", "both"))
         if said.value == "middle" and whole.kind == "place" and whole.value.endswith("wall"):
@@ -374,7 +395,8 @@ class Meanings:
         wall = ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):
             return None
-        return Meaning("against_wall", (wall,))
+        hangs = self.place is not None and self.place.kind == "on" and str(self.place.anchors[0]).endswith("_wall")
+        return Meaning("on" if hangs else "against_wall", (wall,))
 
     # --- places
 
@@ -418,6 +440,9 @@ class Meanings:
             return self._middle_of_top(likely)
         return Meaning("in_centre", ("centre",))
 
+    def _is_top(self, thing: Mention) -> bool:
+        return load_habits().is_in(thing.noun, *_TOPS)
+
     def _middle_of_top(self, likely: list[Mention]) -> Meaning:
         """In the middle of what has a top: the likeliest, or what was named last."""
         named = (*likely, *reversed(self.referents.draft.things))
@@ -445,6 +470,8 @@ class Meanings:
         each = said.each or where.word == "per"
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])
+        if where.text.lower() == "across" and subjects and load_habits().is_in(subjects[-1].noun, "covers", "small"):
+            return None
         self.anchor, self.place = (kind, anchors[0]), None
         meaning = Meaning(kind, anchors, each=each, told=told)
         return self._fitting(meaning, subjects, word=where.word)
@@ -468,6 +495,7 @@ class Meanings:
         elif meaning.kind in ("per", "for"):
             meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
+            meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"
         elif word == "on" and habits.is_in(anchor.noun, "shelves") and is_small_name(name) and _is_open(anchor):
             meaning.kind = "inside"

@@ -106,7 +106,7 @@ class Naming(Several):
     def _is_one_of_them(self, noun: Noun, first: Mention) -> bool:
         """Whether "the nightstand by the door" is one of several; one that nothing tells from the others is noted."""
         single = not noun.plural and noun.count in (None, 1) and noun.det in ("the", "my")
-        if not single or self.referents.total(first) < 2 or first in self.referents.shared:
+        if not single or (self.referents.total(first) < 2 and not first.many) or first in self.referents.shared:
             return False
         if last_word(first) != noun.word or self._is_of_each(first):
             return False
@@ -237,6 +237,8 @@ class Naming(Several):
             self.groups[word] = thing
         if cornered:
             self.draft.bonds.append(Bond("in_corner", thing, ("corner",)))
+        if "facing" in noun.text.lower().split()[:-1] and noun.many:
+            self.draft.bonds.append(Bond("facing", thing, (thing,)))
         if noun.rows:
             self.draft.bonds.append(Bond("in_rows", thing, rows=max(noun.rows, 0)))
         self.referents.speak(thing)

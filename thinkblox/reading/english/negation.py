@@ -68,6 +68,15 @@ class Negation(Positions):
 
     def _gone(self) -> None:
         """Read "The popcorn machine is gone": it must not be there."""
+        before = self._before()
+        counted = isinstance(before, Noun) and (before.of_known or not before.definite)
+        counted &= isinstance(before, Noun) and (before.kind in ("thing", "number") or before.value == "one")
+        if counted and before is not None and not self.predicate:
+            self._lose_rest(before.start, before.end + 1)
+            fresh = self.meant.get(before.start, [])
+            for thing in fresh if isinstance(before, Noun) and before.kind == "thing" else ():
+                self.draft.drop(thing)
+            return
         things = self.subject.things if self.subject is not None and self.predicate else []
         if not things and self.clause.members:
             things = self.clause.members[-1:]
@@ -114,6 +123,11 @@ class Negation(Positions):
             self.draft.empty = True
 
     def _exclude_next(self) -> None:
+        noun = self.peek()
+        if isinstance(noun, Noun) and noun.kind == "part" and noun.det in ("a", "") and self.frontier:
+            self._go_past(noun)
+            self._lose(noun.start - 1, noun.end)
+            return
         self.excluding = True
 
     def _denies(self, noun: Noun) -> bool:

@@ -249,7 +249,8 @@ class Numbers(Verbs):
         link = self.peek()
         placed = [b.kind for b in self.draft.bonds_of(whole) if not b.implied and b.kind in _SIDES]
         elsewhere = isinstance(link, Connector) and link.value in _SIDES and placed and link.value not in placed
-        beyond = self.separator == "comma" and (whole in self.multiplied or bool(elsewhere))
+        walled = any(b.anchors and str(b.anchors[0]).endswith("_wall") for b in self.draft.bonds_of(whole))
+        beyond = self.separator == "comma" and (whole in self.multiplied or bool(elsewhere) or walled)
         if (self.separator != "and" and not beyond) or whole is self.referents.parted or whole is self.whole:
             return False
         if noun is not None and (noun.of_known or noun.attributes or noun.unshown):

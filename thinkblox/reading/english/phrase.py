@@ -98,7 +98,10 @@ class PhraseReader(Heads):
         verb = grammar().at(self.tokens, at, "verbs")
         if verb is None:
             return False
-        return grammar().at(self.tokens, at + verb.length, "determiners", "quantifiers", "count", "vague") is not None
+        after = at + verb.length
+        if grammar().at(self.tokens, after, "determiners", "quantifiers", "count", "vague") is not None:
+            return True
+        return grammar().at(self.tokens, after, "evaluative") is not None and self._starts_noun(after + 1)
 
     def _units(self, noun: Noun, at: int, units: Units) -> int:
         if noun.ordinal and grammar().at(self.tokens, at, "verbs", "participles") is not None:
@@ -134,9 +137,15 @@ class PhraseReader(Heads):
         said = self._known(at, "attribute", "style") is not None or bool(adjective_kinds(word) or degree_of(word))
         return said or grammar().at(self.tokens, at, "evaluative", "states") is not None
 
+    def unread_at(self, at: int) -> int:
+        """How many tokens a stretch that asks for what no room shows has at `at`; 0 where none begins there."""
+        if at not in self._unread:
+            self._unread[at] = unread_at(self.tokens, at)
+        return self._unread[at]
+
     def _is_unread(self, at: int) -> bool:
         """Whether words begin that nothing is made of; an animal after other words names a thing: "a porcelain dog"."""
-        return bool(unread_at(self.tokens, at)) and self.tokens[at].text not in grammar().lists["animals"]
+        return bool(self.unread_at(at)) and self.tokens[at].text not in grammar().lists["animals"]
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
@@ -215,6 +224,8 @@ class PhraseReader(Heads):
         text = self.tokens[at].text
         if text == "x" or (text in ("one", "ones") and (units.nouns or units.adjectives or noun.det)):
             return True
+        if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
+            return True
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
@@ -270,7 +281,8 @@ class PhraseReader(Heads):
 
     def _may_be_doing(self, noun: Noun, at: int, stop: Function) -> bool:
         """Whether a verb after what begins a phrase may belong to it: "the facing desks", not "two of them stand"."""
-        facing = self.tokens[at].text == "facing" and noun.det != "" and self._starts_noun(at + 1)
+        several = noun.det != "" or noun.count is not None
+        facing = self.tokens[at].text == "facing" and several and self._starts_noun(at + 1)
         before = self.tokens[at - 1].text
         ends = noun.det in ("other", "both", "all", "half", "none") or before in ("this", "that", "these", "those")
         ends |= noun.of_known and before in ("them", "which", "whom")

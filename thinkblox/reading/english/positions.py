@@ -90,7 +90,9 @@ class Positions(Subjects):
 
     def _stand(self, word: str) -> None:
         """Read what follows as what the subject stands to as `word` says."""
-        self._where(self._read_where(Connector("prepositions", word, self.at, self.at)))
+        said, self._began = self._before(0), self.at - 1
+        start, text = (said.start, said.text) if isinstance(said, Connector) else (self.at, "")
+        self._where(self._read_where(Connector("prepositions", word, start, start, text)))
 
     def _hang_from(self) -> None:
         """Read "hanging from the beam", which is next to it, and "hung along the wall", which is on it."""
@@ -120,6 +122,11 @@ class Positions(Subjects):
 
     def _where(self, where: Where) -> None:
         """Say where something is; a position that changes nothing is not understood."""
+        if where.noun is not None and where.noun.kind == "place":
+            if where.noun.det == "my" and where.noun.word == "side":
+                self._lose_where(where)
+                return
+            self._note_place(where.noun)
         before, self.laid = self._state_of_reading(), False
         self._say_where(where)
         if self._state_of_reading() == before and not self.laid:
@@ -144,7 +151,7 @@ class Positions(Subjects):
         if where.word == "turned":
             self._turned_to(where)
             return
-        if self._stands_on_part(where) or self._seats_people(where):
+        if self._stands_on_part(where) or self._seats_people(where) or self._shines_from(where):
             return
         if self._is_side_of_owner(where):
             self._lose_where(where)
@@ -212,6 +219,19 @@ class Positions(Subjects):
             return False
         thing.unshown.append(f"on {noun.text.lower()}")
         self._spend(noun)
+        return True
+
+    def _shines_from(self, where: Where) -> bool:
+        """Take the lamps of "soft lighting from two floor lamps" for lamps."""
+        noun, said = where.noun, self.chunks[self._began - 1] if self._began else None
+        light = isinstance(said, Noun) and said.kind == "abstract"
+        if where.word != "from" or noun is None or noun.kind != "thing" or not light or noun.det == "no":
+            return False
+        if not self.habits.is_in(noun.value, "lamps", "ceiling"):
+            return False
+        things = list(self.anchors(noun, [])[0])
+        self.clause.members += [thing for thing in things if thing not in self.clause.members]
+        self.frontier = [Node(things, self.clause)]
         return True
 
     def _seats_people(self, where: Where) -> bool:
@@ -318,6 +338,7 @@ class Positions(Subjects):
         if meaning is None or self._is_elsewhere_named(subjects):
             self._lose_where(where)
         if meaning is None:
+            self._ask_all_the_same(where)
             return
         self._mount(subjects, where)
         self._relate(subjects, meaning, negated=where.negated)
@@ -325,6 +346,12 @@ class Positions(Subjects):
             self._lose_where(where)
         if not where.negated:
             self._go_on_from(node, where, meaning)
+
+    def _ask_all_the_same(self, where: Where) -> None:
+        """Ask for what a relation that is not understood is to."""
+        noun = where.noun if where.word == "from" and not where.negated else None
+        if noun is not None and noun.kind == "thing" and noun.det != "no":
+            self.anchors(noun, [])
 
     def _is_mounted(self) -> bool:
         said = self.chunks[self._began - 1] if self._began else None
@@ -364,6 +391,9 @@ class Positions(Subjects):
             return
         said = self.chunks[self._began - 1] if self._began else None
         together = isinstance(said, Noun) and said.value == "all" and where.word in ("facing", "opposite", "around")
+        if meaning.kind == "on" and not meaning.told and where.noun.word in grammar().lists["stands"]:
+            alone = len(subjects) == 1 and anchors[0].count is None
+            anchors[0].count = subjects[0].count if alone and subjects[0].count else anchors[0].count
         if self.each and not meaning.told and where.noun.det == "a" and not together:
             anchors[0].count = sum(self.referents.total(t) for t in subjects)
             self.each = False
@@ -401,7 +431,7 @@ class Positions(Subjects):
             return
         for bond in self.draft.bonds:
             if bond.subject in subjects and bond.anchors and isinstance(bond.anchors[0], str) and bond.kind != "on":
-                bond.subject = carrier
+                self.draft.hand_over(bond, carrier)
         for front in self.front:
             place = isinstance(front.anchors[0], str) and front.kind != "on"
             front.used |= place
@@ -439,6 +469,7 @@ class Positions(Subjects):
             self.front = [*self.front[-_FRONTS:], Awaited(where, meaning)]
         else:
             self._lose_where(where)
+            self._ask_all_the_same(where)
         self.frontier = []
         self.clause = Listed(times=self.clause.times)
         self.subject = None

@@ -111,6 +111,8 @@ class Prepositions(Negation):
             return
         head = self.frontier[-1].thing if self.frontier else None
         if noun.kind != "thing" or head is None:
+            if noun.kind == "abstract":
+                self._hold_matter(noun)
             self._of_no_thing(noun)
             return
         word = last_word(head)
@@ -148,6 +150,8 @@ class Prepositions(Negation):
         if noun is None:
             return
         thing = self.frontier[-1].thing if self.frontier else None
+        awaited = [a for f in self.front[-1:] for a in f.anchors if isinstance(a, Mention)]
+        thing = awaited[0] if awaited and not self.frontier else thing
         if noun.kind in ("people", "number") and noun.count and thing is not None:
             if thing.seats and thing.seats != noun.count:
                 self._lose(link.start, noun.end)
@@ -155,9 +159,12 @@ class Prepositions(Negation):
                 thing.seats = noun.count
             self._go_past(noun)
         elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
-            self.draft.people = noun.count
+            self._for_people(noun)
             self._go_past(noun)
-        elif noun.kind == "thing" and thing is not None and (noun.count or noun.plural) and not noun.definite:
+        elif noun.kind == "thing" and noun.word in grammar().lists["animals"]:
+            self._spend(noun)
+            self._go_past(noun)
+        elif noun.kind == "thing" and thing is not None and self._is_contents(noun):
             self._open("hold")
         elif noun.kind == "thing" and not self.referents.named(noun) and (noun.named or noun.det == "the"):
             found = self._new(noun)
@@ -171,8 +178,16 @@ class Prepositions(Negation):
             if noun.kind == "thing" and thing is not None and noun.definite:
                 self._lose(link.start, noun.end)
 
+    def _is_contents(self, noun: Noun) -> bool:
+        """Whether it is what something is for and holds: "a mug for pens"."""
+        several = noun.count or noun.plural or (not noun.det and noun.text.lower().endswith("s"))
+        return not noun.definite and bool(several)
+
     def _as(self) -> None:
         noun = self._next_noun()
+        thing = self.frontier[-1].thing if self.frontier else None
+        if noun is not None and thing is not None and noun.word in grammar().lists["serving"]:
+            self.tables.add(thing)
         if noun is not None and noun.kind in ("thing", "room", "abstract") and noun.count in (None, 1):
             self._spend(noun)
             self._go_past(noun)

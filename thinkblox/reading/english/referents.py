@@ -158,6 +158,15 @@ class Referents:
             return (standing[1], standing[0])
         return tuple(standing[:1])
 
+    def standing(self, besides: Sequence[Mention]) -> list[Mention]:
+        """The furniture that was spoken of last, `besides` some."""
+        return [t for t in self._recent() if not is_small(t) and t not in besides]
+
+    def latest(self, number: int, besides: Sequence[Mention]) -> tuple[Mention, ...]:
+        """The so many single things that were named last, in their order; nothing where one of them is several."""
+        found = [t for t in self.draft.things if t.asked and t not in besides][-number:]
+        return tuple(found) if len(found) == number and not any(t.many for t in found) else ()
+
     def last(self, subject: Sequence[Mention]) -> Mention | None:
         """What was spoken of last, furniture before what lies on it."""
         recent = [t for t in self._recent() if t not in subject]
@@ -317,6 +326,8 @@ def fits(thing: Mention, kind: str, noun: str = "") -> bool:
             )
         case "at_foot_of":
             return habits.is_in(thing.noun, "beds")
+        case "in_front_of" | "behind" if noun and habits.is_in(noun, *_FLOOR):
+            return not habits.is_in(thing.noun, "wallpieces")
         case "above" | "under":
             return not is_small(thing)
         case "at_long_side" | "at_short_side":

@@ -3,7 +3,10 @@
 from dataclasses import replace
 
 from thinkblox.assets.names import identifier_of
+from thinkblox.assets.plurals import singular
+from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.sizing import people
+from thinkblox.knowledge.rooms import room_type
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -11,6 +14,13 @@ from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
 from thinkblox.reading.sizes import Size
+
+_THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
+"""What rooms are called that are for children."""
+_PARTS = ("wall", "floor", "corner", "ceiling")
+"""Parts of a room that words before them tell apart."""
+_COMPASS = ("north", "south", "east", "west")
+"""What tells in which wall an opening is."""
 
 
 class Rooms(Memberships):
@@ -60,7 +70,7 @@ class Rooms(Memberships):
             self.at += 1
             self._room(replace(noun, kind="room", value="room"))
             return True
-        if noun.room:
+        if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
@@ -105,11 +115,11 @@ class Rooms(Memberships):
         if counted and self._is_link(self.peek(), "participles", "stand"):
             self._lose(noun.start, noun.end)
             return
-        if counted and self._is_listed_person():
+        if noun.count and not noun.each and (not self.draft.things or self._have_places(noun)):
+            self._for_people(noun)
+        elif counted and self._is_listed_person():
             self._lose(noun.start, noun.end)
             return
-        if noun.count and not self.draft.things and not noun.each:
-            self.draft.people = noun.count
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
         if everyone and self._is_link(self.peek(), "verbs", "have"):
             seats = (t.seats for t in reversed(self.draft.things) if t.seats)
@@ -119,6 +129,18 @@ class Rooms(Memberships):
                 self._lose(noun.start, noun.end)
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
+
+    def _for_people(self, noun: Noun) -> None:
+        """The room is for so many; children have one of their own."""
+        self.draft.people = noun.count or 0
+        children = noun.text.lower().split()[-1] in grammar().lists["children"]
+        if children and self.draft.room in _THEIRS:
+            self.draft.room = _THEIRS[self.draft.room]
+
+    def _have_places(self, noun: Noun) -> bool:
+        """Whether several who are listed among things are those who have places in such a room: pupils in a class."""
+        several = (noun.count or 0) > 1 and not self.draft.people and not noun.definite
+        return several and bool(self.separator) and bool(room_type(self.draft.room).place)
 
     def _is_listed_person(self) -> bool:
         """Whether somebody is listed among things: "two saws, with a dust collector between them"."""
@@ -139,8 +161,10 @@ class Rooms(Memberships):
         if name in ("centre", "corner") and not self.separator and self._is_link(self.peek(), "mark", "colon"):
             self._label_place(noun)
             return
+        self._lose_wall_of(noun)
         looks = [*noun.attributes, *noun.unshown]
-        if name in ("floor", "wall", "ceiling") and not noun.definite and looks:
+        strange = name in ("floor", "wall") and self._strange_word(noun) != ""
+        if name in ("floor", "wall", "ceiling") and not noun.definite and (looks or strange):
             self.draft.unknown.append(noun.text.lower())
             return
         if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
@@ -179,6 +203,45 @@ class Rooms(Memberships):
             if front.anchors and isinstance(front.anchors[0], str) and front.anchors[0].endswith("_wall"):
                 self.opening.wall = front.anchors[0]
         self.frontier = []
+
+    def _lose_wall_of(self, noun: Noun) -> None:
+        """Say of "a wall of monitors" that the monitors are no wall."""
+        of = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if noun.value == "wall" and of is not None and of.kind == "thing":
+            self._lose(noun.start, of.start)
+
+    def _note_place(self, noun: Noun) -> None:
+        """Say of "the third wall", "the adjacent wall" that we do not know which that is."""
+        if noun.value in ("window", "door"):
+            self._note_side(noun)
+        strange = self._strange_word(noun)
+        if strange and not self.account.is_lost(noun.start, noun.end):
+            self._lose(noun.start, noun.end)
+
+    def _strange_word(self, noun: Noun) -> str:
+        """A word before "wall", "floor", "corner" that says which or what it is like and means nothing to us."""
+        words = noun.text.lower().replace("-", " ").split()
+        if not words or noun.value.split()[0] in ("window", "door", "centre"):
+            return ""
+        last = next((n for n, word in enumerate(words) if singular(word) in _PARTS), 0)
+        known = grammar().lists["place_words"]
+        return next((word for word in words[:last] if not self._is_plain_word(word, known)), "")
+
+    def _is_plain_word(self, word: str, known: frozenset[str]) -> bool:
+        said = word in known or word in LOOKS or word[:1].isdigit() or "'" in word or "\u2019" in word
+        return said or grammar().knows(word, "determiners", "count", "evaluative", "fillers", "vague")
+
+    def _note_side(self, noun: Noun) -> None:
+        """Ask for the window of "under the east window" in that wall."""
+        wall = next((f"{word}_wall" for word in noun.text.lower().split() if word in _COMPASS), "")
+        same = [gap for gap in self.draft.openings if gap.kind == noun.value and gap.count]
+        if not wall or any(gap.wall == wall for gap in same):
+            return
+        loose = next((gap for gap in same if not gap.wall), None)
+        if loose is not None and loose.count == 1:
+            loose.wall = wall
+        else:
+            self.draft.openings.append(Gap(noun.value, 1, wall))
 
     def _stands_on_wall(self) -> bool:
         """Whether what comes says which wall an opening is in: "the door is on the north wall"."""

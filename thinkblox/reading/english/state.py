@@ -55,6 +55,9 @@ class State(Namer):
         laid: what was said last lies where it was said to lie before.
         meant: what the phrase at a token was taken for.
         unsure: phrases for one thing that several were named by, and these.
+        circles: things that were said to stand in a circle.
+        numbers: how many of each member of a list were said.
+        tables: things that serve as tables.
         spoken_of: what a pronoun of this sentence meant.
         untied: things that others were said to have, and no relation of ours says how, with their owners.
         sequence: on which side each of the things that come is of the one before ("from left to right").
@@ -91,6 +94,9 @@ class State(Namer):
         self.laid = False
         self.spoken_of: Mention | None = None
         self.meant: dict[int, list[Mention]] = {}
+        self.circles: list[tuple[Mention, Connector]] = []
+        self.numbers: set[int] = set()
+        self.tables: set[Mention] = set()
         self.unsure: list[tuple[Noun, Mention]] = []
         self.untied: list[tuple[Mention, Mention]] = []
         self.spent: set[tuple[int, int]] = set()

@@ -53,9 +53,19 @@ class Subjects(Having):
         if inner.frame is None:
             return self._past_anchor(nodes, where)
         head = inner.frame.head
+        if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
+            return Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return head
         return self._joined(inner, where)
+
+    def _lie_together(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether both lie there: "a pitcher with glasses on a side table"."""
+        noun, owner = where.noun, head.things[-1]
+        if noun is None or noun.kind != "thing" or where.word not in ("on", "on_top") or frame.each or noun.each:
+            return False
+        small = is_small(owner) and is_small(inner.things[-1]) and not self._contains(owner)
+        return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
 
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
@@ -189,7 +199,8 @@ class Subjects(Having):
         ):
             return inner
         if self._is_pronominal(where) and where.noun is not None:
-            return subject if not is_small(thing) and is_small(subject.things[-1]) else inner
+            aside = not is_small(thing) and is_small(subject.things[-1])
+            return subject if aside and (inner.known or where.word not in _BY_OWNER) else inner
         return inner
 
     def _joined(self, node: Node, where: Where) -> Node:
@@ -198,6 +209,8 @@ class Subjects(Having):
         frame = node.frame
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
+        if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
+            return Node([m for m in frame.members if m in self.draft.things], frame)
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
             "against_wall"

@@ -8,6 +8,8 @@ from thinkblox.reading.english.referents import is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+_PAIR = 2
+"""Of a longer list that was closed by "and", nothing more comes."""
 """How things stand to what they belong to more closely than to be beside it."""
 
 
@@ -29,9 +31,17 @@ class Ties(Relating):
             if tie in _CARRIED or tie == "next_to":
                 self.frontier = [head]
                 return frame
+        if self.clause.times > 1 and self.separator in ("comma", "comma_and") and self._is_group_told():
+            self.clause = Listed()
         if self.separator in ("and", "comma_and"):
             self.clause.closing = True
         return self.clause
+
+    def _is_group_told(self) -> bool:
+        """Whether what each of a group is was told to its end: "each a desk with a lamp and a chair, a sink"."""
+        inner = [n.frame for n in self.frontier if n.frame is not None and n.frame is not self.clause]
+        closed = [frame for frame in inner if frame.closing]
+        return self.clause.closing or any(len(f.members) > _PAIR or self._told_apart() for f in closed)
 
     def _told_apart(self) -> bool:
         """Whether what comes says that the thing just named is somewhere by itself."""
@@ -97,8 +107,16 @@ class Ties(Relating):
             case "part":
                 return self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
-                return None if frame.each and noun.value.split()[0] == "wall" else False
+                return None if self._may_share_place(frame, noun, thing) else False
         return None
+
+    def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
+        """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
+        head = frame.head.thing if frame.head is not None else None
+        seated = head is not None and self.habits.tie(thing.noun, head.noun) in ("at", "around")
+        if frame.each:
+            return place.value.split()[0] == "wall"
+        return seated and self.separator == "and" and frame.kind == "with"
 
     def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
         """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""
@@ -152,6 +170,7 @@ class Ties(Relating):
         usual = self.habits.tie(thing.noun, head.noun)
         lies = self._belongs(thing.noun, "small")
         lies |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
+        lies &= not (self.habits.is_in(thing.noun, "fitted") and is_small(head))
         lies_here = lies or first or usual == "on"
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
@@ -178,11 +197,12 @@ class Ties(Relating):
             return "inside"
         if usual:
             return usual
-        if self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
+        upright = not self.habits.is_in(thing.noun, "lounges") or self.habits.is_in(head.noun, "lounged_at")
+        if upright and self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
             return seated
         contains = self._contains(head)
         seats = (first or frame.each) and self.habits.is_in(head.noun, "seats")
-        flat = last_word(head) in grammar().lists["flat"]
+        flat = last_word(head) in grammar().lists["flat"] or head in self.tables
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
         lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
         if lies and carries and thing.noun != "tv":

@@ -19,11 +19,15 @@ def unread_at(tokens: Sequence[Token], at: int) -> int:
     if length := turn_at(tokens, at):
         return length
     words = [token.text for token in tokens[at : at + _LONGEST]]
+    if length := _degrees(words):
+        return _to_end(tokens, at, length)
     for reader in (_comparison, _money, _height, _state, _painted):
         if length := reader(words):
             return _to_end(tokens, at, length) if reader is _painted else length
     before = tokens[at - 1].text if at else ""
-    return 0 if _is_in(before, "before_animals") else _animal(tokens, at, words)
+    if grammar().lists["animals"].isdisjoint(words) or _is_in(before, "before_animals"):
+        return 0
+    return _animal(tokens, at, words)
 
 
 def _is_in(word: str, name: str) -> bool:
@@ -48,6 +52,14 @@ def _comparison(words: list[str]) -> int:
             fits = all(_is_in(word, "times") or word.isdigit() for word in words[:start])
             return start + 3 if fits and _is_in(words[start + 1], "comparable") else 0
     return 0
+
+
+def _degrees(words: list[str]) -> int:
+    """Read "at 45 degrees to the wall", "rotated by 30 degrees"."""
+    start = next((n for n, word in enumerate(words[:3]) if word[:1].isdigit()), 0)
+    if not start or words[0] not in ("at", "rotated", "turned", "angled", "tilted"):
+        return 0
+    return start + 2 if words[start + 1 : start + 2] in (["degrees"], ["degree"], ["\u00b0"]) else 0
 
 
 def _money(words: list[str]) -> int:

@@ -77,6 +77,8 @@ class Verbs(Prepositions):
         match link.value:
             case "have" | "consist":
                 self._have(link.value)
+            case "hold" | "carry" if self._is_link(self.peek(), "mark"):
+                self._lose(link.start, link.end)
             case "hold" | "carry":
                 self._open_of_subject(_held(link))
             case verb if verb in _STANDS:
@@ -141,7 +143,8 @@ class Verbs(Prepositions):
                 carrier = self.frontier[-1].thing if self.frontier else None
                 which = self._before(0)
                 said = which.text.lower() if isinstance(which, Connector) else ""
-                if said.startswith("on which") and carrier is not None and not self._belongs(carrier.noun, "small"):
+                told = said.startswith(("on which", "which", "that")) and carrier is not None
+                if told and carrier is not None and not self._belongs(carrier.noun, "small"):
                     self.separator = ""
                 self._open(kind)
             case "inside":

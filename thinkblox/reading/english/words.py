@@ -51,6 +51,7 @@ class Words:
         self._seen: dict[tuple[int, tuple[str, ...]], Known | None] = {}
         self._names: dict[str, ThingName | None] = {}
         self._sizes: dict[int, tuple[Size, int] | None] = {}
+        self._unread: dict[int, int] = {}
 
     def size_at(self, at: int) -> tuple[Size, int] | None:
         """The size that begins at `at`, and the token after it."""

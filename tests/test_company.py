@@ -1,0 +1,158 @@
+"""Rooms have what belongs together: seats at what one sits at, beds for who sleeps there, and a view from the sofa."""
+
+import pytest
+
+from thinkblox.assets import make_asset
+from thinkblox.knowledge.rooms import room_type
+from thinkblox.planning import fitted, plan_brief, plan_room, relieved, with_sizes
+from thinkblox.reading import read_brief
+
+
+def counts(prompt: str) -> dict[str, int]:
+    found: dict[str, int] = {}
+    for request in read_brief(prompt).requests:
+        found[request.category] = found.get(request.category, 0) + request.count
+    return found
+
+
+def attributes(prompt: str, category: str) -> tuple[str, ...]:
+    return next(r.attributes for r in read_brief(prompt).requests if r.category == category)
+
+
+def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
+    brief = read_brief(prompt)
+    plan = plan_brief(brief, plan_room(brief, rng=1))
+    return {target.id: [(tie.kind, tie.anchors) for tie in target.ties] for target in plan.targets}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seat", "number"),
+    [
+        ("A country kitchen with a big table for eight", "chair", 8),
+        ("A classroom with 20 desks and chairs for the pupils", "chair", 20),
+        ("An office with six desks and chairs", "chair", 6),
+        ("A restaurant with ten tables and chairs and a bar", "chair", 40),
+        ("A room for two children with two beds and two desks", "chair", 2),
+        ("A CEO's office with a large desk, a meeting table with six chairs and a sofa", "office_chair", 1),
+    ],
+)
+def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
+    assert counts(prompt)[seat] == number
+
+
+def test_pupils_that_are_listed_have_desks():
+    assert counts("A classroom with a teacher's desk, 24 pupils and a whiteboard")["school_desk"] == 24
+
+
+def test_a_sofa_is_not_drawn_up_to_a_meeting_table():
+    brief = read_brief("A CEO's office with a large desk, a meeting table with six chairs and a sofa")
+    assert not any(relation.subject == "sofa" for relation in brief.relations)
+
+
+@pytest.mark.parametrize("prompt", ["A room for two children", "A bedroom for two boys"])
+def test_a_room_for_children_is_a_childrens_room(prompt):
+    assert read_brief(prompt).room_type == "kids_room"
+
+
+def test_children_and_those_who_share_a_room_have_single_beds():
+    assert "single" in attributes("A girl's bedroom with a bed and a doll house", "bed")
+    assert "single" in attributes("A hotel room with twin beds and a desk", "bed")
+    assert "single" not in attributes("A bedroom with a bed and a wardrobe", "bed")
+    assert "single" not in attributes("A bedroom with two king beds", "bed")
+
+
+@pytest.mark.parametrize("prompt", ["A powder room, 1 m by 2 m", "A WC of 1.2 by 2 m", "A guest toilet, 1.2 by 2 m"])
+def test_a_toilet_is_a_room(prompt):
+    brief = read_brief(prompt)
+    assert (brief.room_type, brief.depth) == ("toilet_room", 2.0)
+    assert "bathtub" not in counts(prompt)
+
+
+def test_a_toilet_is_a_thing_too():
+    brief = read_brief("A bathroom with a WC and a shower")
+    assert (brief.room_type, counts(brief.prompt)["toilet"]) == ("bathroom", 1)
+
+
+def test_a_kitchenette_is_a_room_or_a_thing():
+    assert read_brief("A kitchenette with a fridge and a table for two").room_type == "kitchen"
+    brief = read_brief("A studio flat with a kitchenette, a bed and a sofa")
+    assert brief.room_type == "studio"
+    assert not brief.unknown
+    assert "kitchenette" in counts(brief.prompt)
+
+
+def test_booths_have_tables_of_their_own():
+    found = counts("A diner with six booths")
+    assert (found["booth"], "dining_table" in found) == (6, False)
+    tops = [s for s in make_asset("booth", seed=0).surfaces if s.position[2] > 0.7]
+    assert len(tops) == 1
+
+
+def test_every_basin_has_a_mirror():
+    assert counts("A bathroom with two sinks and a bathtub")["mirror"] == 2
+    assert counts("A bathroom with a double vanity")["mirror"] == 1
+
+
+def test_a_case_is_empty_for_what_is_asked_to_be_in_it():
+    brief = read_brief("A museum room with a display case and a vase in the display case")
+    plan = plan_brief(brief, plan_room(brief, rng=1))
+    assert "empty" in next(t.attributes for t in plan.targets if t.category == "display_case")
+
+
+def test_no_table_to_eat_at_claims_the_middle_before_a_screen():
+    found = ties("A living room with a sofa, a TV and a dining table for six")
+    assert ("in_centre", ("centre",)) not in found["dining_table_1"]
+    order = list(found)
+    assert order.index("tv_stand_1") < order.index("dining_table_1")
+    assert ("in_centre", ("centre",)) in ties("A dining room for six")["dining_table_1"]
+
+
+def test_a_second_sofa_joins_the_low_table():
+    found = ties("A living room with two sofas, a coffee table and a television")
+    assert found["sofa_2"] == [("next_to", ("coffee_table_1",))]
+    assert list(found).index("tv_stand_1") < list(found).index("sofa_2")
+
+
+def test_what_has_no_room_in_a_room_of_a_given_size_is_left_out_and_said():
+    brief = read_brief("A bedroom, 2.4 by 2.6 m")
+    less = fitted(brief)
+    assert {r.category for r in less.requests} < {r.category for r in brief.requests}
+    assert any(r.category == "bed" for r in less.requests)
+    assert set(less.left_out) <= set(plan_brief(less, plan_room(less, rng=1)).notes)
+
+
+def test_a_shower_does_where_a_bathtub_has_no_room():
+    brief = read_brief("A bathroom of 2 by 2.2 m")
+    while (less := relieved(brief)) is not None and "bathtub" in {r.category for r in brief.requests}:
+        brief = less
+    assert "shower_cabin" in {r.category for r in brief.requests}
+
+
+def test_what_is_named_and_what_it_needs_stays():
+    brief = read_brief("A living room, 2 by 3 m, with a sofa, a TV, a dining table and four chairs")
+    assert {r.category for r in brief.requests} == {r.category for r in fitted(brief).requests}
+
+
+def test_open_rooms_leave_nothing_out():
+    brief = read_brief("A bathroom")
+    assert fitted(brief) == brief
+    assert room_type("bathroom").instead["bathtub"] == "shower_cabin"
+
+
+def test_furniture_is_as_large_as_the_seed_has_it():
+    brief = read_brief("A living room with a sofa, a bookcase and two armchairs")
+    sizes = {with_sizes(brief, seed).request("sofa").drawn for seed in range(6)}
+    assert len(sizes) == 6
+    assert with_sizes(brief, 3) == with_sizes(brief, 3)
+
+
+def test_a_size_that_is_asked_for_is_kept():
+    brief = with_sizes(read_brief("A room with a table, 2 m long"), 5)
+    plan = plan_brief(brief, plan_room(brief, rng=1))
+    assert 2.0 in next(t.size for t in plan.targets if "table" in t.category)
+
+
+def test_in_a_room_of_a_given_size_furniture_is_hardly_larger_than_usual():
+    sized, free = (with_sizes(read_brief(p), 2) for p in ("A bedroom, 3 m by 3 m", "A bedroom"))
+    wide = [b.request("wardrobe").drawn[1] or 0.0 for b in (sized, free)]
+    assert wide[0] <= wide[1]

@@ -1,0 +1,68 @@
+"""How large the furniture of a room is that a prompt gives no size: it follows the seed, alike things are alike."""
+
+from zlib import crc32
+
+import numpy as np
+from msgspec.structs import replace
+
+from thinkblox.assets import kind_of
+from thinkblox.assets.category import Category
+from thinkblox.assets.sizing import size_for
+from thinkblox.brief import Brief, Measures, Request
+from thinkblox.planning.rooms import is_open
+
+_Range = tuple[float, float]
+_USUAL: tuple[_Range, _Range, _Range] = ((0.87, 1.16), (0.8, 1.28), (0.92, 1.1))
+"""Times the ordinary depth, width and height of furniture."""
+_SEAT: tuple[_Range, _Range, _Range] = ((0.92, 1.12), (0.92, 1.14), (0.95, 1.08))
+"""Of what one person sits on: bodies differ less than rooms."""
+_BED: tuple[_Range, _Range, _Range] = ((0.98, 1.03), (0.93, 1.2), (0.88, 1.15))
+"""Of beds, whose mattresses are made in a few lengths."""
+_TABLE: tuple[_Range, _Range, _Range] = ((0.9, 1.15), (0.92, 1.25), (0.97, 1.04))
+"""Of tables and desks, at which people sit upright."""
+_ONE = 0.75
+"""What is narrower than this is a seat for one [m]."""
+_SAID = 0.35
+"""How much of that is left where words say how large it is ("a king bed", "a table for six")."""
+_CLOSE = 0.25
+"""How much larger than usual things may be in a room of a given size, as a share of what they may be elsewhere."""
+_SALT = 3_000_017
+
+
+def with_sizes(brief: Brief, seed: int) -> Brief:
+    """The brief with sizes for the furniture that it gives none; the same seed gives the same."""
+    close = not is_open(brief)
+    return replace(brief, requests=tuple(replace(r, drawn=_drawn(r, seed, close=close)) for r in brief.requests))
+
+
+def _drawn(request: Request, seed: int, *, close: bool) -> Measures:
+    kind = kind_of(request.category)
+    if kind.mount != "floor" or kind.flat or not kind.variation or any(request.size) or kind.is_in("built_in_line"):
+        return request.drawn
+    rng = np.random.default_rng((seed, _SALT, crc32(request.category.encode())))
+    shares = rng.uniform(size=3)
+    words = frozenset(word.lower() for word in request.attributes)
+    told = not words.isdisjoint(kind.variants) or any(not word.isalpha() for word in words)
+    factors = [_factor(low, high, share, close=close) for (low, high), share in zip(_ranges(kind), shares, strict=True)]
+    usual = size_for(kind, words, np.random.default_rng(0))
+    if usual[0] == usual[1]:
+        factors[1] = factors[0]
+    least, most = kind.size_range
+    x, y, z = (
+        round(min(max(side * factor ** (_SAID if told else 1.0), a), b), 2)
+        for side, factor, a, b in zip(usual, factors, least, most, strict=True)
+    )
+    return (x, y, z)
+
+
+def _factor(low: float, high: float, share: float, *, close: bool) -> float:
+    top = 1.0 + _CLOSE * (high - 1.0) if close else high
+    return float(low * (top / low) ** share)
+
+
+def _ranges(kind: Category) -> tuple[_Range, _Range, _Range]:
+    if kind.is_in("lain_on", "own_bed"):
+        return _BED
+    if kind.is_in("seating") and kind.size[1] < _ONE:
+        return _SEAT
+    return _TABLE if kind.is_in("tables", "desks", "meal_tables", "counters") else _USUAL

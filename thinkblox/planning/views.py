@@ -1,0 +1,55 @@
+"""What people look at from where they lean back: nothing high stands in between, and seats gather about one table."""
+
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.plan import Tie
+from thinkblox.planning.members import Member, Members
+
+_ACROSS = ("opposite", "facing")
+_AT_WALLS = ("against_wall",)
+
+
+def keep_views(members: Members) -> None:
+    """A table to eat at waits for the seats and the screen that they look at, and does not claim the middle."""
+    seen = [m for m in members.all if _is_seen_across(members, m)]
+    for table in members.all if seen else ():
+        if not load_habits().is_in(table.category, "meal_tables") or any(tie.asked for tie in table.ties):
+            continue
+        table.ties = [tie for tie in table.ties if tie.kind != "in_centre"]
+        table.waits |= {m.id for m in seen if not members.depends(m, table)}
+
+
+def gather(members: Members) -> None:
+    """Of several lounge seats that nobody gave a place, the others join the low table before the first."""
+    for request in members.by_request.values():
+        loose = [m for m in request if load_habits().is_in(m.category, "lounges") and _is_loose(m)]
+        table = _low_table_of(members, request[0]) if len(request) > 1 and len(loose) == len(request) else None
+        if table is None:
+            continue
+        for number, seat in enumerate(loose[1:3]):
+            if not members.depends(table, seat):
+                seat.ties = [Tie(kind="next_to", anchors=(table.id,), index=number, asked=False)]
+                seat.waits |= {
+                    m.id for m in members.all if _is_seen_across(members, m) and not members.depends(m, seat)
+                }
+
+
+def _is_seen_across(members: Members, thing: Member) -> bool:
+    """Whether it stands across the room from where people lean back: a TV on its stand, a fire."""
+    anchors = [members.by_id.get(a) for tie in thing.ties if tie.kind in _ACROSS for a in tie.anchors]
+    looking = any(a is not None and load_habits().is_in(a.category, "lounges") for a in anchors)
+    return looking and thing.mount == "floor" and not load_habits().is_in(thing.category, "seating")
+
+
+def _is_loose(seat: Member) -> bool:
+    return bool(seat.ties) and all(not tie.asked and tie.kind in _AT_WALLS for tie in seat.ties)
+
+
+def _low_table_of(members: Members, seat: Member) -> Member | None:
+    """The low table that stands before a seat."""
+    before = (
+        m
+        for m in members.all
+        if load_habits().is_in(m.category, "lounged_at")
+        and any(tie.kind == "in_front_of" and seat.id in tie.anchors for tie in m.ties)
+    )
+    return next(before, None)
