@@ -429,6 +429,7 @@ def test_an_edited_room_has_its_score_and_so_has_one_taken_back() -> None:
         ("turn the stool into a plant", "replace"),
         ("i'd rather have a bench instead of the sofa", "replace"),
         ("get the stool out of the way", "resite"),
+        ("let the sofa face the desk", "turn"),
     ],
 )
 def test_an_order_is_told_however_it_is_said(said: str, doing: str) -> None:
@@ -506,6 +507,15 @@ def test_of_two_that_go_away_the_one_in_front_goes_first() -> None:
     before = living()
     after = done(before, "Move the sofa and the coffee table 20 cm away from the door").scene
     assert [after[id].yaw for id in ("sofa_1", "coffee_table_1")] == [90.0, 90.0]
+
+
+def test_the_other_side_and_the_middle_are_meant() -> None:
+    before = placed(living(), "stool", 3.0, 1.25)
+    assert measure(before, "behind", "stool_1", ("coffee_table_1",)).holds
+    after = done(before, "Move the stool to the other side of the coffee table").scene
+    assert measure(after, "in_front_of", "stool_1", ("coffee_table_1",)).holds
+    after = done(bedroom(), "Put the bed in the middle of the room").scene
+    assert math.dist(after["bed_1"].position[:2], (3.0, 2.5)) < 0.3
 
 
 def test_a_way_is_as_wide_as_is_said_or_wider() -> None:

@@ -29,7 +29,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
 """What each kind of order does something about, as fields of an Order."""
 _WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite")
 """Orders that are not begun where a word of them means nothing."""
-_SAID = {
+SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
     "spared": "what is excepted", "company": "what goes along", "mutual": "how they stand to each other",
     "together": "closer together", "scatter": "further apart", "facing": "what it faces", "turn": "an angle",
@@ -48,7 +48,7 @@ def check_heeded(order: Order) -> None:
         InputError: it says something that would be passed over.
     """
     heeded = HEEDED[order.doing]
-    over = [words for field, words in _SAID.items() if getattr(order, field) and field not in heeded]
+    over = [words for field, words in SAID.items() if getattr(order, field) and field not in heeded]
     if order.turn == 0.0:
         over.append("an angle of 0 degrees")
     if order.lost and order.doing in _WHOLE:

@@ -5,6 +5,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
+from msgspec import structs
+
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import findings, looking, mark_names, reach_goals, related, say
 from thinkblox.editing.carrying import usual_ties
@@ -27,7 +29,7 @@ from thinkblox.editing.grammar import sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
-from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots
+from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots, whole_floor
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
 from thinkblox.editing.work import Work
@@ -318,6 +320,10 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
 def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Places that the goals name, seen without the object and what rests on it."""
     empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+    before = work.scene[id]
+    if any(isinstance(goal, Related) and goal.kind == "in_centre" and goal.anchors == ("centre",) for goal in goals):
+        x, y = work.scene.room.polygon.centroid.coords[0]
+        yield from whole_floor(empty, work.asset_of(id), structs.replace(before, position=(x, y, before.position[2])))
     yield from spots(empty, work.asset_of(id), goals)
 
 

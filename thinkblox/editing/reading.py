@@ -10,7 +10,7 @@ from thinkblox.assets.plurals import singular
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
-from thinkblox.editing.heeding import check_heeded
+from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -220,6 +220,16 @@ class _OrderReader:
             order.doing = "turn"
         if self._around and order.facing:
             order.turn = None
+        if order.doing == "put" and self._only_looks():
+            order.doing = "turn"
+
+    def _only_looks(self) -> bool:
+        """Whether all that is asked of things is what they face: they are turned, and not moved far for that."""
+        order = self.order
+        said = any(getattr(order, field) for field in SAID if field not in ("facing", "company", "rest", "spared"))
+        known = all(phrase.noun.definite or phrase.id for phrase in order.things)
+        placed = any(phrase.places for phrase in order.things)
+        return bool(order.facing and order.things) and known and not placed and not said
 
     def _is_about_looks(self) -> bool:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""

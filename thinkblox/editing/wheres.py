@@ -177,8 +177,19 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     anchors = finder.ids(NounPhrase(whole), picks=(usual_anchor(category),))
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
+    if noun.value == "side" and noun.det == "other":
+        return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
+
+
+def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
+    """The side of a thing across from that at which stands what is moved."""
+    thing = finder.scene[anchor]
+    ahead, left = thing.to_local(_here(finder, _text(where)).position[:2])
+    if abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
+        return "behind" if ahead > 0 else "in_front_of"
+    return "right_of" if left > 0 else "left_of"
 
 
 def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor: str) -> PartOfTop | Literal[""]:
