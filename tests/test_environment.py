@@ -15,12 +15,11 @@ from dm_env import test_utils
 from gymnasium.utils.env_checker import check_env
 
 from tests.environment_rooms import FLOATING, MOUNTED, full_room, robot_room
-from tests.sim_rooms import asset, put
+from tests.sim_rooms import asset, box, put
 from thinkblox.errors import InputError
 from thinkblox.exporters.mjcf import mjcf_text
 from thinkblox.exporters.saving import write_scene
 from thinkblox.exporters.stocktaking import inventory_of
-from thinkblox.scene.asset import Shape
 from thinkblox.sim.environment import (
     Pictures,
     RandomPolicy,
@@ -187,10 +186,10 @@ def test_the_script_carries_a_vase_to_another_table() -> None:
 
 
 def test_what_has_no_flat_top_is_not_carried_by_the_script() -> None:
-    ball = Shape(kind="sphere", size=(0.1, 0.1, 0.1), position=(0.0, 0.0, 0.05))
-    kind = asset("ball", (0.1, 0.1, 0.1), ball, mass=0.3)
+    walls = [box((0.02, 0.2, 0.1), (x, 0.0, 0.05)) for x in (-0.09, 0.09)]
+    kind = asset("trough", (0.2, 0.2, 0.1), box((0.16, 0.2, 0.02), (0.0, 0.0, 0.01)), *walls, mass=0.5)
     scene = ROOM.with_placement(put(kind, 1.7, 1.2, 0.75, on="table_1"), kind)
-    environment = make_environment(scene, "carry", "ball_1", destination="desk_1", seed=0)
+    environment = make_environment(scene, "carry", "trough_1", destination="desk_1", seed=0)
     with pytest.raises(InputError, match="not flat"):
         ScriptedCarry(environment)(environment.reset())
 
