@@ -137,5 +137,6 @@ def test_progress_counts_what_is_still_to_come():
     numbers = [progress.number for progress in told]
     assert numbers == list(range(1, len(told) + 1))
     assert told[-1].number == told[-1].total
+    # Furniture, what lies about, and both once more where little was added.
     added = [progress for progress in told if progress.number > len(told) // 2]
-    assert sum(progress.number == progress.total for progress in added) <= 2
+    assert sum(progress.number == progress.total for progress in added) <= 4

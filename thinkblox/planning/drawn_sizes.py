@@ -20,6 +20,8 @@ _BED: tuple[_Range, _Range, _Range] = ((0.98, 1.03), (0.93, 1.2), (0.88, 1.15))
 """Of beds, whose mattresses are made in a few lengths."""
 _TABLE: tuple[_Range, _Range, _Range] = ((0.86, 1.2), (0.87, 1.3), (0.96, 1.05))
 """Of tables and desks, at which people sit upright."""
+_CARRIED = ("inside", "on", "under")
+"""Relations to what is not to come out small: it must hold what is named."""
 _ONE = 0.75
 """What is narrower than this is a seat for one [m]."""
 _SAID = 0.35
@@ -32,10 +34,12 @@ _SALT = 3_000_017
 def with_sizes(brief: Brief, seed: int) -> Brief:
     """The brief with sizes for the furniture that it gives none; the same seed gives the same."""
     close = not is_open(brief)
-    return replace(brief, requests=tuple(replace(r, drawn=_drawn(r, seed, close=close)) for r in brief.requests))
+    carriers = {anchor for r in brief.relations if r.kind in _CARRIED and not r.negated for anchor in r.anchors}
+    requests = (replace(r, drawn=_drawn(r, seed, close=close, carries=r.key in carriers)) for r in brief.requests)
+    return replace(brief, requests=tuple(requests))
 
 
-def _drawn(request: Request, seed: int, *, close: bool) -> Measures:
+def _drawn(request: Request, seed: int, *, close: bool, carries: bool) -> Measures:
     kind = kind_of(request.category)
     if kind.mount != "floor" or kind.flat or not kind.variation or any(request.size) or kind.is_in("built_in_line"):
         return request.drawn
@@ -44,9 +48,11 @@ def _drawn(request: Request, seed: int, *, close: bool) -> Measures:
     words = frozenset(word.lower() for word in request.attributes)
     told = not words.isdisjoint(kind.variants) or any(not word.isalpha() for word in words)
     factors = [_factor(low, high, share, close=close) for (low, high), share in zip(_ranges(kind), shares, strict=True)]
-    usual = size_for(kind, words, np.random.default_rng(0))
+    usual, plain = (size_for(kind, said, np.random.default_rng(0)) for said in (words, frozenset[str]()))
     if usual[0] == usual[1]:
         factors[1] = factors[0]
+    factors = [max(1.0, factor) for factor in factors] if carries else factors
+    factors = [_as_said(factor, side, of) for factor, side, of in zip(factors, usual, plain, strict=True)]
     least, most = kind.size_range
     x, y, z = (
         round(min(max(side * factor ** (_SAID if told else 1.0), a), b), 2)
@@ -58,6 +64,13 @@ def _drawn(request: Request, seed: int, *, close: bool) -> Measures:
 def _factor(low: float, high: float, share: float, *, close: bool) -> float:
     top = 1.0 + _CLOSE * (high - 1.0) if close else high
     return float(low * (top / low) ** share)
+
+
+def _as_said(factor: float, side: float, ordinary: float) -> float:
+    """A factor that leaves what is called large no smaller than that, and what is called small no larger."""
+    if side == ordinary:
+        return factor
+    return max(1.0, factor) if side > ordinary else min(1.0, factor)
 
 
 def _ranges(kind: Category) -> tuple[_Range, _Range, _Range]:
