@@ -76,6 +76,13 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     return _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
 
 
+def scale_of(words: Collection[str]) -> Vec3:
+    """How many times the ordinary extents what is called so has; 1 where no word says."""
+    scales = np.array([_SCALES[word] for word in words if word in _SCALES] or [(1.0, 1.0, 1.0)])
+    x, y, z = scales.prod(axis=0).tolist()
+    return (x, y, z)
+
+
 def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) -> Vec3:
     if not (category.seats and count):
         return size

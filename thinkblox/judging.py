@@ -5,6 +5,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 from zlib import crc32
 
+from thinkblox.assets.sizing import scale_of
 from thinkblox.assets.source import AssetSource, ProceduralAssets
 from thinkblox.brief import Measures
 from thinkblox.errors import InputError, UnavailableError
@@ -219,9 +220,23 @@ def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -
 
 
 def size_range(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:
-    """The least and greatest extents that things of an asset's category may have [m]; None where there is one size."""
+    """The least and greatest extents that an asset may be given [m]; None where there is one size.
+
+    They are those of its category; what is called large is not made smaller than an ordinary one, nor what is called
+    small larger.
+    """
     least, most = source.size_range(asset.category)
-    return None if least == most else (least, most)
+    if least == most:
+        return None
+    axes = zip(scale_of(asset.attributes), source.usual(asset.category)[0], least, most, strict=True)
+    lows, highs = zip(*(_as_called(*axis) for axis in axes), strict=True)
+    return (lows[0], lows[1], lows[2]), (highs[0], highs[1], highs[2])
+
+
+def _as_called(scale: float, usual: float, low: float, high: float) -> tuple[float, float]:
+    if scale > 1.0:
+        return min(max(low, usual), high), high
+    return low, max(min(high, usual), low) if scale < 1.0 else high
 
 
 def style_seed(scene: Scene) -> int:

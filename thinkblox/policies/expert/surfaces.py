@@ -13,7 +13,7 @@ from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.judge import boxes, depth_in_others
 from thinkblox.policies.expert.place_settings import by_seats
 from thinkblox.policies.expert.situation import Situation
-from thinkblox.policies.expert.sizing import SHRINK, scaled
+from thinkblox.policies.expert.sizing import SHRINK, scaled, shares_of
 from thinkblox.scene.asset import Surface
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.saying import turned
@@ -62,7 +62,7 @@ def _is_of_boards(anchor: Placement, surfaces: tuple[Surface, ...]) -> bool:
 
 def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple[Surface, ...]) -> Iterator[Idea]:
     """Places on some surfaces of the anchor, at the largest size that has room there beside what is there already."""
-    shares = SHRINK[:1] if any(situation.target.size) else SHRINK
+    shares = SHRINK[:1] if any(situation.target.size) else shares_of(situation.size, situation.observation.sizes)
     for step, share in enumerate(shares):
         size = scaled(situation.size, share)
         if share > shares[-1] and not _room_for_all(situation, surfaces, size, tie):
