@@ -254,17 +254,15 @@ class _Attempt:
 
     def _place(self, loop: Loop, target: Target, rng: np.random.Generator) -> str:
         """Place one object; says why when it could not be placed."""
-        placing = Placing(self.world, loop, target, rng)
+        placing, away = Placing(self.world, loop, target, rng), ""
         try:
             grown = placing.run()
             away = "" if grown is None else _misplaced(grown.scene, loop.plan, target)
         finally:
             self.assets |= placing.assets
-            self.rounds += [structs.replace(r, attempt=self.number) for r in placing.rounds]
+            rounds = (structs.replace(r, attempt=self.number) for r in placing.rounds)
+            self.rounds += [structs.replace(r, kept=False) if away else r for r in rounds]
         if away:
-            self.rounds[-len(placing.rounds) :] = [
-                structs.replace(r, kept=False) for r in self.rounds[-len(placing.rounds) :]
-            ]
             return away
         self.world = placing.world if grown is None else grown
         return "" if grown is not None else placing.reason or "no place was found"

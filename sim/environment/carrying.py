@@ -21,7 +21,7 @@ from thinkblox.sim.environment.opening import CUP, FIRST, HIGH, LAST, LOW
 from thinkblox.sim.environment.places import surface_outline
 from thinkblox.sim.environment.reaching import arm_free, places_near
 from thinkblox.sim.environment.task import Errand
-from thinkblox.sim.environment.ways import way
+from thinkblox.sim.environment.ways import way_to_place
 
 BODY = 0.21
 """What is held is at least so far from the base's middle [m]."""
@@ -243,16 +243,11 @@ def _plans(
     taking = _stands(errand, floor, [load.grip + np.array([0.0, 0.0, CUP])], load)
     putting = list(islice(_stands(errand, floor, _spots(errand, goal, load), load), _WAYS))
     for take in islice(taking, _WAYS):
-        first = _way(places.floor, index.pose[:2], take.middle)
+        first = way_to_place(places.floor, index.pose[:2], take.middle)
         for put in putting if first is not None else ():
-            second = _way(floor, (float(take.middle[0]), float(take.middle[1])), put.middle)
+            second = way_to_place(floor, (float(take.middle[0]), float(take.middle[1])), put.middle)
             if first is not None and second is not None:
                 yield take, put, first, second
-
-
-def _way(floor: BaseGeometry, start: tuple[float, float], middle: Array) -> NDArray[np.float64] | None:
-    found = way(floor, start, shapely.intersection(floor, Point(middle).buffer(0.05)))
-    return None if found is None else np.vstack([found, middle])
 
 
 def _stands(errand: Errand, floor: BaseGeometry, tools: Sequence[Array], load: Load) -> Iterator[Stand]:

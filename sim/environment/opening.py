@@ -3,21 +3,21 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import mujoco
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely import LineString, Point
+from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.errors import InputError
-from thinkblox.sim.environment.driving import Driver, limited, turn_to
+from thinkblox.sim.environment.driving import limited
 from thinkblox.sim.environment.goals import OPEN, OpenGoal
 from thinkblox.sim.environment.model_index import Array, ModelIndex
+from thinkblox.sim.environment.phases import PhasedScript
 from thinkblox.sim.environment.task import Errand
-from thinkblox.sim.environment.ways import way
+from thinkblox.sim.environment.ways import way_to_place
 
 CUP = 0.02
 """Radius of the cup [m]."""
@@ -41,8 +41,6 @@ _CLEAR = 0.3
 """So much must be free before a point that is touched [m]."""
 _BESIDE, _LEVEL = 0.022, 0.002
 """A front is flat where points so far away are level with it [m]."""
-
-Phase = Literal["way", "turn", "lift", "touch", "draw"]
 
 
 class OpeningMotion:
@@ -97,7 +95,7 @@ class Stance:
     way: NDArray[np.float64]
 
 
-class Opener:
+class Opener(PhasedScript):
     """Opens the door or drawer of an errand, step by step.
 
     Raises:
@@ -108,31 +106,13 @@ class Opener:
         index, goal = errand.index, errand.goal
         if not isinstance(goal, OpenGoal) or errand.robot.name != "picker":
             raise InputError("only the task 'open' with the robot 'picker' is solved by this script")
-        self._index, self._actuators = index, list(actuators)
         self._swing = OpeningMotion(index, goal)
         self._own = set(goal.parts.tolist())
         stance = next(_stances(errand, goal, self._swing), None)
         if stance is None:
             raise InputError(f"{errand.room.name}: there is no place from which the script can {goal.says()}")
         self._stance = stance
-        self._driver = Driver(index, actuators, stance.way)
-        self.phase: Phase = "way"
-
-    def action(self) -> NDArray[np.float64]:
-        """What all actuators are given."""
-        speeds = getattr(self, f"_{self.phase}")()
-        return np.array([speeds.get(name, 0.0) for name in self._actuators])
-
-    def _way(self) -> dict[str, float]:
-        ahead, turn = self._driver.speeds()
-        if self._driver.arrived:
-            self.phase = "turn"
-        return {"ahead": ahead, "turn": turn}
-
-    def _turn(self) -> dict[str, float]:
-        if abs(self._aside) < 0.01:
-            self.phase = "lift"
-        return {"turn": self._straight()}
+        super().__init__(index, actuators, stance.way, stance.yaw)
 
     def _lift(self) -> dict[str, float]:
         """To the height of what is touched, and level with it along the base's way."""
@@ -178,13 +158,6 @@ class Opener:
         ahead = self._ahead
         return np.array([-ahead[1], ahead[0]])
 
-    @property
-    def _aside(self) -> float:
-        return turn_to(self._index.pose[2], self._stance.yaw)
-
-    def _straight(self) -> float:
-        return limited(3.0 * self._aside, 0.8)
-
     def _touches(self) -> bool:
         return self._index.robot_touches(self._own)
 
@@ -196,9 +169,9 @@ def _stances(errand: Errand, goal: OpenGoal, swing: OpeningMotion) -> Iterator[S
     for aside in ASIDE:
         for touch, out in points:
             for middle, yaw in _middles(floor, touch, _turned(-out[:2], aside), swing):
-                found = way(floor, start, shapely.intersection(floor, Point(middle).buffer(0.05)))
+                found = way_to_place(floor, start, middle)
                 if found is not None:
-                    yield Stance(yaw, touch, out, np.vstack([found, middle]))
+                    yield Stance(yaw, touch, out, found)
                 tried += 1
                 if tried >= _TRIED:
                     return

@@ -88,46 +88,38 @@ class ScriptedDrive:
         return found
 
 
-class ScriptedOpen:
+class _Script:
+    """Solves a task by a script that is begun anew with every episode."""
+
+    _begun: type[Opener | Reacher | Carrier]
+
+    def __init__(self, environment: Any) -> None:
+        self._environment = environment
+        self._solver: Opener | Reacher | Carrier | None = None
+
+    def __call__(self, told: Any) -> NDArray[np.float64]:
+        """The next action; raises InputError at the beginning of an episode when the script cannot do it."""
+        if told.first() or self._solver is None:
+            self._solver = self._begun(self._environment.task.errand, _names(self._environment))
+        return self._solver.action()
+
+
+class ScriptedOpen(_Script):
     """Solves `open` with "picker": drives before a door or drawer, holds its front by suction, and draws it open."""
 
-    def __init__(self, environment: Any) -> None:
-        self._environment = environment
-        self._opener: Opener | None = None
-
-    def __call__(self, told: Any) -> NDArray[np.float64]:
-        """The next action; raises InputError at the beginning of an episode when there is no place to do it from."""
-        if told.first() or self._opener is None:
-            self._opener = Opener(self._environment.task.errand, _names(self._environment))
-        return self._opener.action()
+    _begun = Opener
 
 
-class ScriptedReach:
+class ScriptedReach(_Script):
     """Solves `reach` with "picker": drives to where its arm comes past everything to the object, and reaches out."""
 
-    def __init__(self, environment: Any) -> None:
-        self._environment = environment
-        self._reacher: Reacher | None = None
-
-    def __call__(self, told: Any) -> NDArray[np.float64]:
-        """The next action; raises InputError at the beginning of an episode when there is no place to do it from."""
-        if told.first() or self._reacher is None:
-            self._reacher = Reacher(self._environment.task.errand, _names(self._environment))
-        return self._reacher.action()
+    _begun = Reacher
 
 
-class ScriptedCarry:
+class ScriptedCarry(_Script):
     """Solves `carry` with "picker" for things with a flat top: takes them by that, and carries them over everything."""
 
-    def __init__(self, environment: Any) -> None:
-        self._environment = environment
-        self._carrier: Carrier | None = None
-
-    def __call__(self, told: Any) -> NDArray[np.float64]:
-        """The next action; raises InputError at the beginning of an episode when it cannot be done by this script."""
-        if told.first() or self._carrier is None:
-            self._carrier = Carrier(self._environment.task.errand, _names(self._environment))
-        return self._carrier.action()
+    _begun = Carrier
 
 
 def _names(environment: Any) -> list[str]:

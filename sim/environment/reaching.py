@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
-from typing import Literal
 
 import numpy as np
 import shapely
@@ -13,12 +12,13 @@ from shapely import Point
 from shapely.geometry.base import BaseGeometry
 
 from thinkblox.errors import InputError
-from thinkblox.sim.environment.driving import Driver, limited, turn_to
+from thinkblox.sim.environment.driving import limited
 from thinkblox.sim.environment.goals import TOUCHING, ReachGoal
 from thinkblox.sim.environment.model_index import Array, ModelIndex
 from thinkblox.sim.environment.opening import CUP, FIRST, HIGH, LAST, LOW
+from thinkblox.sim.environment.phases import PhasedScript
 from thinkblox.sim.environment.task import Errand
-from thinkblox.sim.environment.ways import way
+from thinkblox.sim.environment.ways import way_to_place
 
 NEAR = TOUCHING - 0.015
 """How near the tool is to come [m]."""
@@ -34,8 +34,6 @@ _BEGINS = 0.1
 _GRID = 0.08
 _SOLID = np.array([0, 0, 0, 1, 0, 0], np.uint8)
 
-Phase = Literal["way", "turn", "lift", "reach_out"]
-
 
 @dataclass(frozen=True)
 class Reach:
@@ -46,7 +44,7 @@ class Reach:
     tool: Array
 
 
-class Reacher:
+class Reacher(PhasedScript):
     """Reaches the object of an errand, step by step.
 
     Raises:
@@ -56,29 +54,11 @@ class Reacher:
     def __init__(self, errand: Errand, actuators: Sequence[str]) -> None:
         if not isinstance(errand.goal, ReachGoal) or errand.robot.name != "picker":
             raise InputError("only the task 'reach' with the robot 'picker' is solved by this script")
-        self._index, self._actuators = errand.index, list(actuators)
         found = next(_ways(errand, errand.goal.id), None)
         if found is None:
             raise InputError(f"{errand.room.name}: there is no place from which the script can {errand.goal.says()}")
         self._reach, corners = found
-        self._driver = Driver(errand.index, actuators, corners)
-        self.phase: Phase = "way"
-
-    def action(self) -> NDArray[np.float64]:
-        """What all actuators are given."""
-        speeds = getattr(self, f"_{self.phase}")()
-        return np.array([speeds.get(name, 0.0) for name in self._actuators])
-
-    def _way(self) -> dict[str, float]:
-        ahead, turn = self._driver.speeds()
-        if self._driver.arrived:
-            self.phase = "turn"
-        return {"ahead": ahead, "turn": turn}
-
-    def _turn(self) -> dict[str, float]:
-        if abs(self._aside) < 0.01:
-            self.phase = "lift"
-        return {"turn": self._straight()}
+        super().__init__(errand.index, actuators, corners, self._reach.yaw)
 
     def _lift(self) -> dict[str, float]:
         away = float(self._reach.tool[2] - self._index.tool[2])
@@ -92,21 +72,14 @@ class Reacher:
         away = float((self._reach.tool - self._index.tool)[:2] @ left)
         return {"arm": limited(2.0 * away, 0.15), "turn": self._straight()}
 
-    @property
-    def _aside(self) -> float:
-        return turn_to(self._index.pose[2], self._reach.yaw)
-
-    def _straight(self) -> float:
-        return limited(3.0 * self._aside, 0.8)
-
 
 def _ways(errand: Errand, id: str) -> Iterator[tuple[Reach, NDArray[np.float64]]]:
     """How an object can be reached, each with a way there, the nearest places first."""
     floor, start = errand.places.floor, errand.index.pose[:2]
     for reach in islice(reaches(errand, id), _WAYS):
-        found = way(floor, start, shapely.intersection(floor, Point(reach.middle).buffer(0.05)))
+        found = way_to_place(floor, start, reach.middle)
         if found is not None:
-            yield reach, np.vstack([found, reach.middle])
+            yield reach, found
 
 
 def reaches(errand: Errand, id: str) -> Iterator[Reach]:

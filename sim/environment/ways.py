@@ -11,6 +11,8 @@ from shapely.geometry.base import BaseGeometry
 
 CELL = 0.05
 """Of the grid on which ways are sought [m]."""
+_AT_PLACE = 0.05
+"""A way to a place is sought to within this of it [m]."""
 _STEPS = [(dx, dy, math.hypot(dx, dy)) for dx in (-1, 0, 1) for dy in (-1, 0, 1) if dx or dy]
 
 
@@ -84,3 +86,11 @@ def _shortened(floor: BaseGeometry, points: NDArray[np.float64]) -> NDArray[np.f
         kept.append(ahead)
         at = ahead
     return np.asarray(points[kept])
+
+
+def way_to_place(
+    floor: BaseGeometry, start: tuple[float, float], middle: NDArray[np.float64]
+) -> NDArray[np.float64] | None:
+    """Corners (n, 2) of a way over a floor that ends exactly at a place (2,) [m]; None where there is none."""
+    found = way(floor, start, shapely.intersection(floor, Point(middle).buffer(_AT_PLACE)))
+    return None if found is None else np.vstack([found, middle])
