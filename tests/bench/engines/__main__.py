@@ -36,7 +36,7 @@ def interpreter(engine: str, home: Path) -> Path:
     Raises:
         RuntimeError: it cannot be installed; says why.
     """
-    place = home / PINS[engine].get("place", engine)
+    place = home / str(PINS[engine].get("place", engine))
     python = place / "bin" / "python"
     if not (place / "ready").exists():
         venv.create(place, with_pip=True, clear=True)
