@@ -39,6 +39,7 @@ class SaidPosition:
         whole: of what that noun is a part ("the left side of the bed").
         second: the other of "between A and B".
         of: what it can be about by its place, the nearest first; empty where it stands in front.
+        over: nouns before that to which the nearest was said to stand ("a chair next to the bed facing ...").
         led: what comes first after it, where it stands in front.
         verb: the verb between the nouns before and the preposition.
         end: the index of its last chunk.
@@ -49,6 +50,7 @@ class SaidPosition:
     whole: Noun | None = None
     second: Noun | None = None
     of: list[Noun] = field(default_factory=list)
+    over: list[Noun] = field(default_factory=list)
     led: Noun | None = None
     verb: Connector | None = None
     end: int = 0
@@ -166,7 +168,8 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
             found.verb = found.verb or verb
         before -= 1
     if _noun(said, before) is not None:
-        found.of = list(_nearest(said, before, verb=found.verb is not None or _is_loose(found)))
+        found.of = list(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)))
+        found.over = [noun for noun in _further(said, before) if noun not in found.of]
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):
         found.led = _led(said, found.end + 1)
     return found
@@ -178,7 +181,7 @@ def _is_loose(place: SaidPosition) -> bool:
     return place.whole is None and not telling and (place.to is None or place.to.kind in ("pronoun", "part", "place"))
 
 
-def _nearest(said: Sequence[Chunk], at: int, *, verb: bool) -> Iterator[Noun]:
+def _nearest(said: Sequence[Chunk], at: int, *, verb: bool, loose: bool) -> Iterator[Noun]:
     """What words after the noun at `at` can be about: it, what has it, what it is joined to; the subject of a verb."""
     while (noun := _noun(said, at)) is not None:
         if _link(said, at - 1, "prepositions", "of") and _noun(said, at - 2) is not None:
@@ -190,7 +193,7 @@ def _nearest(said: Sequence[Chunk], at: int, *, verb: bool) -> Iterator[Noun]:
             at -= 1
             if at > 0 and isinstance(before := said[at - 1], Connector) and _is_spatial(before):
                 return
-        elif at >= 0 and (_is_having(said[at]) or (verb and _is_within(said[at]))):
+        elif at >= 0 and (_is_having(said[at]) or ((verb or loose) and _is_within(said[at]))):
             at -= 1
             at -= _noun(said, at, "pronoun") is not None and _link(said, at - 1, "mark", "comma")
         at -= not verb and _link(said, at, "mark", "comma")

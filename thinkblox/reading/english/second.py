@@ -99,7 +99,7 @@ class SecondOpinion:
     def _about(self, place: SaidPosition, places: Sequence[SaidPosition]) -> str:
         """What is open about a position; empty where it was read as it stands there."""
         named = place.of[0] if place.of else place.led
-        subjects = self._things(named, *place.of[1:])
+        subjects = self._things(named, *place.of[1:], *(place.over if self._goes_on(place) else ()))
         if named is None or named.kind != "thing" or not subjects:
             return ""
         anchor = place.anchor
@@ -119,6 +119,13 @@ class SecondOpinion:
             return "how many?"
         return "which of them?" if self._is_of_more(place) else ""
 
+    def _goes_on(self, place: SaidPosition) -> bool:
+        """Whether a position may be about what stood before the one before: the noun between was named earlier."""
+        if not place.of or place.link.value in ("facing", "opposite"):
+            return True
+        before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
+        return bool(before & set(self._meant.get(place.of[0].start, ())))
+
     def _has_place(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
         """Whether any of the subjects is somewhere, as a place or a pronoun says."""
         if place.to is not None and place.to.kind == "place" and place.whole is None:
@@ -132,7 +139,7 @@ class SecondOpinion:
             return True
         told = [bond for bond in self._bonds(subjects) if not bond.implied]
         part = place.to if place.to is not None and place.to.kind == "part" else None
-        if part is not None and part.det == "other" and part.value == "end":
+        if part is not None and part.det == "other" and part.value == "end" and not _is_at_wall(told):
             return False
         beside = (b for b in told if b.told and b.kind in _BESIDE and not is_small(b.subject))
         return bool(told) and not any(self._lies(anchor) for bond in beside for anchor in parts_of(bond))
@@ -262,6 +269,10 @@ def _kinds(place: SaidPosition) -> Sequence[str]:
     if place.whole is not None and place.to is not None:
         return _OF_PART.get(place.to.value, ())
     return _MEANT.get(place.link.value, ())
+
+
+def _is_at_wall(bonds: Sequence[Bond]) -> bool:
+    return any(isinstance(anchor, str) and anchor.endswith("wall") for bond in bonds for anchor in bond.anchors)
 
 
 def _is_part_of_some(noun: Noun) -> bool:
