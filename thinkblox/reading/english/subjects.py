@@ -175,6 +175,13 @@ class Subjects(Having):
             return where.whole is None or where.whole.kind == "pronoun"
         return False
 
+    def _is_first_named(self, anchor: Node, where: Where) -> bool:
+        """Whether another thing follows what was just named for the first time: "a sign above the shelves behind ..."."""
+        thing = where.noun is not None and where.noun.kind == "thing" and where.word not in ("facing", "opposite")
+        before = self.chunks[self._began - 1] if self._began else None
+        named = self.named_by.get(anchor.things[-1])
+        return thing and not self.separator and named is not None and named is before
+
     def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
         """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
         inner = nodes[0]
@@ -186,7 +193,8 @@ class Subjects(Having):
             for b in self.draft.bonds_of(subject.things[-1])
         )
         apart = self.separator == "comma" and inner.known and not self._is_pronominal(where)
-        if inner.told or where.negated or apart or (inner.known and not is_small(subject.things[-1]) and not carries):
+        known = inner.known and not (carries or is_small(subject.things[-1]) or self._is_first_named(inner, where))
+        if inner.told or where.negated or apart or known:
             return subject
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
