@@ -1,6 +1,7 @@
 """Brief to Plan: anchors first, then what belongs to them, then small things."""
 
 import heapq
+from collections.abc import Sequence
 
 from msgspec.structs import replace
 
@@ -8,7 +9,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import counts_as
-from thinkblox.plan import Plan, Target, is_object
+from thinkblox.plan import Due, Plan, Target, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
 from thinkblox.planning.groups import count_off, lower
@@ -56,7 +57,9 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     keep_views(members)
     lower(members)
     count_off(members)
-    targets = tuple(_target(member, members, room.height) for member in _ordered(members))
+    ordered = _ordered(members)
+    due = _due(members, ordered)
+    targets = tuple(_target(member, members, room.height, due.get(member.id, ())) for member in ordered)
     sizes = (size_note(request) for request in brief.requests)
     notes = (*filter(None, sizes), *brief.left_out, *opening_notes(brief, room), *surface_notes(brief, room))
     return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
@@ -75,7 +78,16 @@ def without_excluded(brief: Brief) -> Brief:
     return replace(brief, requests=tuple(r for r in brief.requests if r.key not in gone), relations=tuple(relations))
 
 
-def _target(member: Member, members: Members, room_height: float) -> Target:
+def _due(members: Members, ordered: Sequence[Member]) -> dict[str, list[Due]]:
+    """What is due, by the id of who is placed last of those it is about."""
+    number = {member.id: number for number, member in enumerate(ordered)}
+    found: dict[str, list[Due]] = {}
+    for due in members.due:
+        found.setdefault(max((due.subject, *due.tie.anchors), key=number.__getitem__), []).append(due)
+    return found
+
+
+def _target(member: Member, members: Members, room_height: float, due: Sequence[Due]) -> Target:
     request = member.request
     return Target(
         id=member.id,
@@ -87,6 +99,7 @@ def _target(member: Member, members: Members, room_height: float) -> Target:
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
         denied=tuple(dict.fromkeys(member.denied)),
+        due=tuple(due),
         size=size_of(member, members, room_height),
     )
 
