@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import tee
 
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
@@ -68,9 +69,27 @@ def reach_goals(
     begin: Pose | None = None,
 ) -> Reaching | None:
     """Bring an object to its goals; returns None when that is done, or what was tried."""
-    told = ties_of(goals) if ties is None else tuple(ties)
+    if more := work.standing(id, goals):
+        direct, again = tee(direct)
+        wanted = [*goals, *more]
+        if _reaching(work, id, wanted, ties_of(wanted) if ties is None else ties, again, ask, search, begin).run():
+            return None
+    reaching = _reaching(work, id, goals, ties_of(goals) if ties is None else ties, direct, ask, search, begin)
+    return None if reaching.run() else reaching
+
+
+def _reaching(
+    work: Work,
+    id: str,
+    goals: Sequence[Goal],
+    told: Sequence[Tie],
+    direct: Iterator[Pose],
+    ask: bool,
+    search: bool,
+    begin: Pose | None,
+) -> Reaching:
     target = work.target(id, work.scene[id].category, told, work.asset_of(id).attributes)
-    reaching = Reaching(
+    return Reaching(
         work,
         target,
         work.asset_of(id),
@@ -81,7 +100,6 @@ def reach_goals(
         begin=begin,
         more=likely(_without(work, id), work.asset_of(id), goals),
     )
-    return None if reaching.run() else reaching
 
 
 def _without(work: Work, id: str) -> Scene:
@@ -94,6 +112,7 @@ def say(work: Work, id: str, before: Placement, failed: Reaching | None, goals: 
     if failed is not None:
         work.failed.append(f"{id} was left where it is: {failed.why}")
         return
+    work.wish(id, goals)
     text = "; ".join(dict.fromkeys(findings(work, goals, id)))
     work.done.append(f"{moved_words(before, work.scene[id])}{f' ({text})' if text else ''}")
 

@@ -99,6 +99,12 @@ def _about(lead: Sequence[Token]) -> tuple[Token, ...]:
     return tuple(lead[first:told]) if pointed else ()
 
 
+def told_before(tokens: Sequence[Token]) -> int:
+    """How many tokens tell of a thing before the first order says what is to be done with it."""
+    starts = list(_starts(tokens))
+    return starts[0].begin if starts and _about(tokens[: starts[0].begin]) else 0
+
+
 def _asked_for(tokens: Sequence[Token]) -> list[_Start]:
     """What is asked for without a verb: "a bigger bed please"."""
     asked = any(token.text in ("please", "pls", "plz") for token in tokens)

@@ -24,14 +24,15 @@ from thinkblox.editing.goals import (
     IntoRoom,
     Nearing,
     Related,
+    Spot,
 )
 from thinkblox.editing.grammar import sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
-from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots, whole_floor
+from thinkblox.editing.spots import Pose, along_walls, at_wall, by_gap, likely, shifted, spots, whole_floor
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
+from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -180,8 +181,8 @@ def _split(
     finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
-    here = [w for w in places if w.word == "from"]
-    rest = [w for w in places if w.word != "from"]
+    here = [w for w in places if w.word in ("from", "of")]
+    rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
     if order.closer or order.direction or order.doing == "resite":
@@ -207,11 +208,11 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         return found
 
     def not_yet(found: Sequence[Placement]) -> Sequence[Placement]:
-        wanted = [bound(w, found[0].category, finder) for w in places if not w.negated]
+        wanted = [bound(w, found[0].category, finder) for w in places if not w.negated and w.word != "spot"]
         return [p for p in found if not all(b.holds(finder.scene, p.id) for b in wanted if not b.of_room)]
 
     picks: list[Picks] = [left_there] if any(w.negated for w in places) else []
-    if any(not w.negated for w in places):
+    if any(not w.negated and w.word != "spot" for w in places):
         picks.append(not_yet)
     for _, anchor in order.closer:
         name = anchor.noun.value if anchor.noun.kind == "place" else ""
@@ -245,6 +246,10 @@ def _at_place(
     work: Work, finder: Finder, order: Order, id: str, where: Where, index: int, count: int
 ) -> Iterator[Goal]:
     """What a place wants of one of several that are moved there."""
+    if where.word == "spot":
+        old = spot_of(where, id, work.start, finder)
+        yield Spot(old.position[:2], THERE, old=old)
+        return
     category = work.scene[id].category
     slots = slots_of(where, category, finder)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
@@ -295,6 +300,7 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     before = work.scene[id]
     if goals and not order.direction and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        work.wish(id, goals)
         return
     gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
     if gap is not None and gap.nearer and gap.by is None and gap.of(work.scene, id) < TOUCHING:
@@ -308,7 +314,12 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = reach_goals(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        direct = chain(_in_line(work.scene, before, goals), _so_far(work.scene, before, goals), _spots(work, id, goals))
+        direct = chain(
+            _at_spot(work, id, goals),
+            _in_line(work.scene, before, goals),
+            _so_far(work.scene, before, goals),
+            _spots(work, id, goals),
+        )
         if any(isinstance(goal, Related) and goal.kind == "against_wall" and goal.count > 1 for goal in goals):
             direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
         if any(isinstance(goal, Apart) for goal in goals):
@@ -325,6 +336,17 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
         x, y = work.scene.room.polygon.centroid.coords[0]
         yield from whole_floor(empty, work.asset_of(id), structs.replace(before, position=(x, y, before.position[2])))
     yield from spots(empty, work.asset_of(id), goals)
+
+
+def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Where another thing stood, as that was turned, and the free places about it: at a wall where it was at one."""
+    for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
+        asset = work.asset_of(id)
+        yield (*old.position[:2], old.position[2] if asset.mount != "floor" else 0.0), old.yaw
+        empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+        if at_wall(work.start, old.id) and asset.mount == "floor":
+            yield from along_walls(empty, asset, old.position[:2], THERE)
+        yield from whole_floor(empty, asset, structs.replace(work.scene[id], position=old.position, yaw=old.yaw))
 
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

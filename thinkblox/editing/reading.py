@@ -1,14 +1,16 @@
 """Instructions to orders: the reader's noun phrases and prepositions, and a grammar of what is done with them."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import cast
 
 from thinkblox.assets.plurals import singular
+from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
+from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
@@ -34,6 +36,9 @@ _OF_ALL = ("remove", "keep", "move", "free", "turn")
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
+_SPOT = ("where", "to where")
+"""Words before what stood at a place: "where the wardrobe was"."""
+_IN_ROW = ("middle", "left", "right")
 _SHAPES = ("round",)
 """Prepositions that are looks where nothing follows."""
 _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
@@ -61,19 +66,30 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(text, ids)
     tokens = _with_rows([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
-    orders: list[Order] = []
-    unknown: list[str] = []
-    found = clauses(tokens, named, unknown)
-    for clause in found:
-        reader = _OrderReader(lexicon, clause, named)
-        orders += reader.read()
-        unknown += reader.order.lost
-    if not found:
+    kinds = frozenset(id.rpartition("_")[0] for id in ids)
+    orders, unknown = _orders(lexicon, tokens, named, kinds)
+    if not orders:
         words = ", ".join(verbs())
         raise InputError(f"{_short(text)!r} does not say what to do with the room; an instruction begins with {words}")
+    unknown += unaccounted(tokens, orders, unknown, lambda left: _orders(lexicon, left, named, kinds)[0])
     for order in orders:
         check_heeded(order)
     return Instruction(text, tuple(orders), tuple(unknown))
+
+
+def _orders(
+    lexicon: Lexicon, tokens: Sequence[Token], named: Mapping[int, str], kinds: Collection[str]
+) -> tuple[list[Order], list[str]]:
+    """The orders that tokens hold, and what means nothing in them."""
+    unknown: list[str] = []
+
+    def read(clause: Clause) -> Order:
+        return _OrderReader(lexicon, clause, named, kinds).read()
+
+    orders = [order for clause in clauses(tokens, named, unknown) for order in each_order(clause, read)]
+    for order in orders:
+        unknown += order.lost
+    return orders, unknown
 
 
 def _check(text: object) -> None:
@@ -114,12 +130,13 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
-    """Read "the front row of" and "the back row of" as the first and the last, and "a round one" as no preposition."""
-    words = {"front": "first", "back": "last", "rear": "last"}
+    """Read "the front row" and "the back row" as the first and the last, and "a round one" as no preposition."""
+    words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
     read = list(tokens)
+    for index, token in enumerate(tokens[:-1]):
+        if token.text in words and tokens[index + 1].text == "row":
+            read[index] = replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
-        if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
-            read[index] = replace(tokens[index], text=words[tokens[index].text])
         if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
             read[index + 1] = replace(tokens[index + 1], text="circular")
     return read
@@ -143,7 +160,7 @@ def _of_orders() -> frozenset[str]:
 class _OrderReader:
     """Reads the words after one verb."""
 
-    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str]) -> None:
+    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str] = ()) -> None:
         verb = clause.text.split(" ", 1)[0].lower()
         self.order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
         told = [word.lower() for word in clause.text.split()[:4]]
@@ -151,10 +168,9 @@ class _OrderReader:
             clause.doing == "free" and told[0] in _MAKING and any(means("distances", word) == "gap" for word in told)
         )
         self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
-        self.orders = [self.order]
         self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
-        self._items = self._cutter.items(clause.tokens)
+        self._items = [_of_kind(item, kinds) for item in self._cutter.items(clause.tokens)]
         self._at = 0
         self._mode = "things"
         self._so: list[NounPhrase] = []
@@ -165,8 +181,9 @@ class _OrderReader:
         self._excepted: NounPhrase | None = None
         self._distance = False
         self._around = False
+        self._shared = False
 
-    def read(self) -> list[Order]:
+    def read(self) -> Order:
         """Read everything."""
         while self._at < len(self._items):
             item = self._items[self._at]
@@ -187,7 +204,7 @@ class _OrderReader:
                 case _:
                     self._lose(item)
         self._finish()
-        return self.orders
+        return self.order
 
     def _sized(self) -> Noun | None:
         """The new thing of which a size by itself speaks: "a round one that is 1.5 m wide"."""
@@ -303,7 +320,11 @@ class _OrderReader:
         if phrase is None or phrase.noun.kind != "thing":
             self.order.lost.append("row")
         else:
-            phrase.noun = replace(phrase.noun, rows=1, ordinal=number)
+            phrase.member = phrase.noun.ordinal
+            middle = [w for w in phrase.places if w.noun is not None and w.noun.kind == "part" and not w.whole]
+            side = next((w.noun.value for w in middle if w.noun is not None and w.noun.value in _IN_ROW), "")
+            phrase.places = [w for w in phrase.places if w not in middle] if side else phrase.places
+            phrase.noun = replace(phrase.noun, rows=1, ordinal=number, side=side or phrase.noun.side)
 
     def _length(self, mark: OrderMark) -> None:
         order = self.order
@@ -417,6 +438,8 @@ class _OrderReader:
             order.rest = True
         elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
             order.company.append(phrase)
+        elif self._shares_out(noun):
+            self._shared = True
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
             if order.things and _is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
                 phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
@@ -424,6 +447,19 @@ class _OrderReader:
             self._anchors = []
         else:
             self._lose(noun)
+
+    def _shares_out(self, noun: Noun) -> bool:
+        """Whether a number says how many of what is added go to each of several places: "two plants, one in each"."""
+        last = self.order.things[-1] if self.order.things else None
+        one = noun.kind == "pronoun" and noun.value == "one"
+        bare = one or (noun.kind == "number" and not noun.det and not noun.ordinal and not noun.rows)
+        return (
+            self.order.doing in ("add", "put")
+            and last is not None
+            and bare
+            and (last.noun.count or 0) > 1
+            and not last.places
+        )
 
     def _phrase(self, noun: Noun) -> NounPhrase:
         rank, _, along = self._cutter.ranks.get(id(noun), "").partition(" ")
@@ -523,12 +559,25 @@ class _OrderReader:
                 self._verb(link)
             case "mutual":
                 self._mutual(link)
+            case "joins" if link.text.lower() in _SPOT and (noun := self._spot()) is not None:
+                self._attach(Where("spot", noun, text=link.text))
             case "joins" if link.value in ("or", "stop", "but"):
                 self._join(link)
             case "joins" | "mark" | "participles" | "fillers":
                 pass
             case _:
                 self._lose(link)
+
+    def _spot(self) -> Noun | None:
+        """Read "(where) the bookcase stands"; None where something else follows."""
+        noun, verb = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
+        told = (
+            isinstance(verb, Connector) and verb.sort in ("verbs", "participles") and verb.value in (*_BEING, "stand")
+        )
+        if not isinstance(noun, Noun) or noun.kind not in ("thing", "pronoun") or not told:
+            return None
+        self._at += 2
+        return self._merged(noun) if noun.kind == "thing" else noun
 
     def _verb(self, link: Connector) -> None:
         if link.value == "face":
@@ -643,6 +692,8 @@ class _OrderReader:
     def _without_noun(self, link: Connector, following: Item | None) -> None:
         """A preposition that no noun follows says how a thing is, waits for a length, or is lost."""
         order, text = self.order, link.text.lower()
+        if isinstance(following, Connector) and following.text.lower() in _SPOT:
+            return
         if text in _SHAPES and order.doing in ("make", "put") and order.things:
             order.looks.append(text)
         elif (isinstance(following, Adjective) and order.doing == "make" and link.value in ("to", "in")) or (
@@ -715,7 +766,7 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        new = following.det in ("a", "another", "") or following.kind == "number"
+        new = following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
         if order.doing == "replace":
             return link.value in ("with", "by", "for") or (link.value in ("in", "to") and new)
         if order.doing == "swap" and (link.value == "for" or (link.value == "with" and new)) and new:
@@ -744,7 +795,12 @@ class _OrderReader:
         noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
         beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
         cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
-        if not cornered or noun is None or where.whole is not None or noun.each or noun.plural:
+        if not cornered or noun is None or where.whole is not None:
+            return where
+        each = noun.each or noun.plural
+        if each and (
+            not isinstance(link, Connector) or link.value not in _ASIDE or not noun.value.startswith("corner")
+        ):
             return where
         if noun.value.startswith("wall") and (not isinstance(link, Connector) or link.value not in _OF_WALL):
             return where
@@ -755,6 +811,8 @@ class _OrderReader:
         ):
             return where
         if beside.kind not in ("place", "thing"):
+            return where
+        if each and beside.kind != "place":
             return where
         self._at += 2
         if link.value in _ACROSS:
@@ -769,6 +827,8 @@ class _OrderReader:
         return isinstance(item, Connector) and item.sort == "joins" and isinstance(after, Noun)
 
     def _attach(self, where: Where) -> None:
+        if self._shared and where.noun is not None and where.noun.each:
+            where.noun = replace(where.noun, det="all", plural=True)
         if self._mode == "so":
             self._of_result(where)
         elif self._excepted is not None:
@@ -798,6 +858,19 @@ class _OrderReader:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+
+def _of_kind(item: Item, kinds: Collection[str]) -> Item:
+    """A noun as the thing of the room that is called so, where it could be a room: "the changing room"."""
+    if not isinstance(item, Noun) or item.kind != "room":
+        return item
+    words = [word for word in item.text.lower().split() if word != item.text.lower().split()[0] or not item.det]
+    kind = "_".join([*words[:-1], singular(words[-1])]) if words else ""
+    return (
+        replace(item, kind="thing", value=kind, named=True, plural=words[-1] != singular(words[-1]))
+        if kind in kinds
+        else item
+    )
 
 
 def _is_theirs(noun: Noun) -> bool:

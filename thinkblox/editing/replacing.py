@@ -1,6 +1,7 @@
 """Orders that let another thing come in place of one."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace as replace_fields
 
 from thinkblox.editing.acting import related
 from thinkblox.editing.adding import MOST, add_one, category_of, sized
@@ -46,17 +47,32 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     found = (id for phrase in order.things for id in named(finder, phrase, phrase.places))
     ids = work.touched(dict.fromkeys(found))
     first = order.instead[0]
-    count = _how_many(order, ids, first.noun)
+    count, before = _how_many(order, ids, first.noun), work.scene
     for id in ids[:count]:
         if _comes_in_place(work, id, first.noun):
             _place(work, finder, order, id, first)
     if ids[count:]:
         take_away(work, ids[count:])
-    by = ids[0] if ids else ""
-    for noun in [first.noun] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
-        for _ in range(1 if noun is first.noun else noun.count or 1):
-            add_one(work, category_of(work, noun, ()), noun, [Related("near", (by,))] if by else [])
+    _bring_more(work, order, before, ids, count)
     finder.recent = [id for id in ids if id in work.scene]
+
+
+def _bring_more(work: Work, order: Order, before: Scene, ids: Sequence[str], count: int) -> None:
+    """Add what comes in place of things besides what stands where they stood: of two for one the second."""
+    by, first = ids[0] if ids else "", order.instead[0].noun
+    for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
+        for _ in range(1 if noun is first else noun.count or 1):
+            if not by:
+                add_one(work, category_of(work, noun, ()), noun, [])
+            elif work.scene[by].asset != before[by].asset or noun is not first:
+                _add_another(work, by, noun, like=noun is first)
+
+
+def _add_another(work: Work, by: str, noun: Noun, *, like: bool) -> None:
+    """Add another one of what has come in place of a thing, or what comes besides."""
+    new = noun if noun.kind == "thing" else replace_fields(noun, value=work.scene[by].category, kind="thing")
+    asset = work.asset_of(by) if like else None
+    add_one(work, category_of(work, new, ()), new, [Related("near", (by,))], asset=asset)
 
 
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:

@@ -104,6 +104,7 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
     before = work.scene[id]
     if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        work.wish(id, goals)
         return
     there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
     failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
