@@ -18,6 +18,12 @@ from thinkblox.reading import read_brief
          ["1 ceiling_projector on ceiling"]),
         ("A sunroom full of plants, with two armchairs and a table between them.", ["1 coffee_table between armchair"]),
         ("Three workbenches, a clock on the first two.", ["2 clock on workbench"]),
+        # What a room has that is named after things in it, and what two face each other across.
+        ("A picnic table with a basket on it, in a conservatory with a fern and a stool.", ["1 basket on picnic_table"]),
+        ("Two sofas facing each other across a coffee table.",
+         ["2 sofa facing sofa", "1 coffee_table between sofa"]),
+        ("Two armchairs face each other over a small table.", ["1 coffee_table between armchair"]),
+        ("A sofa and an armchair facing each other across a low table.", ["1 coffee_table between sofa armchair"]),
         # Sides and ends.
         ("Four tables, each with a lamp and six chairs, three on each side.", ["24 chair at_long_side dining_table"]),
         ("A desk is at the front left.", ["1 desk in_corner near_wall left_wall"]),
