@@ -36,6 +36,8 @@ from thinkblox.reading import read_brief
         ("A mug on the kitchen counter, next to the sink.", ["1 cup next_to sink", "1 cup on base_cabinet"]),
         ("A table with a vase with a single flower.", ["1 flower inside vase"]),
         ("A cello on a stand.", ["1 cello on guitar_stand"]),
+        ("A fruit bowl with apples on the counter.", ["3 apple inside fruit_bowl", "1 fruit_bowl on counter"]),
+        ("A vase with two roses on the table.", ["2 rose inside vase", "1 vase on dining_table"]),
         # Of which kind something is, told later; numbered items.
         ("Six chairs around a table, two of which are armchairs.",
          ["4 chair around dining_table", "2 armchair around dining_table"]),
