@@ -24,6 +24,9 @@ from thinkblox.reading import read_brief
          ["2 sofa facing sofa", "1 coffee_table between sofa"]),
         ("Two armchairs face each other over a small table.", ["1 coffee_table between armchair"]),
         ("A sofa and an armchair facing each other across a low table.", ["1 coffee_table between sofa armchair"]),
+        ("Two parallel rows of three workbenches, each with a vise.", ["6 workbench in_rows", "6 vise on workbench"]),
+        ("A long row of six lockers.", ["6 locker in_rows"]),
+        ("Four beds, two along each side wall.", ["4 bed against_wall wall"]),
         # Sides and ends.
         ("Four tables, each with a lamp and six chairs, three on each side.", ["24 chair at_long_side dining_table"]),
         ("A desk is at the front left.", ["1 desk in_corner near_wall left_wall"]),

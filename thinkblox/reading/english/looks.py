@@ -112,7 +112,9 @@ class Descriptions(Rooms):
     def _faced_across(self, link: Connector, things: list[Mention]) -> None:
         """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""
         ahead = self.peek()
-        over = isinstance(ahead, Connector) and ahead.sort == "prepositions" and ahead.text.lower() in ("across", "over")
+        over = (
+            isinstance(ahead, Connector) and ahead.sort == "prepositions" and ahead.text.lower() in ("across", "over")
+        )
         said = link.text.lower().endswith("across")
         noun = self._next_noun(1 if over and not said else 0) if over or said else None
         if noun is None or noun.kind != "thing" or not things:
