@@ -233,8 +233,8 @@ def _rectangles(anchor: Placement, count: int, *, place: float) -> list[list[Pla
     ways = [places for _, places in sorted(ranked, key=lambda r: r[0])][:4]
     along = min(count, int((_width(anchor, sides[0]) + 0.05) / place))
     if 2 <= along < count <= along + 2:
-        heads = [spot for side in sides[2:][: count - along] for spot in side_places(anchor, side, 1)]
-        ways += [[*side_places(anchor, side, along), *heads] for side in sides[:2]]
+        ends = [spot for side in sides[2:][: count - along] for spot in side_places(anchor, side, 1)]
+        ways += [[*side_places(anchor, side, along), *ends] for side in sides[:2]]
     return ways
 
 
