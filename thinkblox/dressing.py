@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets import facts_of
 from thinkblox.episode import Round
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -16,6 +17,7 @@ from thinkblox.planning.dressing import LEAST, Dresser
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.windows import hangs_at_window
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
@@ -124,6 +126,8 @@ def _astray(scene: Scene, target: Target) -> str:
 
     What belongs to a wall does not stand amid the room because the walls are full.
     """
+    if dresses_nothing(scene, target):
+        return "there was no room left for it at a window"
     for tie in target.ties:
         if tie.kind == "on":
             if scene[target.id].support != tie.anchors[0]:
@@ -133,6 +137,13 @@ def _astray(scene: Scene, target: Target) -> str:
         elif tie.kind == "in_corner" and _amid(scene, target.id):
             return "there was no room left for it in a corner or at a wall"
     return ""
+
+
+def dresses_nothing(scene: Scene, target: Target) -> bool:
+    """Whether curtains hang where there is no window."""
+    by_window = any(tie.kind == "near" and tie.anchors == ("window",) for tie in target.ties)
+    drapes = facts_of(target.category).hanging.windows != "no"
+    return by_window and drapes and not hangs_at_window(scene, target.id)
 
 
 def _amid(scene: Scene, id: str) -> bool:
