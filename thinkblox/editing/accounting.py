@@ -32,7 +32,7 @@ _SORTS = (
     "conditions",
 )
 """Phrases of the instructions' grammar that may be said in other words, or go without saying."""
-_OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts")
+_OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts", "people")
 MOST = 80
 """Longest instruction of which the words are tried [tokens]; longer ones are read order by order by their users."""
 

@@ -11,7 +11,7 @@ from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.free_parts import parts, takers
-from thinkblox.scene.landmarks import Landmark, things
+from thinkblox.scene.landmarks import Landmark, things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
@@ -24,6 +24,10 @@ ASIDE = 1.5
 """How many times as far as it comes nearer, or goes away, a thing may be moved that is to do so by a length."""
 TURN_EXACT = 2.0
 """The same for its yaw [degrees]."""
+TO_WALL = 20.0
+"""Largest angle between a gaze and the way to the wall that is looked at [degrees]."""
+MID_WALL = 0.1
+"""How far from the middle of a wall something stands at most that is to be there [m]."""
 LEAST = 0.02
 """Least by which something comes nearer or goes away, where there is so much room [m]."""
 INTO_ROOM = 45.0
@@ -95,6 +99,19 @@ class OnPart(Related):
         if far is None:
             far = abs(ahead if carrier.size[0] > carrier.size[1] else left) / 2
         return held and far >= OFF_MIDDLE, f"{says}, {far:.0%} of it from its middle to the {self.part}"
+
+
+@dataclass(frozen=True)
+class MidWall(Related):
+    """It stands with its back to a wall, at the middle of it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both: how far along the wall its middle is from that of the wall."""
+        held, says = super().check(before, after, id)
+        named = {wall.name for name in self.anchors for wall in walls(after.room, name)}
+        along = [(w.coordinates(after[id].position[:2]), w.length) for w in after.room.walls if w.name in named]
+        off = min(((away, abs(far - length / 2)) for (far, away), length in along), default=(0.0, math.inf))[1]
+        return held and off <= MID_WALL, f"{says}, {off:.2f} m from its middle"
 
 
 @dataclass(frozen=True)
@@ -182,6 +199,20 @@ class Turned(Untied):
         """Within TURN_EXACT."""
         turn = min(turn_between(after[id].yaw, yaw) for yaw in self.yaws)
         return turn <= TURN_EXACT, f"yaw {before[id].yaw:g} before, {after[id].yaw:g} now" if id in before else ""
+
+
+@dataclass(frozen=True)
+class ToWall(Untied):
+    """It looks straight at a wall."""
+
+    wall: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Between its gaze and the way to the wall, within TO_WALL degrees."""
+        if after.asset_of(after[id]).front == "any":
+            return True, f"{id} faces every way"
+        turn = turn_between(things(after, id)[0].gaze, after.room.wall(self.wall).yaw + 180.0)
+        return turn <= TO_WALL, f"front of {id} {turn:.0f} degrees off the way to {self.wall}"
 
 
 @dataclass(frozen=True)
@@ -326,4 +357,6 @@ def overruled(goal: Goal, later: Iterable[Goal]) -> bool:
 
 
 def _is_turn(goal: Goal) -> bool:
-    return isinstance(goal, Turned | IntoRoom) or (isinstance(goal, Related) and goal.kind in ("facing", "opposite"))
+    return isinstance(goal, Turned | IntoRoom | ToWall) or (
+        isinstance(goal, Related) and goal.kind in ("facing", "opposite")
+    )

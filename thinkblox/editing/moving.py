@@ -30,13 +30,25 @@ from thinkblox.editing.grammar import sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
-from thinkblox.editing.spots import Pose, along_walls, at_wall, by_gap, likely, shifted, spots, whole_floor
+from thinkblox.editing.spots import (
+    Pose,
+    along_walls,
+    at_wall,
+    between,
+    by_gap,
+    likely,
+    middle_off,
+    shifted,
+    spots,
+    whole_floor,
+)
 from thinkblox.editing.turning import face_each_other, turn_by, turns
 from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
+from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
@@ -48,6 +60,10 @@ THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
 SLIGHT = 0.45
 """How far something is moved at most that is moved a bit [m]."""
+OTHER_CORNER = 1.5
+"""How far from where it was something stands at least that goes to another corner [m]."""
+MIDDLE = 0.3
+"""How far from the middle that is asked for something may stand that is left where it is [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
@@ -69,8 +85,11 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         _line_up(work, finder, order, wall)
         return
     seen: set[tuple[str, str]] = set()
-    for ids, places in _groups(work, finder, order):
+    groups = list(_groups(work, finder, order))
+    moving = {id for ids, _ in groups for id in ids}
+    for ids, places in groups:
         _check_says_where(order, places)
+        ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
@@ -250,6 +269,10 @@ def _at_place(
         old = spot_of(where, id, work.start, finder)
         yield Spot(old.position[:2], THERE, old=old)
         return
+    if where.noun is not None and _is_any_other_corner(where, where.noun):
+        yield Related("in_corner", ("corner",))
+        yield Elsewhere(OTHER_CORNER)
+        return
     category = work.scene[id].category
     slots = slots_of(where, category, finder)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
@@ -261,6 +284,12 @@ def _at_place(
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
     yield related(there, category, index, count)
+
+
+def _is_any_other_corner(where: Where, noun: Noun) -> bool:
+    """Whether it is "another corner", whichever."""
+    bare = where.whole is None and where.second is None and not where.negated and "opposite" not in noun.text.lower()
+    return noun.value == "corner" and noun.det in ("other", "another") and bare and not noun.many
 
 
 def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, phrase: NounPhrase) -> Goal:
@@ -298,7 +327,7 @@ def _seated(work: Work, id: str, order: Order) -> list[Goal]:
 def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     """Move one object to where it meets the goals, and the order's direction; notes what became of it."""
     before = work.scene[id]
-    if goals and not order.direction and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+    if goals and not order.direction and all(_is_so(work, goal, id) for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
         return
@@ -328,6 +357,12 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     say(work, id, before, done, goals)
 
 
+def _is_so(work: Work, goal: Goal, id: str) -> bool:
+    """Whether a goal is met as it is: of what is to be in the middle or between things not only about so."""
+    near = not isinstance(goal, Related) or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
+    return near and goal.check(work.before, work.scene, id)[0]
+
+
 def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Places that the goals name, seen without the object and what rests on it."""
     empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
@@ -335,6 +370,11 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     if any(isinstance(goal, Related) and goal.kind == "in_centre" and goal.anchors == ("centre",) for goal in goals):
         x, y = work.scene.room.polygon.centroid.coords[0]
         yield from whole_floor(empty, work.asset_of(id), structs.replace(before, position=(x, y, before.position[2])))
+    if any(isinstance(g, Related) and g.kind == "against_wall" and g.anchors == ("wall",) for g in goals):
+        yield from along_walls(empty, work.asset_of(id), before.position[:2], math.inf)
+    for goal in goals:
+        if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount == "floor":
+            yield from between(empty, work.asset_of(id), goal.anchors, before.yaw)
     yield from spots(empty, work.asset_of(id), goals)
 
 

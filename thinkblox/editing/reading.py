@@ -38,6 +38,7 @@ _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
 _SPOT = ("where", "to where")
 """Words before what stood at a place: "where the wardrobe was"."""
+_COMPASS = ("north", "south", "east", "west")
 _IN_ROW = ("middle", "left", "right")
 _SHAPES = ("round",)
 """Prepositions that are looks where nothing follows."""
@@ -182,6 +183,7 @@ class _OrderReader:
         self._distance = False
         self._around = False
         self._shared = False
+        self._more = False
 
     def read(self) -> Order:
         """Read everything."""
@@ -218,14 +220,7 @@ class _OrderReader:
             self._pending = None
         if self._pending is not None:
             order.together, order.scatter = self._pending, not self._pending
-        about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
-        if (
-            order.doing in ("free", "keep", "make", "move", "put")
-            and about
-            and (order.space or order.lengths)
-            and (not order.things or order.doing in ("free", "keep"))
-        ):
-            order.doing, order.places = "gap", about[:1]
+        self._spaced()
         somewhere = order.places and not order.things and not order.rest and not order.room
         if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
             order.doing = "clear"
@@ -239,6 +234,22 @@ class _OrderReader:
             order.turn = None
         if order.doing == "put" and self._only_looks():
             order.doing = "turn"
+
+    def _spaced(self) -> None:
+        """Read what is said of the space between things, or of more space at one of them."""
+        order = self.order
+        about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
+        if (
+            order.doing in ("free", "keep", "make", "move", "put")
+            and about
+            and (order.space or order.lengths)
+            and (not order.things or order.doing in ("free", "keep"))
+        ):
+            order.doing, order.places = "gap", about[:1]
+            more = self._more and not order.lengths and not order.change
+            order.change = "wider" if more else order.change
+        if order.doing == "put" and order.space and order.places and not order.things:
+            order.doing = "free"
 
     def _only_looks(self) -> bool:
         """Whether all that is asked of things is what they face: they are turned, and not moved far for that."""
@@ -399,6 +410,7 @@ class _OrderReader:
             order.places.append(Where("around", about, text="around"))
         elif self._is_space(noun):
             order.space = True
+            self._more |= noun.text.lower().startswith("more ")
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
@@ -718,7 +730,7 @@ class _OrderReader:
         self._refer(where)
         if self._goes_along(where):
             return
-        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to"):
+        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
             phrase = NounPhrase(where.noun, id=where.noun.id)
             order.apart.append((order.lengths.pop()[0], phrase))
@@ -733,10 +745,18 @@ class _OrderReader:
         places = order.things[-1].places if order.things else order.places
         if places:
             places.append(Where(places[-1].word, noun, negated=True, text=places[-1].text))
+        elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
+            order.doing, order.total = "ensure", True
         elif order.doing in ("add", "put", "ensure") and order.things and noun.kind == "thing":
             order.doing, order.instead, order.things = "replace", order.things, [NounPhrase(noun, id=noun.id)]
         else:
             order.lost.append(f"{where.text} {noun.text}")
+
+    def _is_other_number(self, noun: Noun) -> bool:
+        """Whether there are to be so many of one kind, not another number of them: "four chairs instead of two"."""
+        last = self.order.things[-1].noun
+        of_them = noun.kind == "number" or (noun.kind == "thing" and noun.value == last.value and not noun.attributes)
+        return of_them and bool(noun.count and last.count) and last.kind == "thing" and not last.definite
 
     def _goes_along(self, where: Where) -> bool:
         """Take "with its chairs", "and the chairs with it" as what goes along."""
@@ -827,6 +847,12 @@ class _OrderReader:
         return isinstance(item, Connector) and item.sort == "joins" and isinstance(after, Noun)
 
     def _attach(self, where: Where) -> None:
+        noun = where.noun
+        if self.order.room and self.order.doing == "make" and noun is not None and where.whole is None:
+            side = next((side for side in _COMPASS if noun.value in (side, f"{side}_wall")), "")
+            if side and not self.order.direction:
+                self.order.direction = side
+                return
         if self._shared and where.noun is not None and where.noun.each:
             where.noun = replace(where.noun, det="all", plural=True)
         if self._mode == "so":

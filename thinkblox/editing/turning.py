@@ -36,7 +36,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
             placement = work.scene[id]
             finder.scene, finder.about = work.scene, id
             looks = [looking(finder, noun) for noun in order.facing]
-            looks += [related(bound(w, placement.category, finder), placement.category) for w in places]
+            looks += [_look(finder, w, placement.category) for w in places]
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
             if looks:
@@ -46,6 +46,13 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _look(finder: Finder, where: Where, category: str) -> Goal:
+    """What a place says of what a thing is to face."""
+    if where.word == "facing" and where.noun is not None and where.noun.kind == "place" and not where.negated:
+        return looking(finder, where.noun)
+    return related(bound(where, category, finder), category)
 
 
 def face_each_other(work: Work, finder: Finder, order: Order) -> None:

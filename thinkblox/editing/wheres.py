@@ -12,6 +12,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import PartOfTop
+from thinkblox.editing.grammar import rank_of
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -50,6 +51,7 @@ class Bound:
         of_room: it is turned into the room ("facing the room").
         part: on which part of the top of its anchor; empty where any will do.
         side: at which side of its anchor a seat is drawn up to it.
+        middle: at the middle of the walls that it stands against.
     """
 
     kind: RelationKind
@@ -58,6 +60,7 @@ class Bound:
     of_room: bool = False
     part: PartOfTop | Literal[""] = ""
     side: RelationKind | None = None
+    middle: bool = False
 
     def holds(self, scene: Scene, id: str) -> bool:
         """Whether an object has the relation, or has it not where it is negated."""
@@ -220,6 +223,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
             return Bound(cast(RelationKind, f"{noun.value}_of"), (whole.value,), where.negated)
+        if noun.value == "middle" and whole is not None and whole.kind == "place":
+            return _middle_of(where, whole, finder)
         if noun.value == "middle":
             return Bound("in_centre", ("centre",), where.negated)
         side = _SIDES.get(noun.value)
@@ -231,6 +236,18 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
+
+
+def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
+    """The middle of a wall, or before the middle of a window or door.
+
+    Raises:
+        InputError: it is none of them.
+    """
+    found = _place(Where("against", whole, text="against"), whole, finder) if "wall" in whole.value else None
+    if found is None or where.negated:
+        raise InputError(f"'{_text(where)}' is no place that a thing can be put")
+    return dataclasses.replace(found, middle=True)
 
 
 def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
@@ -304,10 +321,24 @@ def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None
     meaning = wall(where.word, noun, name, 0, each=noun.each)
     if meaning is None:
         return None
+    if noun.degree:
+        meaning = dataclasses.replace(meaning, anchors=(_wall_by_length(noun),))
     if meaning.anchors == ("opposite_wall",) or where.second or _is_beside(where, name):
         meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
     stands = noun.word == "side" or _stands(finder)
     return dataclasses.replace(meaning, kind="against_wall") if meaning.kind == "on" and stands else meaning
+
+
+def _wall_by_length(noun: Noun) -> str:
+    """The longest or the shortest walls.
+
+    Raises:
+        InputError: they are compared by something else.
+    """
+    rank, along = rank_of(noun.degree)
+    if not rank or along == "height" or noun.value != "wall":
+        raise InputError(f"'{noun.text}': which wall that is is not known; say 'the north wall'")
+    return "long_wall" if rank > 0 else "short_wall"
 
 
 def _stands(finder: Finder) -> bool:
@@ -324,6 +355,7 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     """The walls of "the corner by the window", "the corner opposite the door", "the other corner"."""
     other = noun.det == "other" or "opposite" in noun.text.lower().split()
     mark = where.whole or where.second
+    mark = None if mark is not None and mark.kind == "room" else mark
     if not other and (mark is None or mark.kind not in ("place", "thing")):
         return None
     found = list(corners(finder.scene.room, noun.value.split()[1:]))
@@ -340,7 +372,9 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     elif other and len(found) > 1 and "opposite" in noun.text.lower().split():
         found.sort(key=lambda c: -math.dist(c.centre, here.position[:2]))
     elif len(found) > 1:
-        return tuple(dict.fromkeys(n for c in found[:1] for n in c.name.removeprefix("corner of ").split(" and ")))
+        others = [p for p in finder.scene.placements if p.id != finder.about and finder.scene.asset_of(p).collides]
+        room = {c.name: min((p.footprint.distance(c.footprint) for p in others), default=EMPTY) for c in found}
+        found.sort(key=lambda c: (-min(round(room[c.name], 1), EMPTY), math.dist(c.centre, here.position[:2])))
     if not found:
         raise InputError(f"the room has no such corner: '{_text(where)}'")
     return tuple(found[0].name.removeprefix("corner of ").split(" and "))
