@@ -25,6 +25,7 @@ _HAVING = {
     "inverses": ("on", "inside", "with"),
 }
 """Words between a thing and what it has."""
+_SIDES = (["left"], ["right"])
 _ASIDE = ("but", "stop")
 """Conjunctions that begin a statement of its own."""
 
@@ -39,9 +40,11 @@ class SaidPosition:
         whole: of what that noun is a part ("the left side of the bed").
         second: the other of "between A and B".
         of: what it can be about by its place, the nearest first; empty where it stands in front.
+        joined: what the nearest is joined to by "and", or, where the position is to a named thing, what has it.
         over: nouns before that to which the nearest was said to stand ("a chair next to the bed facing ...").
         led: what comes first after it, where it stands in front.
         verb: the verb between the nouns before and the preposition.
+        sides: how many sides it names ("to the left and right").
         end: the index of its last chunk.
     """
 
@@ -50,9 +53,11 @@ class SaidPosition:
     whole: Noun | None = None
     second: Noun | None = None
     of: list[Noun] = field(default_factory=list)
+    joined: list[Noun] = field(default_factory=list)
     over: list[Noun] = field(default_factory=list)
     led: Noun | None = None
     verb: Connector | None = None
+    sides: int = 1
     end: int = 0
 
     @property
@@ -155,6 +160,9 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
     found = SaidPosition(link, _noun(said, at + 1), end=at)
     if found.to is not None:
         found.end = at + 1
+        if found.to.kind == "part" and _link(said, at + 2, "joins", "and") and at + 3 < len(said):
+            other = said[at + 3]
+            found.sides += isinstance(other, (Noun, Connector)) and other.text.lower().split()[-1:] in _SIDES
         part = found.to.kind in ("part", "place", "abstract")
         if part and _link(said, at + 2, "prepositions", "of") and (whole := _noun(said, at + 3)) is not None:
             found.whole, found.end = whole, at + 3
@@ -169,6 +177,7 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
         before -= 1
     if _noun(said, before) is not None:
         found.of = list(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)))
+        found.joined = list(_joined(said, before, named=found.to is not None and found.to.kind == "thing"))
         found.over = [noun for noun in _further(said, before) if noun not in found.of]
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):
         found.led = _led(said, found.end + 1)
@@ -199,6 +208,15 @@ def _nearest(said: Sequence[Chunk], at: int, *, verb: bool, loose: bool) -> Iter
         at -= not verb and _link(said, at, "mark", "comma")
 
 
+def _joined(said: Sequence[Chunk], at: int, *, named: bool) -> Iterator[Noun]:
+    """What the noun at `at` is joined to without a comma."""
+    while at > 1 and (_link(said, at - 1, "joins", "and") or (named and _is_having(said[at - 1]))):
+        at -= 2
+        if (noun := _noun(said, at)) is None:
+            return
+        yield noun
+
+
 def _is_within(chunk: Chunk) -> bool:
     """Whether a word links two nouns before the verb of one clause."""
     return isinstance(chunk, Connector) and chunk.sort in ("prepositions", "participles", "inverses")
@@ -221,6 +239,10 @@ def _having(said: Sequence[Chunk], at: int, link: Connector) -> SaidList | None:
         each, before = True, before - 1
         before -= _link(said, before, "mark", "comma")
         before = next((n for n in range(before, -1, -1) if (told := _noun(said, n, "thing")) and told.many), before)
+    while _noun(said, before, "pronoun", "place") is not None and isinstance(to := said[before - 1], Connector):
+        if before < 2 or not _is_spatial(to):
+            return None
+        before -= 2
     head = _noun(said, before, "thing")
     if head is None:
         return None

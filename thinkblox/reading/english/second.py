@@ -117,6 +117,8 @@ class SecondOpinion:
             return "where?"
         if self._is_odd_side(place):
             return "how many?"
+        if self._is_forgotten(place) or self._is_one_sided(place, subjects):
+            return "where?"
         return "which of them?" if self._is_of_more(place) else ""
 
     def _goes_on(self, place: SaidPosition) -> bool:
@@ -145,9 +147,9 @@ class SecondOpinion:
         return bool(told) and not any(self._lies(anchor) for bond in beside for anchor in parts_of(bond))
 
     def _lies(self, thing: Mention) -> bool:
-        """Whether it lies on or in something."""
-        held = (b for b in self._draft.bonds_of(thing) if b.kind in _LYING and not b.negated)
-        return is_small(thing) and any(parts_of(bond) for bond in held)
+        """Whether it is small, or a plant, and lies on or in something."""
+        low = is_small(thing) or load_habits().is_in(thing.noun, "plants")
+        return low and any(b.kind in _LYING and not b.negated and parts_of(b) for b in self._draft.bonds_of(thing))
 
     def _is_beside_its_carrier(self, subjects: Sequence[Mention]) -> bool:
         """Whether what one of them lies on was said to stand beside it."""
@@ -159,6 +161,27 @@ class SecondOpinion:
             for other in self._draft.bonds_of(carrier)
             if other.kind in _APART and not other.negated
         )
+
+    def _is_forgotten(self, place: SaidPosition) -> bool:
+        """Whether what is joined to the subject, and has to lie somewhere, is nowhere: "a fork and a mug beside it"."""
+        if place.to is not None and place.to.kind == "place":
+            return False
+        for things in (self._things(noun) for noun in place.joined):
+            if not all(is_small(thing) for thing in things):
+                return False
+            if things and not any(self._is_anywhere(thing) for thing in things):
+                return True
+        return False
+
+    def _is_anywhere(self, thing: Mention) -> bool:
+        """Whether anything is said of where a thing is, or of others by it."""
+        beside = any(thing in b.anchors and b.kind not in _LYING for b in self._draft.bonds)
+        return bool(self._draft.bonds_of(thing) or thing.per) or beside
+
+    def _is_one_sided(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
+        """Whether of "to the left and right" only one side was read."""
+        words = [str(a) for b in self._bonds(subjects) for a in (b.kind, *b.anchors) if isinstance(a, str)]
+        return place.sides > 1 and not all(any(side in word for word in words) for side in ("left", "right"))
 
     def _is_odd_side(self, place: SaidPosition) -> bool:
         """Whether not as many are at one side of something as at the other."""
@@ -211,7 +234,8 @@ class SecondOpinion:
             if not heads or not things:
                 continue
             question = ""
-            if not self._are_related(things, [*heads, *self._things(*having.outer)]):
+            others = [t for t in self._things(*having.members, *having.lying) if t not in things]
+            if not self._are_related(things, [*heads, *self._things(*having.outer), *others]):
                 question = "where?"
             elif having.each and self._is_shared_unevenly(having.head, heads, noun, things):
                 question = "how many?"
@@ -239,7 +263,11 @@ class SecondOpinion:
         exact = sum(self._referents.total(thing) for thing in things)
         if noun.ordinal and exact > 1 and not noun.plural:
             return "which of them?"
-        if _is_part_of_some(noun) or any(thing.per for thing in things):
+        if any(thing.per for thing in things):
+            return ""
+        if noun.rows > 0 and noun.plural and all(thing.count is not None for thing in things):
+            return "how many?" if sum(self._referents.total(t) for t in self._things(noun)) < _PAIR * noun.rows else ""
+        if _is_part_of_some(noun):
             return ""
         count = noun.count or 1
         made = sum(self._referents.total(thing) for thing in self._things(noun))
