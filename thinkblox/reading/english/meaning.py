@@ -252,7 +252,7 @@ class Meanings:
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
-        one_side = kind == "around" and said.value == "side" and _is_one(said)
+        one_side = kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other")
         kind, loose = ("at", True) if one_side else (kind, loose)
         if said.value == "in_shelf":
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)

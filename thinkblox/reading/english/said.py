@@ -40,6 +40,7 @@ class SaidPosition:
         whole: of what that noun is a part ("the left side of the bed").
         second: the other of "between A and B".
         of: what it can be about by its place, the nearest first; empty where it stands in front.
+        held: whether the nearest is said to belong to what comes next.
         joined: what the nearest is joined to by "and", or, where the position is to a named thing, what has it.
         over: nouns before that to which the nearest was said to stand ("a chair next to the bed facing ...").
         led: what comes first after it, where it stands in front.
@@ -53,6 +54,7 @@ class SaidPosition:
     whole: Noun | None = None
     second: Noun | None = None
     of: list[Noun] = field(default_factory=list)
+    held: bool = False
     joined: list[Noun] = field(default_factory=list)
     over: list[Noun] = field(default_factory=list)
     led: Noun | None = None
@@ -119,6 +121,19 @@ def positions(said: Sequence[Chunk]) -> Iterator[SaidPosition]:
             at = found.end + 1
 
 
+def parted(said: Sequence[Chunk]) -> set[int]:
+    """The tokens at which several begin that are told apart right after: "eight chairs, four along each wall"."""
+    found: set[int] = set()
+    for at, noun in enumerate(said[:-2]):
+        if isinstance(noun, Noun) and (noun.each or noun.value == "each"):
+            break
+        told = isinstance(noun, Noun) and noun.kind == "thing" and (noun.count or 0) > 1
+        number = _noun(said, at + 2, "number")
+        if told and is_link(said[at + 1], "mark") and number is not None and number.count:
+            found.add(noun.start)
+    return found
+
+
 def possessions(said: Sequence[Chunk]) -> Iterator[SaidList]:
     """What things are said to have in one statement."""
     for at, link in enumerate(said):
@@ -177,6 +192,7 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
         before -= 1
     if _noun(said, before) is not None:
         found.of = list(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)))
+        found.held = before > 1 and _is_having(said[before - 1]) and _noun(said, before - 2, "thing") is not None
         found.joined = list(_joined(said, before, named=found.to is not None and found.to.kind == "thing"))
         found.over = [noun for noun in _further(said, before) if noun not in found.of]
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):

@@ -13,7 +13,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.referents import Referents, is_small, parts_of
-from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, positions, possessions, statements
+from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, parted, positions, possessions, statements
 
 _LYING: tuple[RelationKind, ...] = ("on", "inside")
 _MEANT: dict[str, tuple[RelationKind, ...]] = {
@@ -90,8 +90,9 @@ class SecondOpinion:
             for having in held:
                 yield from self._lists(having)
             spread = any(h.head.many for h in held) or any(_is_shared_out(chunk) for chunk in said) or _defines(said)
+            apart = parted(said)
             for noun in (chunk for chunk in said if isinstance(chunk, Noun) and not corrected):
-                if question := self._number(noun, spread=spread):
+                if question := self._number(noun, spread=spread and noun.start not in apart):
                     yield Disagreement(noun.start, noun.end, range(noun.start, noun.end), question)
 
     # --- positions
@@ -104,20 +105,30 @@ class SecondOpinion:
             return ""
         anchor = place.anchor
         if anchor is not None and anchor.kind == "thing":
-            anchors = self._things(anchor)
-            if anchors and not self._are_related(subjects, anchors, _kinds(place)):
-                return "where?"
-            if place.second is None and self._is_of_others(self._things(named), anchor):
-                return "which of them?"
-            if place.led is not None and self._is_shared_front(place, places, anchors):
-                return "of what?"
-        elif place.of and not self._has_place(place, subjects):
+            question = self._of_thing(place, places, subjects, anchor)
+        else:
+            question = "where?" if place.of and not self._has_place(place, subjects) else ""
+        return question or self._of_side(place, subjects)
+
+    def _of_thing(
+        self, place: SaidPosition, places: Sequence[SaidPosition], subjects: Sequence[Mention], anchor: Noun
+    ) -> str:
+        """What is open about a position that is to a thing."""
+        anchors = self._things(anchor)
+        if anchors and not self._are_related(subjects, anchors, _kinds(place)):
             return "where?"
-        if self._is_beside_its_carrier(subjects):
-            return "where?"
+        if place.second is None and self._is_of_others(self._things(*place.of[:1], place.led), anchor):
+            return "which of them?"
+        return "of what?" if place.led is not None and self._is_shared_front(place, places, anchors) else ""
+
+    def _of_side(self, place: SaidPosition, subjects: Sequence[Mention]) -> str:
+        """What is open about who is meant, and about sides."""
+        if _is_side_of_either(place):
+            return "of what?"
         if self._is_odd_side(place):
             return "how many?"
-        if self._is_forgotten(place) or self._is_one_sided(place, subjects):
+        lost = self._is_forgotten(place) or self._is_one_sided(place, subjects)
+        if lost or self._is_beside_its_carrier(subjects):
             return "where?"
         return "which of them?" if self._is_of_more(place) else ""
 
@@ -188,10 +199,14 @@ class SecondOpinion:
         part = place.to
         if part is None or part.kind != "part" or part.det not in ("both", "either", "each") or not place.of:
             return False
-        things = self._things(place.of[0])
+        return not any(self._is_even(things) for noun in place.of if (things := self._things(noun)))
+
+    def _is_even(self, things: Sequence[Mention]) -> bool:
+        """Whether things are so many at each of two sides, or of each of several."""
         if any(bond.each for bond in self._bonds(things)):
-            return False
-        return any(t.count is None for t in things) or sum(self._referents.total(t) for t in things) % _PAIR > 0
+            return True
+        counted = all(thing.count is not None for thing in things)
+        return counted and sum(self._referents.total(t) for t in things) % _PAIR == 0
 
     def _is_of_more(self, place: SaidPosition) -> bool:
         """Whether a verb of one thing was taken to be about others too: "a bar with two lamps is on the left"."""
@@ -297,6 +312,13 @@ def _kinds(place: SaidPosition) -> Sequence[str]:
     if place.whole is not None and place.to is not None:
         return _OF_PART.get(place.to.value, ())
     return _MEANT.get(place.link.value, ())
+
+
+def _is_side_of_either(place: SaidPosition) -> bool:
+    """Whether a side may be the room's, and several that something has there: "a bar with six stools on the left"."""
+    side = place.to is not None and place.to.kind == "part" and place.to.value in ("left", "right")
+    told = place.whole is None and place.to is not None and place.to.det == "the"
+    return side and told and place.held and place.of[0].many
 
 
 def _is_at_wall(bonds: Sequence[Bond]) -> bool:
