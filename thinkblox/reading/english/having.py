@@ -50,8 +50,13 @@ class Having(Groups):
         several = head.frame is not None and head.frame.times > 1
         several |= thing in self.multiplied
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
-        several |= self._goes_on_with_each(head)
+        several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _is_at_each(self, thing: Mention) -> bool:
+        """Whether there is one for each of several: "a shelf above each sink"."""
+        said = (b for b in self.draft.bonds_of(thing) if b.each and not b.negated)
+        return any(isinstance(a, Mention) and a.many for bond in said for a in bond.anchors)
 
     def _turn_wall_round(self, kind: str) -> None:
         """Read "a wall full of clocks" as clocks on a wall."""

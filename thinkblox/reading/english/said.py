@@ -6,6 +6,7 @@ clauses made of them.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
 
@@ -25,6 +26,8 @@ _HAVING = {
     "inverses": ("on", "inside", "with"),
 }
 """Words between a thing and what it has."""
+_REACH = 12
+"""So many nouns back, at most, a position can be about."""
 _SIDES = (["left"], ["right"])
 _ASIDE = ("but", "stop")
 """Conjunctions that begin a statement of its own."""
@@ -41,6 +44,7 @@ class SaidPosition:
         second: the other of "between A and B".
         of: what it can be about by its place, the nearest first; empty where it stands in front.
         held: whether the nearest is said to belong to what comes next.
+        carried: whether it stands after what something lies on ("a lamp on a table next to the bed").
         joined: what the nearest is joined to by "and", or, where the position is to a named thing, what has it.
         over: nouns before that to which the nearest was said to stand ("a chair next to the bed facing ...").
         led: what comes first after it, where it stands in front.
@@ -55,6 +59,7 @@ class SaidPosition:
     second: Noun | None = None
     of: list[Noun] = field(default_factory=list)
     held: bool = False
+    carried: bool = False
     joined: list[Noun] = field(default_factory=list)
     over: list[Noun] = field(default_factory=list)
     led: Noun | None = None
@@ -191,10 +196,11 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
             found.verb = found.verb or verb
         before -= 1
     if _noun(said, before) is not None:
-        found.of = list(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)))
+        found.of = [*islice(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)), _REACH)]
         found.held = before > 1 and _is_having(said[before - 1]) and _noun(said, before - 2, "thing") is not None
-        found.joined = list(_joined(said, before, named=found.to is not None and found.to.kind == "thing"))
-        found.over = [noun for noun in _further(said, before) if noun not in found.of]
+        found.carried = before > 0 and is_link(said[before - 1], "prepositions", "on", "on_top")
+        found.joined = [*islice(_joined(said, before, named=found.to is not None and found.to.kind == "thing"), _REACH)]
+        found.over = [*islice(_further(said, before), _REACH)]
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):
         found.led = _led(said, found.end + 1)
     return found
@@ -266,7 +272,7 @@ def _having(said: Sequence[Chunk], at: int, link: Connector) -> SaidList | None:
     members, lying = _members(said, at + 1)
     if each or link.sort == "verbs":
         members, lying = [*members, *lying], []
-    return SaidList(head, link, list(_further(said, before)), members, lying, each=each)
+    return SaidList(head, link, [*islice(_further(said, before), _REACH)], members, lying, each=each)
 
 
 def _further(said: Sequence[Chunk], at: int) -> Iterator[Noun]:

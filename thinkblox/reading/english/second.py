@@ -7,6 +7,7 @@ the two disagree nobody knows which is right, so that the words are not understo
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
@@ -90,6 +91,9 @@ class SecondOpinion:
             for having in held:
                 yield from self._lists(having)
             spread = any(h.head.many for h in held) or any(_is_shared_out(chunk) for chunk in said) or _defines(said)
+            for one, other in pairwise(said):
+                if _is_cut_in_two(one, other):
+                    yield Disagreement(one.start, other.end, range(one.start, other.end), "one thing?")
             apart = parted(said)
             for noun in (chunk for chunk in said if isinstance(chunk, Noun) and not corrected):
                 if question := self._number(noun, spread=spread and noun.start not in apart):
@@ -134,7 +138,7 @@ class SecondOpinion:
 
     def _goes_on(self, place: SaidPosition) -> bool:
         """Whether a position may be about what stood before the one before: the noun between was named earlier."""
-        if not place.of or place.link.value in ("facing", "opposite"):
+        if not place.of or place.link.value in ("facing", "opposite") or place.carried:
             return True
         before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
         return bool(before & set(self._meant.get(place.of[0].start, ())))
@@ -252,7 +256,9 @@ class SecondOpinion:
             others = [t for t in self._things(*having.members, *having.lying) if t not in things]
             if not self._are_related(things, [*heads, *self._things(*having.outer), *others]):
                 question = "where?"
-            elif having.each and self._is_shared_unevenly(having.head, heads, noun, things):
+            elif self._is_of_one_alone(heads, things) or (
+                having.each and self._is_shared_unevenly(having.head, heads, noun, things)
+            ):
                 question = "how many?"
             if question:
                 link = having.link
@@ -264,6 +270,12 @@ class SecondOpinion:
             return False
         each = sum(self._referents.total(t) for t in heads)
         return sum(self._referents.total(t) for t in things) % each > 0
+
+    def _is_of_one_alone(self, heads: Sequence[Mention], things: Sequence[Mention]) -> bool:
+        """Whether what each of several has was read as that of one: "a shelf above each sink with a cup"."""
+        shared = any(b.each and not b.negated for b in self._bonds(heads))
+        told = [b for b in self._bonds(things) if set(b.anchors) & set(heads)]
+        return shared and bool(told) and not any(b.each for b in self._bonds(things)) and len(things) == 1
 
     # --- numbers
 
@@ -312,6 +324,12 @@ def _kinds(place: SaidPosition) -> Sequence[str]:
     if place.whole is not None and place.to is not None:
         return _OF_PART.get(place.to.value, ())
     return _MEANT.get(place.link.value, ())
+
+
+def _is_cut_in_two(one: Chunk, other: Chunk) -> bool:
+    """Whether two things are named without a word between them: "a light" and "grey sofa"."""
+    named = isinstance(one, Noun) and isinstance(other, Noun) and one.kind == other.kind == "thing"
+    return named and isinstance(other, Noun) and one.end == other.start and not other.det and other.count is None
 
 
 def _is_side_of_either(place: SaidPosition) -> bool:

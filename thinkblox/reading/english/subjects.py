@@ -107,7 +107,7 @@ class Subjects(Having):
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
         whole = where.whole
-        if whole is None or whole.kind != "thing" or where.noun is None or where.noun.kind != "part":
+        if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
         if where.noun.value in ("middle", "top", "inside", "in_shelf"):
             return False

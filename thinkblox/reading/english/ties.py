@@ -108,12 +108,21 @@ class Ties(Relating):
             case "pronoun":
                 return not self._are_all(frame, noun, thing)
             case "thing" if noun.definite:
-                return self._is_of(frame, noun)
+                return self._is_beside_with(frame, thing, noun) or self._is_of(frame, noun)
             case "part":
                 return self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if self._may_share_place(frame, noun, thing) else False
         return None
+
+    def _is_beside_with(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
+        """Whether the owner is beside furniture: "a table with a jug and two glasses beside the swing"."""
+        head = frame.head.thing if frame.head is not None else None
+        pair = (
+            head is not None and self.separator == "and" and not frame.each and not self._belongs(noun.value, "small")
+        )
+        lies = pair and is_small(thing) and head is not None and self._carries_before(thing, head, frame)
+        return lies and self.referents.named(noun) not in frame.members
 
     def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
         """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
