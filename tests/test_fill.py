@@ -91,7 +91,9 @@ def added_to(prompt: str) -> set[str]:
 
 def test_nothing_excluded_is_added() -> None:
     assert "towels" in added_to("A bathroom with a shelving unit")
-    assert not {"towels", "potted_plant", "plant"} & added_to("A bathroom with a shelving unit but without towels and without plants")
+    assert not {"towels", "potted_plant", "plant"} & added_to(
+        "A bathroom with a shelving unit but without towels and without plants"
+    )
 
 
 def test_another_filling_is_refused() -> None:
