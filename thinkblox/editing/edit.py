@@ -25,6 +25,7 @@ from thinkblox.editing.spacing import space
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
+from thinkblox.editing.turns import in_turn
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
@@ -321,11 +322,12 @@ _DOERS: dict[str, Doer] = {
 
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
-    orders = _joined(read.orders)
+    orders = in_turn(_joined(read.orders), finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
-    for order in orders:
+    for number, order in enumerate(orders):
         finder.scene = work.before = work.scene
+        work.order = (number, order.text)
         finder.owners, finder.about = [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
         _DOERS[order.doing](work, finder, order)
@@ -335,6 +337,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
+    work.failed += work.unkept()
 
 
 def _joined(orders: Sequence[Order]) -> list[Order]:
@@ -395,6 +398,7 @@ def _hold(work: Work, order: Order, before: Scene, said: int) -> None:
     if changed:
         work.world = work.world.with_scene(before)
         del work.done[said:]
+        work.wishes = [wish for wish in work.wishes if wish.order < work.order[0]]
         work.failed.append(f"'{order.text}' was not done: {', '.join(changed)} is to stay as it is")
 
 

@@ -1,6 +1,7 @@
 """What an order wants of one object, measured on the scene before and after: geometry alone, metres and degrees."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
@@ -10,7 +11,8 @@ from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.free_parts import parts, takers
-from thinkblox.scene.landmarks import Landmark, things
+from thinkblox.scene.landmarks import Landmark, things, walls
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
@@ -18,8 +20,14 @@ from thinkblox.value import Vec2, Vec3
 
 EXACT = 0.02
 """How far a thing may stand from where it was to go [m]."""
+ASIDE = 1.5
+"""How many times as far as it comes nearer, or goes away, a thing may be moved that is to do so by a length."""
 TURN_EXACT = 2.0
 """The same for its yaw [degrees]."""
+TO_WALL = 20.0
+"""Largest angle between a gaze and the way to the wall that is looked at [degrees]."""
+MID_WALL = 0.1
+"""How far from the middle of a wall something stands at most that is to be there [m]."""
 LEAST = 0.02
 """Least by which something comes nearer or goes away, where there is so much room [m]."""
 INTO_ROOM = 45.0
@@ -94,6 +102,19 @@ class OnPart(Related):
 
 
 @dataclass(frozen=True)
+class MidWall(Related):
+    """It stands with its back to a wall, at the middle of it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both: how far along the wall its middle is from that of the wall."""
+        held, says = super().check(before, after, id)
+        named = {wall.name for name in self.anchors for wall in walls(after.room, name)}
+        along = [(w.coordinates(after[id].position[:2]), w.length) for w in after.room.walls if w.name in named]
+        off = min(((away, abs(far - length / 2)) for (far, away), length in along), default=(0.0, math.inf))[1]
+        return held and off <= MID_WALL, f"{says}, {off:.2f} m from its middle"
+
+
+@dataclass(frozen=True)
 class DrawnUp(Related):
     """A seat is drawn up to a table at one side of it."""
 
@@ -130,10 +151,13 @@ class Nearing(Untied):
         old, new = self.of(before, id), self.of(after, id)
         change = old - new if self.nearer else new - old
         wanted = self.by - EXACT if self.by is not None else min(LEAST, old / 3) if self.nearer else LEAST
-        exact = self.by is None or change <= self.by + EXACT
-        return change >= max(
-            wanted, 1e-3
-        ) and exact, f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
+        step = math.dist(before[id].position[:2], after[id].position[:2])
+        turn = turn_between(before[id].yaw, after[id].yaw)
+        exact = self.by is None or (change <= self.by + EXACT and step <= ASIDE * self.by and turn <= TURN_EXACT)
+        says = f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
+        if self.by is not None and not exact:
+            says += f", {step:.2f} m from where it was"
+        return change >= max(wanted, 1e-3) and exact, says
 
     def of(self, scene: Scene, id: str) -> float:
         """The distance now [m]."""
@@ -178,6 +202,20 @@ class Turned(Untied):
 
 
 @dataclass(frozen=True)
+class ToWall(Untied):
+    """It looks straight at a wall."""
+
+    wall: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Between its gaze and the way to the wall, within TO_WALL degrees."""
+        if after.asset_of(after[id]).front == "any":
+            return True, f"{id} faces every way"
+        turn = turn_between(things(after, id)[0].gaze, after.room.wall(self.wall).yaw + 180.0)
+        return turn <= TO_WALL, f"front of {id} {turn:.0f} degrees off the way to {self.wall}"
+
+
+@dataclass(frozen=True)
 class IntoRoom(Untied):
     """Its front points away from the wall that it is nearest to, or to the middle of the room."""
 
@@ -209,6 +247,20 @@ class At(Untied):
         if self.height is not None:
             away = max(away, abs(z - self.height))
         return away <= self.reach, f"{id} {away:.2f} m from ({self.point[0]:.2f}, {self.point[1]:.2f})"
+
+
+@dataclass(frozen=True)
+class Spot(At):
+    """It stands where another thing stood."""
+
+    old: Placement | None = None
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance between their middles, which may differ by half of what one is longer than the other."""
+        old = self.old
+        more = abs(max(after[id].size[:2]) - max(old.size[:2])) / 2 if old is not None else 0.0
+        away = math.dist(after[id].position[:2], self.point)
+        return away <= self.reach + more, f"{id} {away:.2f} m from where {old.id if old is not None else 'it'} was"
 
 
 @dataclass(frozen=True)
@@ -293,3 +345,18 @@ class Within(Untied):
         mark = things(after, id)[0]
         away = math.dist(mark.centre, self.region.centre)
         return self.region.holds(mark) == self.inside, f"{id} {away:.2f} m from the middle of {self.region.name}"
+
+
+def overruled(goal: Goal, later: Iterable[Goal]) -> bool:
+    """Whether what is asked of the same object later may undo a goal: another step, another way to face."""
+    if _is_turn(goal):
+        return any(_is_turn(other) for other in later)
+    if isinstance(goal, At | Along | Nearing | Elsewhere):
+        return any(not _is_turn(other) for other in later)
+    return False
+
+
+def _is_turn(goal: Goal) -> bool:
+    return isinstance(goal, Turned | IntoRoom | ToWall) or (
+        isinstance(goal, Related) and goal.kind in ("facing", "opposite")
+    )

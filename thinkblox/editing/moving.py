@@ -24,18 +24,31 @@ from thinkblox.editing.goals import (
     IntoRoom,
     Nearing,
     Related,
+    Spot,
 )
 from thinkblox.editing.grammar import sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
-from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots, whole_floor
+from thinkblox.editing.spots import (
+    Pose,
+    along_walls,
+    at_wall,
+    between,
+    by_gap,
+    likely,
+    middle_off,
+    shifted,
+    spots,
+    whole_floor,
+)
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
+from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
+from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
@@ -47,6 +60,10 @@ THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
 SLIGHT = 0.45
 """How far something is moved at most that is moved a bit [m]."""
+OTHER_CORNER = 1.5
+"""How far from where it was something stands at least that goes to another corner [m]."""
+MIDDLE = 0.3
+"""How far from the middle that is asked for something may stand that is left where it is [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
@@ -68,8 +85,11 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         _line_up(work, finder, order, wall)
         return
     seen: set[tuple[str, str]] = set()
-    for ids, places in _groups(work, finder, order):
+    groups = list(_groups(work, finder, order))
+    moving = {id for ids, _ in groups for id in ids}
+    for ids, places in groups:
         _check_says_where(order, places)
+        ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
@@ -180,8 +200,8 @@ def _split(
     finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
-    here = [w for w in places if w.word == "from"]
-    rest = [w for w in places if w.word != "from"]
+    here = [w for w in places if w.word in ("from", "of")]
+    rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
     if order.closer or order.direction or order.doing == "resite":
@@ -207,11 +227,11 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         return found
 
     def not_yet(found: Sequence[Placement]) -> Sequence[Placement]:
-        wanted = [bound(w, found[0].category, finder) for w in places if not w.negated]
+        wanted = [bound(w, found[0].category, finder) for w in places if not w.negated and w.word != "spot"]
         return [p for p in found if not all(b.holds(finder.scene, p.id) for b in wanted if not b.of_room)]
 
     picks: list[Picks] = [left_there] if any(w.negated for w in places) else []
-    if any(not w.negated for w in places):
+    if any(not w.negated and w.word != "spot" for w in places):
         picks.append(not_yet)
     for _, anchor in order.closer:
         name = anchor.noun.value if anchor.noun.kind == "place" else ""
@@ -245,6 +265,14 @@ def _at_place(
     work: Work, finder: Finder, order: Order, id: str, where: Where, index: int, count: int
 ) -> Iterator[Goal]:
     """What a place wants of one of several that are moved there."""
+    if where.word == "spot":
+        old = spot_of(where, id, work.start, finder)
+        yield Spot(old.position[:2], THERE, old=old)
+        return
+    if where.noun is not None and _is_any_other_corner(where, where.noun):
+        yield Related("in_corner", ("corner",))
+        yield Elsewhere(OTHER_CORNER)
+        return
     category = work.scene[id].category
     slots = slots_of(where, category, finder)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
@@ -256,6 +284,12 @@ def _at_place(
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
     yield related(there, category, index, count)
+
+
+def _is_any_other_corner(where: Where, noun: Noun) -> bool:
+    """Whether it is "another corner", whichever."""
+    bare = where.whole is None and where.second is None and not where.negated and "opposite" not in noun.text.lower()
+    return noun.value == "corner" and noun.det in ("other", "another") and bare and not noun.many
 
 
 def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, phrase: NounPhrase) -> Goal:
@@ -293,8 +327,9 @@ def _seated(work: Work, id: str, order: Order) -> list[Goal]:
 def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     """Move one object to where it meets the goals, and the order's direction; notes what became of it."""
     before = work.scene[id]
-    if goals and not order.direction and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+    if goals and not order.direction and all(_is_so(work, goal, id) for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        work.wish(id, goals)
         return
     gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
     if gap is not None and gap.nearer and gap.by is None and gap.of(work.scene, id) < TOUCHING:
@@ -308,13 +343,24 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = reach_goals(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        direct = chain(_in_line(work.scene, before, goals), _so_far(work.scene, before, goals), _spots(work, id, goals))
+        direct = chain(
+            _at_spot(work, id, goals),
+            _in_line(work.scene, before, goals),
+            _so_far(work.scene, before, goals),
+            _spots(work, id, goals),
+        )
         if any(isinstance(goal, Related) and goal.kind == "against_wall" and goal.count > 1 for goal in goals):
             direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
         done = reach_goals(work, id, goals, direct=direct, ask=True)
     say(work, id, before, done, goals)
+
+
+def _is_so(work: Work, goal: Goal, id: str) -> bool:
+    """Whether a goal is met as it is: of what is to be in the middle or between things not only about so."""
+    near = not isinstance(goal, Related) or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
+    return near and goal.check(work.before, work.scene, id)[0]
 
 
 def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -324,7 +370,23 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     if any(isinstance(goal, Related) and goal.kind == "in_centre" and goal.anchors == ("centre",) for goal in goals):
         x, y = work.scene.room.polygon.centroid.coords[0]
         yield from whole_floor(empty, work.asset_of(id), structs.replace(before, position=(x, y, before.position[2])))
+    if any(isinstance(g, Related) and g.kind == "against_wall" and g.anchors == ("wall",) for g in goals):
+        yield from along_walls(empty, work.asset_of(id), before.position[:2], math.inf)
+    for goal in goals:
+        if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount == "floor":
+            yield from between(empty, work.asset_of(id), goal.anchors, before.yaw)
     yield from spots(empty, work.asset_of(id), goals)
+
+
+def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Where another thing stood, as that was turned, and the free places about it: at a wall where it was at one."""
+    for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
+        asset = work.asset_of(id)
+        yield (*old.position[:2], old.position[2] if asset.mount != "floor" else 0.0), old.yaw
+        empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+        if at_wall(work.start, old.id) and asset.mount == "floor":
+            yield from along_walls(empty, asset, old.position[:2], THERE)
+        yield from whole_floor(empty, asset, structs.replace(work.scene[id], position=old.position, yaw=old.yaw))
 
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

@@ -24,6 +24,7 @@ class NounPhrase:
         spared: which of them are excepted.
         left: how many are excepted, whichever ("all but two of them").
         laden: what rests on it is meant too.
+        member: which of a row it is, from the left; -1 the last, 0 where nothing is said.
     """
 
     noun: Noun
@@ -35,6 +36,7 @@ class NounPhrase:
     left: int = 0
     spared: list["NounPhrase"] = field(default_factory=list)
     laden: bool = False
+    member: int = 0
 
     @property
     def text(self) -> str:

@@ -1,14 +1,16 @@
 """Instructions to orders: the reader's noun phrases and prepositions, and a grammar of what is done with them."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import cast
 
 from thinkblox.assets.plurals import singular
+from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
+from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
@@ -34,6 +36,10 @@ _OF_ALL = ("remove", "keep", "move", "free", "turn")
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
+_SPOT = ("where", "to where")
+"""Words before what stood at a place: "where the wardrobe was"."""
+_COMPASS = ("north", "south", "east", "west")
+_IN_ROW = ("middle", "left", "right")
 _SHAPES = ("round",)
 """Prepositions that are looks where nothing follows."""
 _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
@@ -61,19 +67,30 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     lexicon = load("en")
     plain, named = _without_ids(text, ids)
     tokens = _with_rows([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
-    orders: list[Order] = []
-    unknown: list[str] = []
-    found = clauses(tokens, named, unknown)
-    for clause in found:
-        reader = _OrderReader(lexicon, clause, named)
-        orders += reader.read()
-        unknown += reader.order.lost
-    if not found:
+    kinds = frozenset(id.rpartition("_")[0] for id in ids)
+    orders, unknown = _orders(lexicon, tokens, named, kinds)
+    if not orders:
         words = ", ".join(verbs())
         raise InputError(f"{_short(text)!r} does not say what to do with the room; an instruction begins with {words}")
+    unknown += unaccounted(tokens, orders, unknown, lambda left: _orders(lexicon, left, named, kinds)[0])
     for order in orders:
         check_heeded(order)
     return Instruction(text, tuple(orders), tuple(unknown))
+
+
+def _orders(
+    lexicon: Lexicon, tokens: Sequence[Token], named: Mapping[int, str], kinds: Collection[str]
+) -> tuple[list[Order], list[str]]:
+    """The orders that tokens hold, and what means nothing in them."""
+    unknown: list[str] = []
+
+    def read(clause: Clause) -> Order:
+        return _OrderReader(lexicon, clause, named, kinds).read()
+
+    orders = [order for clause in clauses(tokens, named, unknown) for order in each_order(clause, read)]
+    for order in orders:
+        unknown += order.lost
+    return orders, unknown
 
 
 def _check(text: object) -> None:
@@ -114,12 +131,13 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
-    """Read "the front row of" and "the back row of" as the first and the last, and "a round one" as no preposition."""
-    words = {"front": "first", "back": "last", "rear": "last"}
+    """Read "the front row" and "the back row" as the first and the last, and "a round one" as no preposition."""
+    words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
     read = list(tokens)
+    for index, token in enumerate(tokens[:-1]):
+        if token.text in words and tokens[index + 1].text == "row":
+            read[index] = replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
-        if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
-            read[index] = replace(tokens[index], text=words[tokens[index].text])
         if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
             read[index + 1] = replace(tokens[index + 1], text="circular")
     return read
@@ -143,7 +161,7 @@ def _of_orders() -> frozenset[str]:
 class _OrderReader:
     """Reads the words after one verb."""
 
-    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str]) -> None:
+    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str] = ()) -> None:
         verb = clause.text.split(" ", 1)[0].lower()
         self.order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
         told = [word.lower() for word in clause.text.split()[:4]]
@@ -151,10 +169,9 @@ class _OrderReader:
             clause.doing == "free" and told[0] in _MAKING and any(means("distances", word) == "gap" for word in told)
         )
         self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
-        self.orders = [self.order]
         self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
-        self._items = self._cutter.items(clause.tokens)
+        self._items = [_of_kind(item, kinds) for item in self._cutter.items(clause.tokens)]
         self._at = 0
         self._mode = "things"
         self._so: list[NounPhrase] = []
@@ -165,8 +182,10 @@ class _OrderReader:
         self._excepted: NounPhrase | None = None
         self._distance = False
         self._around = False
+        self._shared = False
+        self._more = False
 
-    def read(self) -> list[Order]:
+    def read(self) -> Order:
         """Read everything."""
         while self._at < len(self._items):
             item = self._items[self._at]
@@ -187,7 +206,7 @@ class _OrderReader:
                 case _:
                     self._lose(item)
         self._finish()
-        return self.orders
+        return self.order
 
     def _sized(self) -> Noun | None:
         """The new thing of which a size by itself speaks: "a round one that is 1.5 m wide"."""
@@ -201,14 +220,7 @@ class _OrderReader:
             self._pending = None
         if self._pending is not None:
             order.together, order.scatter = self._pending, not self._pending
-        about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
-        if (
-            order.doing in ("free", "keep", "make", "move", "put")
-            and about
-            and (order.space or order.lengths)
-            and (not order.things or order.doing in ("free", "keep"))
-        ):
-            order.doing, order.places = "gap", about[:1]
+        self._spaced()
         somewhere = order.places and not order.things and not order.rest and not order.room
         if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
             order.doing = "clear"
@@ -222,6 +234,22 @@ class _OrderReader:
             order.turn = None
         if order.doing == "put" and self._only_looks():
             order.doing = "turn"
+
+    def _spaced(self) -> None:
+        """Read what is said of the space between things, or of more space at one of them."""
+        order = self.order
+        about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
+        if (
+            order.doing in ("free", "keep", "make", "move", "put")
+            and about
+            and (order.space or order.lengths)
+            and (not order.things or order.doing in ("free", "keep"))
+        ):
+            order.doing, order.places = "gap", about[:1]
+            more = self._more and not order.lengths and not order.change
+            order.change = "wider" if more else order.change
+        if order.doing == "put" and order.space and order.places and not order.things:
+            order.doing = "free"
 
     def _only_looks(self) -> bool:
         """Whether all that is asked of things is what they face: they are turned, and not moved far for that."""
@@ -303,7 +331,11 @@ class _OrderReader:
         if phrase is None or phrase.noun.kind != "thing":
             self.order.lost.append("row")
         else:
-            phrase.noun = replace(phrase.noun, rows=1, ordinal=number)
+            phrase.member = phrase.noun.ordinal
+            middle = [w for w in phrase.places if w.noun is not None and w.noun.kind == "part" and not w.whole]
+            side = next((w.noun.value for w in middle if w.noun is not None and w.noun.value in _IN_ROW), "")
+            phrase.places = [w for w in phrase.places if w not in middle] if side else phrase.places
+            phrase.noun = replace(phrase.noun, rows=1, ordinal=number, side=side or phrase.noun.side)
 
     def _length(self, mark: OrderMark) -> None:
         order = self.order
@@ -378,6 +410,7 @@ class _OrderReader:
             order.places.append(Where("around", about, text="around"))
         elif self._is_space(noun):
             order.space = True
+            self._more |= noun.text.lower().startswith("more ")
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
@@ -417,6 +450,8 @@ class _OrderReader:
             order.rest = True
         elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
             order.company.append(phrase)
+        elif self._shares_out(noun):
+            self._shared = True
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
             if order.things and _is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
                 phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
@@ -424,6 +459,19 @@ class _OrderReader:
             self._anchors = []
         else:
             self._lose(noun)
+
+    def _shares_out(self, noun: Noun) -> bool:
+        """Whether a number says how many of what is added go to each of several places: "two plants, one in each"."""
+        last = self.order.things[-1] if self.order.things else None
+        one = noun.kind == "pronoun" and noun.value == "one"
+        bare = one or (noun.kind == "number" and not noun.det and not noun.ordinal and not noun.rows)
+        return (
+            self.order.doing in ("add", "put")
+            and last is not None
+            and bare
+            and (last.noun.count or 0) > 1
+            and not last.places
+        )
 
     def _phrase(self, noun: Noun) -> NounPhrase:
         rank, _, along = self._cutter.ranks.get(id(noun), "").partition(" ")
@@ -523,12 +571,25 @@ class _OrderReader:
                 self._verb(link)
             case "mutual":
                 self._mutual(link)
+            case "joins" if link.text.lower() in _SPOT and (noun := self._spot()) is not None:
+                self._attach(Where("spot", noun, text=link.text))
             case "joins" if link.value in ("or", "stop", "but"):
                 self._join(link)
             case "joins" | "mark" | "participles" | "fillers":
                 pass
             case _:
                 self._lose(link)
+
+    def _spot(self) -> Noun | None:
+        """Read "(where) the bookcase stands"; None where something else follows."""
+        noun, verb = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
+        told = (
+            isinstance(verb, Connector) and verb.sort in ("verbs", "participles") and verb.value in (*_BEING, "stand")
+        )
+        if not isinstance(noun, Noun) or noun.kind not in ("thing", "pronoun") or not told:
+            return None
+        self._at += 2
+        return self._merged(noun) if noun.kind == "thing" else noun
 
     def _verb(self, link: Connector) -> None:
         if link.value == "face":
@@ -643,6 +704,8 @@ class _OrderReader:
     def _without_noun(self, link: Connector, following: Item | None) -> None:
         """A preposition that no noun follows says how a thing is, waits for a length, or is lost."""
         order, text = self.order, link.text.lower()
+        if isinstance(following, Connector) and following.text.lower() in _SPOT:
+            return
         if text in _SHAPES and order.doing in ("make", "put") and order.things:
             order.looks.append(text)
         elif (isinstance(following, Adjective) and order.doing == "make" and link.value in ("to", "in")) or (
@@ -667,7 +730,7 @@ class _OrderReader:
         self._refer(where)
         if self._goes_along(where):
             return
-        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to"):
+        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
             phrase = NounPhrase(where.noun, id=where.noun.id)
             order.apart.append((order.lengths.pop()[0], phrase))
@@ -682,10 +745,18 @@ class _OrderReader:
         places = order.things[-1].places if order.things else order.places
         if places:
             places.append(Where(places[-1].word, noun, negated=True, text=places[-1].text))
+        elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
+            order.doing, order.total = "ensure", True
         elif order.doing in ("add", "put", "ensure") and order.things and noun.kind == "thing":
             order.doing, order.instead, order.things = "replace", order.things, [NounPhrase(noun, id=noun.id)]
         else:
             order.lost.append(f"{where.text} {noun.text}")
+
+    def _is_other_number(self, noun: Noun) -> bool:
+        """Whether there are to be so many of one kind, not another number of them: "four chairs instead of two"."""
+        last = self.order.things[-1].noun
+        of_them = noun.kind == "number" or (noun.kind == "thing" and noun.value == last.value and not noun.attributes)
+        return of_them and bool(noun.count and last.count) and last.kind == "thing" and not last.definite
 
     def _goes_along(self, where: Where) -> bool:
         """Take "with its chairs", "and the chairs with it" as what goes along."""
@@ -715,7 +786,7 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        new = following.det in ("a", "another", "") or following.kind == "number"
+        new = following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
         if order.doing == "replace":
             return link.value in ("with", "by", "for") or (link.value in ("in", "to") and new)
         if order.doing == "swap" and (link.value == "for" or (link.value == "with" and new)) and new:
@@ -744,7 +815,12 @@ class _OrderReader:
         noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
         beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
         cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
-        if not cornered or noun is None or where.whole is not None or noun.each or noun.plural:
+        if not cornered or noun is None or where.whole is not None:
+            return where
+        each = noun.each or noun.plural
+        if each and (
+            not isinstance(link, Connector) or link.value not in _ASIDE or not noun.value.startswith("corner")
+        ):
             return where
         if noun.value.startswith("wall") and (not isinstance(link, Connector) or link.value not in _OF_WALL):
             return where
@@ -755,6 +831,8 @@ class _OrderReader:
         ):
             return where
         if beside.kind not in ("place", "thing"):
+            return where
+        if each and beside.kind != "place":
             return where
         self._at += 2
         if link.value in _ACROSS:
@@ -769,6 +847,14 @@ class _OrderReader:
         return isinstance(item, Connector) and item.sort == "joins" and isinstance(after, Noun)
 
     def _attach(self, where: Where) -> None:
+        noun = where.noun
+        if self.order.room and self.order.doing == "make" and noun is not None and where.whole is None:
+            side = next((side for side in _COMPASS if noun.value in (side, f"{side}_wall")), "")
+            if side and not self.order.direction:
+                self.order.direction = side
+                return
+        if self._shared and where.noun is not None and where.noun.each:
+            where.noun = replace(where.noun, det="all", plural=True)
         if self._mode == "so":
             self._of_result(where)
         elif self._excepted is not None:
@@ -798,6 +884,19 @@ class _OrderReader:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+
+def _of_kind(item: Item, kinds: Collection[str]) -> Item:
+    """A noun as the thing of the room that is called so, where it could be a room: "the changing room"."""
+    if not isinstance(item, Noun) or item.kind != "room":
+        return item
+    words = [word for word in item.text.lower().split() if word != item.text.lower().split()[0] or not item.det]
+    kind = "_".join([*words[:-1], singular(words[-1])]) if words else ""
+    return (
+        replace(item, kind="thing", value=kind, named=True, plural=words[-1] != singular(words[-1]))
+        if kind in kinds
+        else item
+    )
 
 
 def _is_theirs(noun: Noun) -> bool:

@@ -31,9 +31,11 @@ def space(work: Work, finder: Finder, order: Order) -> None:
         zone = between(work.scene, one, other)
         if zone.takers(work.scene):
             vacate(work, [zone])
+            if one in work.before and other in work.before and _gap(work, one, other) >= PASSAGE:
+                return
     if one not in work.scene:
         one, other = other, one
-    gap = Nearing((other,), nearer=False).of(work.scene, one)
+    gap = _gap(work, one, other)
     goals = [_goal(order, gap, other)]
     finder.recent = [id for id in (one, other) if id in work.scene]
     holds, says = goals[0].check(work.before, work.scene, one)
@@ -50,6 +52,10 @@ def space(work: Work, finder: Finder, order: Order) -> None:
             return
     why = failed.why if failed is not None else f"{one} and {other} are to stay where they are"
     work.failed.append(f"{one} and {other} were left where they are, {gap:.2f} m apart: {why}")
+
+
+def _gap(work: Work, one: str, other: str) -> float:
+    return Nearing((other,), nearer=False).of(work.scene, one)
 
 
 def _goal(order: Order, gap: float, other: str) -> Apart:

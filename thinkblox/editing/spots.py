@@ -117,6 +117,41 @@ def at_wall(scene: Scene, id: str) -> bool:
     return scene[id].support == "floor" and measure(scene, "against_wall", id, ("wall",)).holds
 
 
+def middle_off(scene: Scene, id: str, kind: str, anchors: Sequence[str]) -> float:
+    """How far a thing is from the middle of the room, or of the way between two things [m]; else 0."""
+    middle = _middle(scene, kind, anchors)
+    return math.dist(scene[id].position[:2], middle) if middle is not None else 0.0
+
+
+def _middle(scene: Scene, kind: str, anchors: Sequence[str]) -> Vec2 | None:
+    if kind == "in_centre" and anchors == ("centre",):
+        x, y = scene.room.polygon.centroid.coords[0]
+        return (x, y)
+    if kind != "between" or len(anchors) != 2:
+        return None
+    one, other = (next(iter(things(scene, name)), None) for name in anchors)
+    if one is None or other is None:
+        return None
+    a, b = nearest_points(one.footprint, other.footprint)
+    return ((a.x + b.x) / 2, (a.y + b.y) / 2)
+
+
+def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> Iterator[Pose]:
+    """Poses between two things that look free from above, the nearest to the middle of the way there first."""
+    middle = _middle(scene, "between", anchors)
+    if middle is None:
+        return
+    steps = np.arange(-1.0, 1.001, 2 * STEP)
+    offsets = sorted(((float(x), float(y)) for x in steps for y in steps), key=lambda o: math.hypot(*o))
+    turns = (0.0,) if asset.front == "any" else (0.0, 90.0, 180.0, 270.0)
+    poses: list[Pose] = [
+        ((round(middle[0] + dx, 4), round(middle[1] + dy, 4), 0.0), round((yaw + turn) % 360.0, 3) % 360.0)
+        for dx, dy in offsets
+        for turn in turns
+    ]
+    yield from _free(scene, asset, poses)
+
+
 def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterator[Pose]:
     """With the back to a wall, no further than `reach` from a spot [m] and free from above, the nearest first."""
     poses: list[Pose] = []

@@ -36,7 +36,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
             placement = work.scene[id]
             finder.scene, finder.about = work.scene, id
             looks = [looking(finder, noun) for noun in order.facing]
-            looks += [related(bound(w, placement.category, finder), placement.category) for w in places]
+            looks += [_look(finder, w, placement.category) for w in places]
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
             if looks:
@@ -46,6 +46,13 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _look(finder: Finder, where: Where, category: str) -> Goal:
+    """What a place says of what a thing is to face."""
+    if where.word == "facing" and where.noun is not None and where.noun.kind == "place" and not where.negated:
+        return looking(finder, where.noun)
+    return related(bound(where, category, finder), category)
 
 
 def face_each_other(work: Work, finder: Finder, order: Order) -> None:
@@ -104,6 +111,7 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
     before = work.scene[id]
     if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        work.wish(id, goals)
         return
     there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
     failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))

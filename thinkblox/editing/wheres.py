@@ -6,10 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
 
+from shapely import Point
+
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import PartOfTop
+from thinkblox.editing.grammar import rank_of
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -35,6 +38,8 @@ _COMPASS = {"north_wall": (0.0, 1.0), "south_wall": (0.0, -1.0), "east_wall": (1
 _TWO_SIDED = ("side", "end", "long_side", "short_side", "head")
 _OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_of", "inside", "in", "above")
 """Prepositions after which a plural means each of them."""
+EMPTY, OVER_HEAD = 0.8, 1.9
+"""How far from an empty corner the nearest thing is at least, and from which height on nothing counts [m]."""
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
 
 
@@ -46,6 +51,7 @@ class Bound:
         of_room: it is turned into the room ("facing the room").
         part: on which part of the top of its anchor; empty where any will do.
         side: at which side of its anchor a seat is drawn up to it.
+        middle: at the middle of the walls that it stands against.
     """
 
     kind: RelationKind
@@ -54,6 +60,7 @@ class Bound:
     of_room: bool = False
     part: PartOfTop | Literal[""] = ""
     side: RelationKind | None = None
+    middle: bool = False
 
     def holds(self, scene: Scene, id: str) -> bool:
         """Whether an object has the relation, or has it not where it is negated."""
@@ -90,6 +97,25 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     return settled
 
 
+def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
+    """Where the thing stood before the instruction that a place names by it: "where the wardrobe was".
+
+    Raises:
+        InputError: it is not there, could be several, or stands there still, as does the thing itself.
+    """
+    noun, now = where.noun, finder.scene
+    old = dataclasses.replace(finder, scene=start)
+    ids = old.ids(NounPhrase(noun, id=noun.id)) if noun is not None else ()
+    says = f"where {noun.text if noun is not None else 'it'} is"
+    if len(ids) != 1:
+        raise InputError(f"'{says}' could be the place of {', '.join(ids)}; say of which")
+    if ids[0] in now and now[ids[0]] == start[ids[0]] and ids[0] != id:
+        raise InputError(
+            f"'{says}': {ids[0]} stands there still; say where that goes first, or let the two swap places"
+        )
+    return start[ids[0]]
+
+
 def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     """The places that a phrase names, one for each where it speaks of each: "in every corner", "on both sides of"."""
     noun = where.noun
@@ -103,13 +129,40 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
         names = {"corner": "corner", "window": "window", "door": "door"}.get(name, name)
         marks = [mark.name for mark in things(scene, names)]
-        if noun.count and noun.count != len(marks):
+        if noun.count and noun.count != len(marks) and name != "corner":
             raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
         if name == "corner":
-            return [Bound("in_corner", tuple(m.removeprefix("corner of ").split(" and "))) for m in marks]
+            return [Bound("in_corner", walls) for walls in _each_corner(finder, where, noun)]
         return [dataclasses.replace(one, anchors=(mark,)) for mark in marks]
     found = _thing(where, noun, category, finder, ())
     return [dataclasses.replace(found, anchors=(anchor,)) for anchor in found.anchors]
+
+
+def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ...]]:
+    """The walls of every corner that is meant: of all, of those at a door's or window's wall, of those that are empty.
+
+    Raises:
+        InputError: there are not so many, or what is said of them is not known.
+    """
+    scene, found = (
+        finder.scene,
+        [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
+    )
+    spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
+    if where.whole is not None:
+        openings = [o for o in scene.room.openings if o.kind == where.whole.value]
+        found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
+    if noun.states == ["empty"]:
+        taken = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < OVER_HEAD]
+        away = {
+            walls: min((p.footprint.distance(Point(spots[walls])) for p in taken), default=EMPTY) for walls in found
+        }
+        found = [walls for walls in found if away[walls] >= EMPTY]
+    elif noun.states or noun.unshown or noun.degree:
+        raise InputError(f"'{noun.text}': which corners those are is not known; say 'the corner by the window'")
+    if not found or (noun.count and noun.count != len(found)):
+        raise InputError(f"'{_text(where)}': the room has {len(found)} of them")
+    return found
 
 
 def _speaks_of_each(where: Where, noun: Noun) -> bool:
@@ -170,6 +223,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
             return Bound(cast(RelationKind, f"{noun.value}_of"), (whole.value,), where.negated)
+        if noun.value == "middle" and whole is not None and whole.kind == "place":
+            return _middle_of(where, whole, finder)
         if noun.value == "middle":
             return Bound("in_centre", ("centre",), where.negated)
         side = _SIDES.get(noun.value)
@@ -181,6 +236,18 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
+
+
+def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
+    """The middle of a wall, or before the middle of a window or door.
+
+    Raises:
+        InputError: it is none of them.
+    """
+    found = _place(Where("against", whole, text="against"), whole, finder) if "wall" in whole.value else None
+    if found is None or where.negated:
+        raise InputError(f"'{_text(where)}' is no place that a thing can be put")
+    return dataclasses.replace(found, middle=True)
 
 
 def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
@@ -254,10 +321,24 @@ def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None
     meaning = wall(where.word, noun, name, 0, each=noun.each)
     if meaning is None:
         return None
+    if noun.degree:
+        meaning = dataclasses.replace(meaning, anchors=(_wall_by_length(noun),))
     if meaning.anchors == ("opposite_wall",) or where.second or _is_beside(where, name):
         meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
     stands = noun.word == "side" or _stands(finder)
     return dataclasses.replace(meaning, kind="against_wall") if meaning.kind == "on" and stands else meaning
+
+
+def _wall_by_length(noun: Noun) -> str:
+    """The longest or the shortest walls.
+
+    Raises:
+        InputError: they are compared by something else.
+    """
+    rank, along = rank_of(noun.degree)
+    if not rank or along == "height" or noun.value != "wall":
+        raise InputError(f"'{noun.text}': which wall that is is not known; say 'the north wall'")
+    return "long_wall" if rank > 0 else "short_wall"
 
 
 def _stands(finder: Finder) -> bool:
@@ -274,6 +355,7 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     """The walls of "the corner by the window", "the corner opposite the door", "the other corner"."""
     other = noun.det == "other" or "opposite" in noun.text.lower().split()
     mark = where.whole or where.second
+    mark = None if mark is not None and mark.kind == "room" else mark
     if not other and (mark is None or mark.kind not in ("place", "thing")):
         return None
     found = list(corners(finder.scene.room, noun.value.split()[1:]))
@@ -290,7 +372,9 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     elif other and len(found) > 1 and "opposite" in noun.text.lower().split():
         found.sort(key=lambda c: -math.dist(c.centre, here.position[:2]))
     elif len(found) > 1:
-        return tuple(dict.fromkeys(n for c in found[:1] for n in c.name.removeprefix("corner of ").split(" and ")))
+        others = [p for p in finder.scene.placements if p.id != finder.about and finder.scene.asset_of(p).collides]
+        room = {c.name: min((p.footprint.distance(c.footprint) for p in others), default=EMPTY) for c in found}
+        found.sort(key=lambda c: (-min(round(room[c.name], 1), EMPTY), math.dist(c.centre, here.position[:2])))
     if not found:
         raise InputError(f"the room has no such corner: '{_text(where)}'")
     return tuple(found[0].name.removeprefix("corner of ").split(" and "))
@@ -429,6 +513,7 @@ BELONGING = 0.8
 """How far from a thing what belongs to it stands at most [m]."""
 _NEAREST = ("nearest", "closest")
 _FARTHEST = ("farthest", "furthest")
+_SUPERLATIVES = tuple([word] for word in (*_NEAREST, *_FARTHEST))
 NEARNESS = (
     "next_to",
     "near",
@@ -482,6 +567,16 @@ def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
         raise finder.nothing(noun.text)
     if not owners:
         raise InputError(f"'{noun.text}': nothing was named before whose they are; name them by place or id")
+    return _at_owners(finder, noun, owners, found)
+
+
+def _at_owners(finder: Finder, noun: Noun, owners: Sequence[str], found: Sequence[Placement]) -> tuple[str, ...]:
+    """What rests on some things, is drawn up to them or stands by them.
+
+    Raises:
+        InputError: nothing of it does.
+    """
+    found = [p for p in found if p.id not in owners]
     marks = {id: things(finder.scene, id)[0] for id in owners}
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks.values()) for p in found}
     seated = {p.id: any(measure(finder.scene, "at", p.id, (id,)).holds for id in owners) for p in found}
@@ -510,10 +605,16 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
-    found = finder.matching(phrase.noun)
+    by_distance = any(where.text.lower().split()[:1] in (*_SUPERLATIVES,) for where in said)
+    found = finder.matching(phrase.noun, wide=by_distance)
     if not found:
         raise finder.nothing(phrase.noun.text)
     for where in said:
+        if where.word == "of" and where.noun is not None and where.noun.kind in ("thing", "pronoun"):
+            found = [
+                finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(where.noun)), found)
+            ]
+            continue
         superlative = where.text.lower().split()[:1]
         if superlative and superlative[0] in (*_NEAREST, *_FARTHEST):
             found = _by_distance(finder, phrase, where, found, far=superlative[0] in _FARTHEST)

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
@@ -271,6 +272,10 @@ class Meanings:
             return Meaning(f"{side}_of", (self.sided[1],), told=True)
         if said.value == "side" and said.det == "other" and where.whole is not None and where.whole.kind == "thing":
             return self._beyond_other(where.whole, subjects)
+        if said.value == "end" and said.det == "other" and (where.whole is None or where.whole.kind == "room"):
+            wall = self.place.anchors[0] if self.place is not None and self.anchor is None else ""
+            if isinstance(wall, str) and wall.endswith("wall"):
+                return Meaning("against_wall", (ACROSS.get(wall, "opposite_wall"),))
         them = where.whole is not None and where.whole.kind == "pronoun" and where.whole.value == "them"
         if said.value == "middle" and them:
             return Meaning("between", self.referents.several(subjects, "between"), told=True)

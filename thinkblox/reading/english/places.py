@@ -58,7 +58,13 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
     if name == "wall":
         if "opposite walls" in text or "facing walls" in text:
             several = several or 2
-        elif "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
+        elif (
+            "opposite" in text
+            or "other side" in text
+            or "other end" in text
+            or "facing wall" in text
+            or "other wall" in text
+        ):
             name = "opposite_wall"
         elif (said.count == 1 and text.startswith("one")) or "same" in text.split():
             name = "one_wall"

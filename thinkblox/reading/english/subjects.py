@@ -67,12 +67,20 @@ class Subjects(Having):
         small = is_small(owner) and is_small(inner.things[-1]) and not self._contains(owner)
         return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
 
+    def _is_of_container(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether a container stands there with what is in it: "a bowl with apples on the counter"."""
+        noun, owner = where.noun, head.things[-1]
+        if noun is None or noun.kind != "thing" or where.word not in ("on", "on_top") or frame.each or noun.each:
+            return False
+        small = is_small(owner) and is_small(thing) and self._contains(owner)
+        return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
+
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
         if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
             return True
-        if frame.contents and len(frame.members) == 1:
+        if (frame.contents and len(frame.members) == 1) or self._is_of_container(thing, frame, head, where):
             return True
         if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
             return not frame.each and not self.habits.is_in(thing.noun, "seats")
@@ -175,6 +183,13 @@ class Subjects(Having):
             return where.whole is None or where.whole.kind == "pronoun"
         return False
 
+    def _is_first_named(self, anchor: Node, where: Where) -> bool:
+        """Whether another thing follows what was just named for the first time: "a sign above the shelves behind ..."."""
+        thing = where.noun is not None and where.noun.kind == "thing" and where.word not in ("facing", "opposite")
+        before = self.chunks[self._began - 1] if self._began else None
+        named = self.named_by.get(anchor.things[-1])
+        return thing and not self.separator and named is not None and named is before
+
     def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
         """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
         inner = nodes[0]
@@ -186,7 +201,8 @@ class Subjects(Having):
             for b in self.draft.bonds_of(subject.things[-1])
         )
         apart = self.separator == "comma" and inner.known and not self._is_pronominal(where)
-        if inner.told or where.negated or apart or (inner.known and not is_small(subject.things[-1]) and not carries):
+        known = inner.known and not (carries or is_small(subject.things[-1]) or self._is_first_named(inner, where))
+        if inner.told or where.negated or apart or known:
             return subject
         thing = inner.things[-1]
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):

@@ -73,7 +73,7 @@ class Ties(Relating):
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
         alone = self.separator == "comma_and" and len(frame.members) == 1
-        if frame.each and tie == "next_to" and alone and not self.habits.tie(thing.noun, head.noun):
+        if frame.each and tie not in _CARRIED and alone:
             return False
         if frame.told and tie not in _CARRIED:
             return pair
@@ -137,7 +137,7 @@ class Ties(Relating):
     def _is_of(self, frame: Listed, noun: Noun) -> bool | None:
         found = self.referents.named(noun)
         if frame.head is not None and found in frame.head.things:
-            return True
+            return not (noun.ordinal or noun.degree)
         outside = found is not None and not found.many and found not in frame.members
         carriers = [
             a for t in (frame.head.things if frame.head else ()) for b in self.draft.bonds_of(t) for a in b.anchors

@@ -1,0 +1,298 @@
+"""A second opinion: where what was read is not what the order of the words says, that is said.
+
+It looks at the text again with the few facts of `said`, without knowing how the reader of clauses came to its reading:
+every position has to be about what stands beside it, every list about its head, every number has to be there. Where
+the two disagree nobody knows which is right, so that the words are not understood.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from thinkblox.brief import RelationKind
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.reading.draft import Bond, Draft, Mention
+from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.referents import Referents, is_small, parts_of
+from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, positions, possessions, statements
+
+_LYING: tuple[RelationKind, ...] = ("on", "inside")
+_MEANT: dict[str, tuple[RelationKind, ...]] = {
+    "above": ("above", "under", "on"),
+    "under": ("under", "above", "at", "around", "on", "inside"),
+    "behind": ("behind", "at"),
+    "in_front_of": ("in_front_of", "next_to", "near", "at", "around", "on", "facing"),
+    "left_of": ("left_of",),
+    "right_of": ("right_of",),
+    "between": ("between", "next_to", "near"),
+    "on": ("on", "inside", "in_centre", "under", "above", "at", "around", "next_to"),
+    "on_top": ("on", "inside", "in_centre"),
+    "in": ("on", "inside", "in_centre", "at", "around", "between"),
+    "opposite": ("opposite", "facing"),
+    "facing": ("facing", "opposite", "in_front_of"),
+    "around": ("around", "at", "next_to"),
+    "far": ("far",),
+    "outside": ("outside", "next_to"),
+    "near": ("near", "next_to", "at"),
+    "next_to": ("next_to", "near", "left_of", "right_of", "at", "on", "behind", "in_front_of", "around"),
+}
+"""What a preposition can have been read as; the others as anything."""
+_OF_PART: dict[str, tuple[RelationKind, ...]] = {
+    "left": ("left_of", "on", "inside", "next_to"),
+    "right": ("right_of", "on", "inside", "next_to"),
+    "front": ("in_front_of", "on", "inside"),
+    "back": ("behind", "on", "inside"),
+    "foot": ("at_foot_of", "next_to", "on"),
+}
+"""The same for a part of a thing."""
+_BESIDE = ("next_to", "left_of", "right_of", "in_front_of", "behind", "opposite")
+"""Relations of things that stand on the same floor, or top."""
+_APART = (*_BESIDE, "near", "far", "under", "above", "facing")
+"""Relations that no carrier has to what lies on it."""
+_ELIDING = ("above", "under", "behind", "opposite")
+"""Prepositions that say where something is without a noun after them."""
+_PAIR = 2
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """The tokens of which two readings disagree, those of them that are in doubt, and the question that is open."""
+
+    start: int
+    end: int
+    doubtful: range
+    question: str
+
+
+class SecondOpinion:
+    """Compares a draft with what its text says on the surface.
+
+    Args:
+        draft: what was read.
+        referents: what was parted from what.
+        meant: what the noun phrase at each token was taken for.
+    """
+
+    def __init__(self, draft: Draft, referents: Referents, meant: Mapping[int, Sequence[Mention]]) -> None:
+        self._draft = draft
+        self._referents = referents
+        self._meant = meant
+
+    def disagreements(self, chunks: Sequence[Chunk]) -> Iterator[Disagreement]:
+        """Everything that can hardly be meant so."""
+        corrected = any(is_link(chunk, "corrections") for chunk in chunks)
+        for said in statements(chunks):
+            places = list(positions(said))
+            for place in places:
+                if question := self._about(place, places):
+                    start = place.of[0].start if place.of else place.link.start
+                    yield Disagreement(start, place.last, range(place.link.start, place.link.end), question)
+            held = list(possessions(said))
+            for having in held:
+                yield from self._lists(having)
+            spread = any(h.head.many for h in held) or any(_is_shared_out(chunk) for chunk in said) or _defines(said)
+            for noun in (chunk for chunk in said if isinstance(chunk, Noun) and not corrected):
+                if question := self._number(noun, spread=spread):
+                    yield Disagreement(noun.start, noun.end, range(noun.start, noun.end), question)
+
+    # --- positions
+
+    def _about(self, place: SaidPosition, places: Sequence[SaidPosition]) -> str:
+        """What is open about a position; empty where it was read as it stands there."""
+        named = place.of[0] if place.of else place.led
+        subjects = self._things(named, *place.of[1:], *(place.over if self._goes_on(place) else ()))
+        if named is None or named.kind != "thing" or not subjects:
+            return ""
+        anchor = place.anchor
+        if anchor is not None and anchor.kind == "thing":
+            anchors = self._things(anchor)
+            if anchors and not self._are_related(subjects, anchors, _kinds(place)):
+                return "where?"
+            if place.second is None and self._is_of_others(self._things(named), anchor):
+                return "which of them?"
+            if place.led is not None and self._is_shared_front(place, places, anchors):
+                return "of what?"
+        elif place.of and not self._has_place(place, subjects):
+            return "where?"
+        if self._is_beside_its_carrier(subjects):
+            return "where?"
+        if self._is_odd_side(place):
+            return "how many?"
+        return "which of them?" if self._is_of_more(place) else ""
+
+    def _goes_on(self, place: SaidPosition) -> bool:
+        """Whether a position may be about what stood before the one before: the noun between was named earlier."""
+        if not place.of or place.link.value in ("facing", "opposite"):
+            return True
+        before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
+        return bool(before & set(self._meant.get(place.of[0].start, ())))
+
+    def _has_place(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
+        """Whether any of the subjects is somewhere, as a place or a pronoun says."""
+        if place.to is not None and place.to.kind == "place" and place.whole is None:
+            on_wall = all(load_habits().is_in(thing.noun, "wallpieces") for thing in subjects)
+            return on_wall or any(
+                (b.anchors and isinstance(b.anchors[0], str)) or b.kind == "in_centre" for b in self._bonds(subjects)
+            )
+        if place.whole is not None or (place.to is not None and place.to.kind not in ("pronoun", "part")):
+            return True
+        if place.to is None and place.link.value not in _ELIDING:
+            return True
+        told = [bond for bond in self._bonds(subjects) if not bond.implied]
+        part = place.to if place.to is not None and place.to.kind == "part" else None
+        if part is not None and part.det == "other" and part.value == "end" and not _is_at_wall(told):
+            return False
+        beside = (b for b in told if b.told and b.kind in _BESIDE and not is_small(b.subject))
+        return bool(told) and not any(self._lies(anchor) for bond in beside for anchor in parts_of(bond))
+
+    def _lies(self, thing: Mention) -> bool:
+        """Whether it lies on or in something."""
+        held = (b for b in self._draft.bonds_of(thing) if b.kind in _LYING and not b.negated)
+        return is_small(thing) and any(parts_of(bond) for bond in held)
+
+    def _is_beside_its_carrier(self, subjects: Sequence[Mention]) -> bool:
+        """Whether what one of them lies on was said to stand beside it."""
+        return any(
+            bond.subject in other.anchors
+            for bond in self._bonds(subjects)
+            if bond.kind in _LYING and not bond.negated
+            for carrier in parts_of(bond)
+            for other in self._draft.bonds_of(carrier)
+            if other.kind in _APART and not other.negated
+        )
+
+    def _is_odd_side(self, place: SaidPosition) -> bool:
+        """Whether not as many are at one side of something as at the other."""
+        part = place.to
+        if part is None or part.kind != "part" or part.det not in ("both", "either", "each") or not place.of:
+            return False
+        things = self._things(place.of[0])
+        if any(bond.each for bond in self._bonds(things)):
+            return False
+        return any(t.count is None for t in things) or sum(self._referents.total(t) for t in things) % _PAIR > 0
+
+    def _is_of_more(self, place: SaidPosition) -> bool:
+        """Whether a verb of one thing was taken to be about others too: "a bar with two lamps is on the left"."""
+        verb, first = place.verb, place.of[-1] if place.of else None
+        if verb is None or first is None or len(place.of) < _PAIR or first.many or first.kind != "thing":
+            return False
+        word = verb.text.lower().split()[0]
+        if word != "is" and not (word.endswith("s") and verb.value in ("stand", "hang")):
+            return False
+        ones = self._things(first)
+        where = {(b.kind, b.anchors) for b in self._bonds(ones) if b.anchors}
+        others = [t for t in self._things(*place.of[:-1]) if t not in ones]
+        return any(not b.implied and not b.negated and (b.kind, b.anchors) in where for b in self._bonds(others))
+
+    def _is_of_others(self, subjects: Sequence[Mention], anchor: Noun) -> bool:
+        """Whether a relation to one of several was taken for one to others of them too: "before the third rack"."""
+        exact = set(self._meant.get(anchor.start, ()))
+        parted = set(self._things(anchor)) - exact
+        if not parted or anchor.many or anchor.kind != "thing" or anchor.det in ("each", "all", "both"):
+            return False
+        return any(exact & set(bond.anchors) and parted & set(bond.anchors) for bond in self._bonds(subjects))
+
+    def _is_shared_front(self, place: SaidPosition, places: Sequence[SaidPosition], anchors: Sequence[Mention]) -> bool:
+        """Whether what a position in front is about was taken for something that has another position."""
+        later = [p for p in places if p.link.start > place.last and p.of and p.of[0] is not place.led]
+        if any(set(self._things(p.anchor)) & set(anchors) for p in later):
+            return False
+        things = self._things(*(p.of[0] for p in later))
+        doubled = (t for t in things if len(self._draft.bonds_of(t)) > 1)
+        return any(not b.implied and set(b.anchors) & set(anchors) for t in doubled for b in self._draft.bonds_of(t))
+
+    # --- lists
+
+    def _lists(self, having: SaidList) -> Iterator[Disagreement]:
+        """The members of a list that were not read as such, or not as many as each of several has."""
+        heads = self._things(having.head)
+        lying = [noun for noun in having.lying if all(is_small(thing) for thing in self._things(noun))]
+        for noun in (*having.members, *lying):
+            things = self._things(noun)
+            if not heads or not things:
+                continue
+            question = ""
+            if not self._are_related(things, [*heads, *self._things(*having.outer)]):
+                question = "where?"
+            elif having.each and self._is_shared_unevenly(having.head, heads, noun, things):
+                question = "how many?"
+            if question:
+                link = having.link
+                yield Disagreement(having.head.start, noun.end, range(link.start, link.end), question)
+
+    def _is_shared_unevenly(self, head: Noun, heads: Sequence[Mention], noun: Noun, things: Sequence[Mention]) -> bool:
+        """Whether there are not as many as there are heads, or a multiple of that."""
+        if head.every or any(t.groups for t in heads) or any(t.per for t in things):
+            return False
+        each = sum(self._referents.total(t) for t in heads)
+        return sum(self._referents.total(t) for t in things) % each > 0
+
+    # --- numbers
+
+    def _number(self, noun: Noun, *, spread: bool) -> str:
+        """What is open about the number of a thing; `spread` says that the statement tells of each of several."""
+        if noun.kind == "place" and noun.value in ("window", "door"):
+            made = sum(gap.count for gap in self._draft.openings if gap.kind == noun.value)
+            return "how many?" if (noun.count or 0) > max(made, 1) else ""
+        things = self._meant.get(noun.start, ())
+        if noun.kind != "thing" or not things or noun.text.lower().startswith("one "):
+            return ""
+        exact = sum(self._referents.total(thing) for thing in things)
+        if noun.ordinal and exact > 1 and not noun.plural:
+            return "which of them?"
+        if _is_part_of_some(noun) or any(thing.per for thing in things):
+            return ""
+        count = noun.count or 1
+        made = sum(self._referents.total(thing) for thing in self._things(noun))
+        return "how many?" if made % count or (made > count and not spread) else ""
+
+    # --- what was read
+
+    def _things(self, *nouns: Noun | None) -> list[Mention]:
+        """What noun phrases were taken for, with all that was parted from that."""
+        found = (thing for noun in nouns if noun is not None for thing in self._meant.get(noun.start, ()))
+        return list(dict.fromkeys(part for thing in found for part in self._referents.clan(thing)))
+
+    def _bonds(self, things: Sequence[Mention]) -> list[Bond]:
+        return [bond for thing in things for bond in self._draft.bonds_of(thing)]
+
+    def _are_related(self, subjects: Sequence[Mention], anchors: Sequence[Mention], kinds: Sequence[str] = ()) -> bool:
+        """Whether any of these stands in any relation of these kinds to any of those."""
+        for bond in (*self._bonds(subjects), *self._bonds(anchors)):
+            ends = {bond.subject, *parts_of(bond), *bond.subject.per}
+            if (not kinds or bond.kind in kinds) and ends & set(subjects) and ends & set(anchors):
+                return True
+        return False
+
+
+def _kinds(place: SaidPosition) -> Sequence[str]:
+    """What a position can have been read as; anything where that is empty."""
+    if place.whole is not None and place.to is not None:
+        return _OF_PART.get(place.to.value, ())
+    return _MEANT.get(place.link.value, ())
+
+
+def _is_at_wall(bonds: Sequence[Bond]) -> bool:
+    return any(isinstance(anchor, str) and anchor.endswith("wall") for bond in bonds for anchor in bond.anchors)
+
+
+def _is_part_of_some(noun: Noun) -> bool:
+    """Whether a phrase points back, or leaves its number open."""
+    pointed = noun.det not in ("a", "", "my") or noun.of_known or noun.every or noun.total or noun.fraction[1]
+    loose = noun.vague or noun.rows or noun.groups or noun.share or (noun.count is None and noun.plural)
+    return bool(pointed or loose)
+
+
+def _is_shared_out(chunk: Chunk) -> bool:
+    """Whether a word tells of each of several, so that a number may be multiplied."""
+    if isinstance(chunk, Noun):
+        several = chunk.kind == "people" or (chunk.kind in ("place", "part") and chunk.many)
+        each = chunk.det in ("each", "either", "both", "all") or chunk.value in ("each", "all", "them")
+        return several or each or chunk.every > 0 or chunk.kind == "number"
+    return is_link(chunk, "prepositions", "per", "sides") or is_link(chunk, "mutual")
+
+
+def _defines(said: Sequence[Chunk]) -> bool:
+    """Whether it says what several that were named are: "a booth is a desk with two stools"."""
+    first, verb, second = (*said[:3], None, None, None)[:3]
+    told = isinstance(first, Noun) and isinstance(second, Noun) and first.det == "a" and second.det == "a"
+    return told and (is_link(verb, "verbs", "be", "consist") or is_link(verb, "inverses", "with"))
