@@ -418,3 +418,11 @@ def test_those_who_wait_sit_side_by_side():
     chairs = placed(room, "chair")
     assert len(chairs) == 7
     assert all(min(apart(a, b) for b in chairs if b is not a) < 0.1 for a in chairs)
+
+
+def test_what_is_watched_stands_across_from_the_sofa():
+    brief = varied(read_brief("A living room"), 0)
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng((0, 0))))
+    across = [tie.anchors for tie in plan.target("tv_stand_1").ties if tie.kind == "opposite"]
+    assert across == [("sofa_1",)]
+    assert measure(made("A living room").scene, "opposite", "tv_stand_1", ["sofa_1"]).holds

@@ -161,6 +161,8 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
     """Tie as many as the habit has room for; returns the others."""
     if waiting[0].mount == "surface" and habit.kind != "on" and waiting[0].ties:
         return waiting
+    if habit.kind in _WITHOUT_PLACE and any(tie.kind == habit.kind for tie in waiting[0].ties):
+        return waiting
     if not _applies(members, waiting, habit):
         return waiting
     if not habit.anchors:
