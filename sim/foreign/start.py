@@ -65,7 +65,7 @@ def start_of(model: mujoco.MjModel) -> Start:
 def _elsewhere(model: mujoco.MjModel, qpos: Floats, name: str) -> tuple[str, ...]:
     """What a keyframe has elsewhere than the bodies stand, in a sentence."""
     away = []
-    for joint in np.flatnonzero(model.jnt_type == _FREE):
+    for joint in map(int, np.flatnonzero(model.jnt_type == _FREE)):
         there, here = qpos[_part(model, joint)], model.qpos0[_part(model, joint)]
         turned = 2 * np.arccos(min(1.0, abs(float(there[3:] @ here[3:])) / max(float(np.linalg.norm(there[3:])), 1e-9)))
         if np.linalg.norm(there[:3] - here[:3]) > ELSEWHERE or turned > TURNED:
