@@ -30,7 +30,8 @@ def drawn(file: Path, camera: str, picture: Path, home: Path) -> dict[str, Any]:
     Raises:
         RuntimeError: it cannot be installed, or fails; says how.
     """
-    command = [interpreter(home / "blender", NEEDS), Path(__file__).with_name("draw.py"), file, camera, picture]
+    python = interpreter(home / "blender", NEEDS)
+    command: list[str | Path] = [python, Path(__file__).with_name("draw.py"), file, camera, picture]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=1200)
     if done.returncode or not picture.exists():
         raise RuntimeError((done.stderr.strip().splitlines() or ["ends without a picture"])[-1][:200])
