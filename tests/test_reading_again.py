@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
+from thinkblox.reading import read_brief
 from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
@@ -122,3 +123,57 @@ def test_what_is_read_as_it_stands_there_leaves_no_question():
         "A desk between the beds under a window. A stool with a towel beside the tub, a mirror over the sink.",
     ):
         assert not _questions(text), text
+
+
+def _read(text: str) -> tuple[set[str], tuple[str, ...]]:
+    """The relations of a brief with the numbers of their subjects, and what is not understood."""
+    brief = read_brief(text)
+    counts = {request.key: request.count for request in brief.requests}
+    said = {f"{counts[r.subject]} {r.subject} {r.kind} {' '.join(r.anchors)}" for r in brief.relations if r.asked}
+    return said, brief.unknown
+
+
+@pytest.mark.parametrize(
+    ("text", "relations"),
+    [
+        # How many each has, and how many are at both sides.
+        ("Three shelves, each filled with boxes.", {"6 box inside shelving_unit"}),
+        ("A fireplace with bookcases on both sides of it.", {"1 bookcase left_of fireplace",
+                                                            "1 bookcase-2 right_of fireplace"}),
+        ("Two sinks, a glass shelf above each sink with a cup.", {"2 wall_shelf above sink", "2 cup on wall_shelf"}),
+        ("Two sofas, a coffee table with magazines in front of each sofa.", {"4 magazine on coffee_table"}),
+        ("Two armchairs, each with a cushion, and a coffee table with a jug.", {"1 jug on coffee_table"}),
+        ("Five pallet racks, each loaded with two boxes, a forklift in front of the third rack.",
+         {"1 forklift in_front_of pallet_rack"}),
+        ("A row of chairs by the entrance.", {"4 chair next_to door"}),
+        # What a thing has, and where that is.
+        ("A counter with a till and a ticket dispenser.", {"1 ticket_dispenser on counter"}),
+        ("A pedestal with a bust. A clothes rail with ten dresses.", {"1 bust on pedestal",
+                                                                     "10 dress on clothes_rack"}),
+        ("A cupboard with plates on its shelves.", {"2 plate inside cabinet"}),
+        ("A wall full of clocks and a stool.", {"2 clock on wall"}),
+        ("A table with a jug and two glasses beside the bed.", {"2 glass on side_table",
+                                                               "1 side_table next_to bed"}),
+        ("A counter with a till is on the right.", {"1 counter against_wall right_wall"}),
+        ("Trophies in a glass cabinet at the back.", {"1 china_cabinet against_wall far_wall"}),
+        # What is meant.
+        ("A bar with signs above the shelves behind the counter.", {"2 shelving_unit behind counter"}),
+        ("A sofa, a coffee table with a plant, a TV on a stand opposite.", {"1 tv_stand opposite sofa"}),
+        ("A sideboard, a picture above it and two stools in front of it.", {"2 stool in_front_of sideboard"}),
+        ("A plate, a knife and a spoon to its right.", {"1 knife right_of plate", "1 spoon right_of plate"}),
+        ("A whiteboard at one end of the room and a cabinet at the other end.",
+         {"1 whiteboard against_wall one_wall", "1 cabinet against_wall opposite_wall"}),
+        ("Bookcases along the walls to the left and right.", {"1 bookcase against_wall left_wall",
+                                                             "1 bookcase-2 against_wall right_wall"}),
+    ],
+)  # fmt: skip
+def test_what_was_misread_is_read(text, relations):
+    said, unknown = _read(text)
+    assert relations <= said
+    assert not unknown
+
+
+def test_two_windows_are_asked_for_and_light_grey_is_no_lamp():
+    assert sum(opening.count for opening in read_brief("A picture between two windows.").openings) == 2
+    assert [r.category for r in read_brief("A light grey sofa.").requests if r.asked] == ["sofa"]
+    assert [r.category for r in read_brief("A bottle-green settee.").requests if r.asked] == ["sofa"]

@@ -372,6 +372,8 @@ def _build_in(draft: Draft) -> None:
                 draft.hand_over(bond, cabinet)
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
+        if cabinet.many:
+            thing.count = 1
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
 
 

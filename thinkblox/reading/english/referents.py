@@ -94,6 +94,16 @@ class Referents:
 
         `one` says that it was a word for a single thing.
         """
+        found = self._meant_by(subject, kind, likely, noun, one=one)
+        hangs = found is not None and load_habits().is_in(found.noun, "wallpieces")
+        if found is None or kind != "in_front_of" or not hangs or subject is None or is_small(subject):
+            return found
+        above = (a for b in self.draft.bonds_of(found) if b.kind == "above" for a in parts_of(b))
+        return next((a for a in above if a is not subject), found)
+
+    def _meant_by(
+        self, subject: Mention | None, kind: str, likely: Sequence[Mention], noun: str, *, one: bool
+    ) -> Mention | None:
         noun = noun or (subject.noun if subject is not None else "")
         habits = load_habits()
         names = (noun, *(t.noun for t in self._carried(subject)))

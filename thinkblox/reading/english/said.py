@@ -45,6 +45,7 @@ class SaidPosition:
         of: what it can be about by its place, the nearest first; empty where it stands in front.
         held: whether the nearest is said to belong to what comes next.
         carried: whether it stands after what something lies on ("a lamp on a table next to the bed").
+        paired: whether the clause is nothing but two things and where they are.
         joined: what the nearest is joined to by "and", or, where the position is to a named thing, what has it.
         over: nouns before that to which the nearest was said to stand ("a chair next to the bed facing ...").
         led: what comes first after it, where it stands in front.
@@ -60,6 +61,7 @@ class SaidPosition:
     of: list[Noun] = field(default_factory=list)
     held: bool = False
     carried: bool = False
+    paired: bool = False
     joined: list[Noun] = field(default_factory=list)
     over: list[Noun] = field(default_factory=list)
     led: Noun | None = None
@@ -195,15 +197,26 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
         if isinstance(verb, Connector) and verb.sort == "verbs":
             found.verb = found.verb or verb
         before -= 1
+    last = before
+    if found.anchor is not None and found.anchor.kind == "thing" and _is_told_apart(said, before):
+        before -= 4
     if _noun(said, before) is not None:
         found.of = [*islice(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)), _REACH)]
         found.held = before > 1 and _is_having(said[before - 1]) and _noun(said, before - 2, "thing") is not None
+        found.paired = _link(said, before - 1, "joins", "and") and (before < 3 or is_link(said[before - 3], "mark"))
         found.carried = before > 0 and is_link(said[before - 1], "prepositions", "on", "on_top")
         found.joined = [*islice(_joined(said, before, named=found.to is not None and found.to.kind == "thing"), _REACH)]
-        found.over = [*islice(_further(said, before), _REACH)]
+        found.over = [*islice(_further(said, last), _REACH)]
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):
         found.led = _led(said, found.end + 1)
     return found
+
+
+def _is_told_apart(said: Sequence[Chunk], at: int) -> bool:
+    """Whether what comes is about what has a thing that was placed just now: "a shelf with a toy on it by ..."."""
+    pointed = at > 3 and _noun(said, at, "part", "pronoun") is not None
+    link = said[at - 1] if pointed else None
+    return isinstance(link, Connector) and _is_spatial(link) and _is_having(said[at - 3])
 
 
 def _is_loose(place: SaidPosition) -> bool:

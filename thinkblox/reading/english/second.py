@@ -12,7 +12,7 @@ from itertools import pairwise
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
-from thinkblox.reading.english.chunks import Chunk, Noun
+from thinkblox.reading.english.chunks import Chunk, Noun, Stray
 from thinkblox.reading.english.referents import Referents, is_small, parts_of
 from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, parted, positions, possessions, statements
 
@@ -51,6 +51,7 @@ _APART = (*_BESIDE, "near", "far", "under", "above", "facing")
 """Relations that no carrier has to what lies on it."""
 _ELIDING = ("above", "under", "behind", "opposite")
 """Prepositions that say where something is without a noun after them."""
+_OWNERS = ("its", "their", "his", "her")
 _PAIR = 2
 
 
@@ -94,6 +95,8 @@ class SecondOpinion:
             for one, other in pairwise(said):
                 if _is_cut_in_two(one, other):
                     yield Disagreement(one.start, other.end, range(one.start, other.end), "one thing?")
+                if is_link(one, "prepositions") and isinstance(other, Stray) and other.text.lower() in _OWNERS:
+                    yield Disagreement(one.start, other.end, range(one.start, other.end), "where?")
             apart = parted(said)
             for noun in (chunk for chunk in said if isinstance(chunk, Noun) and not corrected):
                 if question := self._number(noun, spread=spread and noun.start not in apart):
@@ -140,6 +143,8 @@ class SecondOpinion:
         """Whether a position may be about what stood before the one before: the noun between was named earlier."""
         if not place.of or place.link.value in ("facing", "opposite") or place.carried:
             return True
+        if any(load_habits().is_in(thing.noun, "covers") for thing in self._things(place.of[0])):
+            return True
         before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
         return bool(before & set(self._meant.get(place.of[0].start, ())))
 
@@ -179,6 +184,9 @@ class SecondOpinion:
 
     def _is_forgotten(self, place: SaidPosition) -> bool:
         """Whether what is joined to the subject, and has to lie somewhere, is nowhere: "a fork and a mug beside it"."""
+        paired = place.paired and place.link.value == "against"
+        if paired and any(t and not any(map(self._is_anywhere, t)) for t in map(self._things, place.joined[:1])):
+            return True
         if place.to is not None and place.to.kind == "place":
             return False
         for things in (self._things(noun) for noun in place.joined):
@@ -194,9 +202,12 @@ class SecondOpinion:
         return bool(self._draft.bonds_of(thing) or thing.per) or beside
 
     def _is_one_sided(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
-        """Whether of "to the left and right" only one side was read."""
+        """Whether "to the left" was not read as that, or of "to the left and right" only one side."""
         words = [str(a) for b in self._bonds(subjects) for a in (b.kind, *b.anchors) if isinstance(a, str)]
-        return place.sides > 1 and not all(any(side in word for word in words) for side in ("left", "right"))
+        named = place.to.value if place.to is not None and place.to.kind == "part" else ""
+        sides = ("left", "right") if place.sides > 1 else (named,) if named in ("left", "right") else ()
+        lying = place.sides == 1 and any(b.kind in _LYING for b in self._bonds(subjects))
+        return not lying and not all(any(side in word for word in words) for side in sides)
 
     def _is_odd_side(self, place: SaidPosition) -> bool:
         """Whether not as many are at one side of something as at the other."""

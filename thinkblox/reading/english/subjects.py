@@ -7,6 +7,7 @@ from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.referents import is_small
 
+_PAIR = 2
 _BONDS = 20
 """Most bonds of a thing that tell what a pronoun after it means."""
 _BY_OWNER = (
@@ -232,6 +233,8 @@ class Subjects(Having):
             return node
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
+        if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
+            return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
             "against_wall"

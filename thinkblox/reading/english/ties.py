@@ -57,6 +57,8 @@ class Ties(Relating):
         told = self._told_of(frame, thing)
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False
+        if told and frame.closing and frame.each and self.separator == "comma" and not self._is_told_by_pronoun():
+            return False
         if told is not None:
             return told
         inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
