@@ -154,3 +154,38 @@ def test_wishes_that_come_after_what_they_are_about() -> None:
     assert len(done(dining(2), "Seat four people at the table").scene.placements) == 5
     assert len(done(dining(2), "I would like four chairs instead of two").scene.placements) == 5
     assert done(before, "The desk blocks the door, move it").complete
+
+
+def test_backs_sides_and_seats_are_meant_as_they_are_said() -> None:
+    before = living()
+    after = done(before, "Rotate the sofa so that its back is to the desk").scene
+    assert turn_between(things(after, "sofa_1")[0].gaze, 321.0) < 45.0
+    two = dining(2)
+    after = done(two, "Put a laptop in front of each chair").scene
+    assert [p.support for p in after.placements if p.category == "laptop"] == ["dining_table_1"] * 2
+    with pytest.raises(InputError, match="there is no chair in front of"):
+        edit_room(two, "Remove all chairs in front of the dining table")
+    after = done(two, "Pull both chairs out by 15 cm").scene
+    assert math.dist(after["chair_1"].position, two["chair_1"].position) == pytest.approx(0.15, abs=0.02)
+
+
+def test_fewer_are_taken_away_and_what_each_has_is_counted() -> None:
+    assert len(done(dining(2), "I want one chair less").scene.placements) == 2
+    assert len(done(dining(2), "Every table should have four chairs").scene.placements) == 5
+    with pytest.raises(InputError, match="no thing that can be added"):
+        edit_room(dining(2), "Add two chairs frobnix")
+    result = edit_room(dining(2), "Don't move anything, just add a plant")
+    assert [change.what for change in result.changes] == ["added"]
+
+
+def test_each_one_gets_its_own_beside_it_and_everything_but_spares() -> None:
+    after = done(bedroom(), "Put a book to the left of each lamp").scene
+    assert {p.support for p in after.placements if p.category == "book"} == {"nightstand_1", "nightstand_2"}
+    before = dining(2)
+    after = edit_room(before, "Move everything but the dining table 10 cm to the west").scene
+    assert after["dining_table_1"] == before["dining_table_1"]
+    assert after["chair_1"].position[0] == pytest.approx(before["chair_1"].position[0] - 0.1, abs=0.02)
+    assert done(before, "Raise the ceiling to 3 metres").scene.room.height == 3.0
+    lower = done(living(), "Make the sideboard lower and wider").scene["sideboard_1"].size
+    assert lower[2] < living()["sideboard_1"].size[2]
+    assert lower[1] > living()["sideboard_1"].size[1]

@@ -7,7 +7,7 @@ from itertools import tee
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import DrawnUp, Goal, IntoRoom, MidWall, OnPart, Related, ToWall
+from thinkblox.editing.goals import BackTo, DrawnUp, Goal, IntoRoom, Laid, MidWall, OnPart, OnWall, Related, ToWall
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
@@ -29,6 +29,10 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
         return IntoRoom()
     if there.part:
         return OnPart("on", there.anchors, part=there.part)
+    if there.kind == "on" and there.anchors and all(name.endswith("_wall") for name in there.anchors):
+        return OnWall("on", there.anchors, there.negated)
+    if there.seat:
+        return Laid("on", there.anchors, seat=there.seat)
     if there.middle:
         return MidWall("against_wall", there.anchors)
     if there.side is not None:
@@ -60,6 +64,13 @@ def looking(finder: Finder, noun: Noun) -> Goal:
     if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
         return ToWall(_wall_meant(finder, noun))
     return Related("facing", mark_names(finder, NounPhrase(noun)))
+
+
+def backing(finder: Finder, noun: Noun) -> Goal:
+    """What something is to have its back to, as a goal."""
+    if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
+        return BackTo((_wall_meant(finder, noun),))
+    return BackTo(mark_names(finder, NounPhrase(noun)))
 
 
 def _wall_meant(finder: Finder, noun: Noun) -> str:

@@ -153,6 +153,8 @@ def _turned_about(clause: Clause) -> Clause:
         return Clause("remove", "", tokens, clause.text)
     if clause.doing == "seat":
         return _seated(clause)
+    if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:
+        return fewer
     if clause.doing != "give":
         return clause
     linked = next((n for n, t in enumerate(tokens) if t.text == "with"), None)
@@ -160,6 +162,29 @@ def _turned_about(clause: Clause) -> Clause:
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _fewer(clause: Clause) -> Clause | None:
+    """Read "I want two tables fewer", "one chair less", as an order to take so many away.
+
+    Raises:
+        InputError: it says that of each of several, or of what is nothing that can be counted.
+    """
+    tokens = clause.tokens
+    at = next((n for n, t in enumerate(tokens) if t.text in ("less", "fewer") and not _is_bound(tokens, n)), None)
+    if at is None:
+        return None
+    if any(t.text in ("each", "every", "all") for t in tokens) or (
+        at + 1 < len(tokens) and tokens[at + 1].text == "than"
+    ):
+        raise InputError(f"'{clause.text}' does not say which go; say 'remove two of the tables'")
+    return Clause("remove", "", (*tokens[:at], *tokens[at + 1 :]), clause.text)
+
+
+def _is_bound(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it belongs to "no less than"."""
+    return any(start <= at < start + found[1] for start in range(max(0, at - 2), at + 1)
+               if (found := longest("bounds", tokens, start)) is not None)  # fmt: skip
 
 
 def _seated(clause: Clause) -> Clause:

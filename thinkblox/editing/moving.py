@@ -8,16 +8,18 @@ from itertools import chain
 from msgspec import structs
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.acting import backing, findings, looking, mark_names, reach_goals, related, say
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.company import with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
+    Abreast,
     Along,
     Apart,
     At,
+    BackTo,
     Elsewhere,
     Free,
     Goal,
@@ -164,7 +166,7 @@ def _move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> 
 
 
 def _check_says_where(order: Order, places: Sequence[Where]) -> None:
-    told = (order.closer, order.apart, order.direction, order.facing, order.seated, order.mutual)
+    told = (order.closer, order.apart, order.direction, order.facing, order.backs, order.seated, order.mutual)
     if not (places or any(told) or order.there or order.free):
         raise InputError(f"'{order.text}' does not say where to; say a place, such as 'next to the bed'")
     if order.lengths and not (order.closer or order.direction or order.seated == "out" or order.scatter):
@@ -234,6 +236,8 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
     if any(not w.negated and w.word != "spot" for w in places):
         picks.append(not_yet)
     for _, anchor in order.closer:
+        if anchor.noun.det == "my":
+            continue
         name = anchor.noun.value if anchor.noun.kind == "place" else ""
         if not name:
             name = finder.ids(anchor)[0]
@@ -258,6 +262,7 @@ def _goals(
     closer = [(nearer, phrase) for nearer, phrase in order.closer if not any(noun is phrase.noun for noun in said)]
     goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in closer]
     goals += [Apart(mark_names(finder, phrase), away, order.bound) for away, phrase in order.apart]
+    goals += [backing(finder, noun) for noun in order.backs]
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
@@ -283,6 +288,8 @@ def _at_place(
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
+    if there.upon:
+        yield Related("on", (there.upon,))
     yield related(there, category, index, count)
 
 
@@ -294,11 +301,17 @@ def _is_any_other_corner(where: Where, noun: Noun) -> bool:
 
 def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, phrase: NounPhrase) -> Goal:
     """How far nearer to something, or away from it; of "their desks" to the one that is nearest."""
-    anchors, by = mark_names(finder, phrase), order.lengths[0][0] if order.lengths else None
+    by = order.lengths[0][0] if order.lengths else None
+    if phrase.noun.det == "my" and phrase.noun.text.lower().split()[0] in ("its", "their"):
+        many = dataclasses.replace(phrase.noun, plural=True, count=None)
+        own = tuple(p.id for p in finder.matching(many) if p.id != id)
+        if not own:
+            raise finder.nothing(phrase.noun.text)
+        nearest = min(own, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id))
+        return Nearing((nearest,), nearer, by, order.slight)
+    anchors = mark_names(finder, phrase)
     if order.rest and not nearer and by is not None:
         return Apart(anchors, by, "ge")
-    if phrase.noun.det == "my" and phrase.noun.many:
-        anchors = (min(anchors, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id)),)
     return Nearing(anchors, nearer, by, order.slight)
 
 
@@ -392,7 +405,7 @@ def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, where only the front is to point elsewhere."""
     if goals and all(
-        isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
+        isinstance(goal, IntoRoom | BackTo) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
     ):
         yield from turns(scene, before, goals)
 
@@ -483,7 +496,8 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     by = order.lengths[0][0] if order.lengths else None
     for id in rest:
         beside = order.mutual == "next_to"
-        goal = Related("next_to", (fixed,)) if beside else Nearing((fixed,), order.together, by, order.slight)
+        next_to = Abreast("next_to", (fixed,)) if order.abreast else Related("next_to", (fixed,))
+        goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         move_one(work, order, id, [goal])
     finder.recent = ids
 

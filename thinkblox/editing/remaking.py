@@ -24,6 +24,8 @@ _AXES = {"longer": "length", "shorter": "length", "wider": "width", "narrower": 
 
 def factors(order: Order) -> tuple[float, ...]:
     """By which factors what an order makes larger or smaller may become so; one where it says how large."""
+    if order.times and order.change:
+        return (order.times,)
     if order.lengths or not order.change:
         return (1.0,)
     return SLIGHTLY if order.slight else MORE
@@ -54,7 +56,9 @@ def looking(work: Work, old: Asset, looks: Sequence[str]) -> Asset:
     Raises:
         InputError: such things do not come so.
     """
+    shaped = bool(_shapes(looks))
     kept = [word for word in old.attributes if not any(_are_alike(word, look) for look in looks)]
+    kept = [word for word in kept if not (shaped and means("proportions", word))]
     for words in ((*looks, *kept), tuple(looks)):
         made = work.source.make(old.category, seed=style_seed(work.scene), attributes=words)
         if set(looks) <= set(made.attributes):
@@ -96,11 +100,13 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
                 sides[side], metres, change, absolute=absolute or not change, order=order, factor=factor
             )
     wanted = (sides["depth"], sides["width"], sides["height"])
-    return _possible(work, old, wanted, said=bool(order.lengths))
+    return _possible(work, old, wanted, said=bool(order.lengths or order.times))
 
 
 def _changed(side: float, metres: float, change: str, *, absolute: bool, order: Order, factor: float) -> float:
     sense = _SENSES.get(change, 1)
+    if not metres and order.times:
+        return side * order.times
     if not metres:
         return side * factor if sense > 0 else side / factor
     if absolute and not order.by:

@@ -9,6 +9,7 @@ from thinkblox.editing.adding import MOST, add_one, category_of, sized
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.grammar import means
 from thinkblox.editing.moving import move_one
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
@@ -83,7 +84,7 @@ def _add_another(work: Work, by: str, noun: Noun, *, like: bool) -> None:
 
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
     """How many come in place of these: so many as is said, one for "a bench", or as many as there were."""
-    each = any(phrase.noun.det in ("each", "all") for phrase in order.things)
+    each = any(phrase.noun.det == "each" for phrase in order.things)
     if new.count and new.count > MOST:
         raise InputError(f"'{new.text}': one order adds at most {MOST} things")
     if new.count and new.count > 1:
@@ -131,6 +132,11 @@ def _successor(work: Work, id: str, new: Noun, factor: float) -> Asset:
     old = work.asset_of(id)
     same = new.kind == "number" or not new.value
     category = old.category if same else category_of(work, new, _place_of(work, id))
+    size = next((means("sizes", word) for word in new.attributes if means("sizes", word)), "")
+    if same and size and new.size is None and not new.degree:
+        degree = "larger" if size == "1" else "smaller"
+        rest = [word for word in new.attributes if not means("sizes", word)]
+        return _compared(work, old, category, replace_fields(new, degree=degree, attributes=rest), factor)
     if new.degree:
         return _compared(work, old, category, new, factor)
     if same and new.attributes and new.size is None:

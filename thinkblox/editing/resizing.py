@@ -66,6 +66,8 @@ def _words(old: Room, new: Room) -> str:
 
 def _changes(room: Room, order: Order) -> tuple[float, float, float]:
     """By how much the room grows to the east, to the north and up [m]."""
+    if order.times:
+        raise InputError(f"'{order.text}': say by how many metres, such as 'one metre longer'")
     if not order.lengths and (not order.change or order.change.endswith("=")):
         raise InputError(f"'{order.text}' does not say by how much; say a length, such as 'one metre longer'")
     lengths = [metres for metres, _ in order.lengths] or [SLIGHTLY if order.slight else USUALLY]

@@ -94,10 +94,10 @@ class Descriptions(Rooms):
             things = self._joined_several(node, node.frame)
         if self.predicate and self.subject is not None:
             things = self.subject.things
-        denied = self.negating
-        if denied:
+        if self.negating:
             self._not_mutual(link, things)
-        elif kind in ("in_rows", "in_row"):
+            return
+        if kind in ("in_rows", "in_row"):
             self._row(kind, list(things), nodes[0])
         elif len(things) > 1:
             for one, other in pairwise(things[-2:]):
@@ -106,8 +106,7 @@ class Descriptions(Rooms):
                 nodes[0].things = things[-2:]
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
-        if kind == "facing" and not denied:
-            self._faced_across(link, things[-2:] if len(things) > 1 else things)
+        self._faced_across(link, things[-2:] if len(things) > 1 else things)
 
     def _faced_across(self, link: Connector, things: list[Mention]) -> None:
         """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""

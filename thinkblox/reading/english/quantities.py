@@ -201,6 +201,7 @@ class Quantities(Words):
         thing = self.thing_at(at)
         inner_thing = self.thing_at(at + found.length) if found is not None else None
         same = thing is not None and inner_thing is not None and inner_thing.entry.value == thing.entry.value
+        same |= found is not None and found.value == "row" and inner_thing is not None
         if found is None or (thing is not None and thing.length > found.length and not same):
             return 0
         word = self.tokens[at].text
