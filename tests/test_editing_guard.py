@@ -102,6 +102,11 @@ def test_rows_are_what_stands_in_line_with_its_seats() -> None:
     after = done(before, "Remove the third desk in the second row").scene
     assert "school_desk_4" not in after
     assert same_but(before, after, "school_desk_4")
+    after = done(before, "Keep only the first row").scene
+    assert {p.category for p in after.placements if p.id in before and "desk" in p.category} == {"desk", "school_desk"}
+    assert "school_desk_4" not in after
+    after = done(before, "Remove a third of the desks in the back row").scene
+    assert len(after.placements) == len(before.placements) - 1
     after = done(before, "Move the back row 20 cm to the west").scene
     assert all(before[f"chair_{n}"].position[0] - after[f"chair_{n}"].position[0] > 0.19 for n in (4, 5, 6))
 
@@ -179,13 +184,20 @@ def test_fewer_are_taken_away_and_what_each_has_is_counted() -> None:
 
 
 def test_each_one_gets_its_own_beside_it_and_everything_but_spares() -> None:
-    after = done(bedroom(), "Put a book to the left of each lamp").scene
-    assert {p.support for p in after.placements if p.category == "book"} == {"nightstand_1", "nightstand_2"}
+    tables = [("desk_1", 1.5, 0.5, 90.0, "floor"), ("desk_2", 4.0, 0.5, 90.0, "floor")]
+    vases = [("vase_1", 1.5, 0.5, 90.0, "desk_1"), ("vase_2", 4.0, 0.5, 90.0, "desk_2")]
+    after = edit_room(built(room(), *tables, *vases), "Put a book in front of each vase").scene
+    assert [p.support for p in after.placements if p.category == "book"] == ["desk_1", "desk_2"]
     before = dining(2)
     after = edit_room(before, "Move everything but the dining table 10 cm to the west").scene
     assert after["dining_table_1"] == before["dining_table_1"]
     assert after["chair_1"].position[0] == pytest.approx(before["chair_1"].position[0] - 0.1, abs=0.02)
     assert done(before, "Raise the ceiling to 3 metres").scene.room.height == 3.0
+    taller = done(before, "Make the room 40 cm higher and 1 m longer").scene.room
+    assert (round(taller.height - before.room.height, 3), taller.extent[0] - before.room.extent[0]) == (0.4, 1.0)
+    for refused in ("Move the dining table 40 cm away", "Hang a picture of 1 m by 60 cm over the dining table"):
+        with pytest.raises(InputError):
+            edit_room(before, refused)
     lower = done(living(), "Make the sideboard lower and wider").scene["sideboard_1"].size
     assert lower[2] < living()["sideboard_1"].size[2]
     assert lower[1] > living()["sideboard_1"].size[1]

@@ -34,6 +34,7 @@ _SORTS = (
 )
 """Phrases of the instructions' grammar that may be said in other words, or go without saying."""
 _OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts", "people")
+_BEFORE_VERBS = (",", ".", ";", "!", "?", "and", "then", "but", "to")
 MOST = 80
 """Longest instruction of which the words are tried [tokens]; longer ones are read order by order by their users."""
 
@@ -134,7 +135,9 @@ def _passed(tokens: Sequence[Token]) -> set[int]:
     passed = set(range(told_before(tokens)))
     functional = sections()["functional"]
     for index in range(len(tokens)):
-        lengths = [found[1] for sort in _SORTS if (found := longest(sort, tokens, index)) is not None]
+        begins = not index or tokens[index - 1].text in _BEFORE_VERBS or index - 1 in passed
+        sorts = _SORTS if begins else tuple(sort for sort in _SORTS if sort != "verbs")
+        lengths = [found[1] for sort in sorts if (found := longest(sort, tokens, index)) is not None]
         phrase = grammar().at(tokens, index, *_OF_READER)
         lengths += [phrase.length] if phrase is not None else []
         lengths += [1] if (tokens[index].text,) in functional or _is_of_new(tokens, index) else []

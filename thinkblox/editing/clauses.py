@@ -24,6 +24,7 @@ _TO = Token("to", "to", "word", start=-1)
 _NOTHING = ("nothing",)
 _WITH = Token("with", "with", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
+_FROM = Token("from", "from", "word", start=-1)
 _OUT_OF_WAY = tuple(Token(word, word, "word", start=-1) for word in ("out", "of", "the", "way", "of"))
 
 
@@ -81,6 +82,8 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
+        if not number and about and (near := _too_near(lead)) and any(t.text == "away" for t in body[-1:]):
+            body = (*body, _FROM, *near)
         if not number and (about or disliked) and body[:1] and body[0].text in ("it", "them"):
             alone = _ends(body, 1) and start.doing in ("move", "put")
             body = (
@@ -116,6 +119,14 @@ def _blocked(lead: Sequence[Token]) -> tuple[Token, ...]:
     for at in range(len(lead)):
         if (found := longest("blocking", lead, at)) is not None:
             return tuple(token for token in lead[at + found[1] :] if token.text not in (*ENDS, *_LINKS))
+    return ()
+
+
+def _too_near(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What a thing is said to be too close to: "the bed is too close to the wall"."""
+    for at in range(len(lead) - 3):
+        if lead[at].text == "too" and lead[at + 1].text in ("close", "near") and lead[at + 2].text == "to":
+            return tuple(token for token in lead[at + 3 :] if token.text not in (*ENDS, *_LINKS))
     return ()
 
 
@@ -414,6 +425,7 @@ def _verb(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str, i
     after = tokens[at + found[1]] if at + found[1] < len(tokens) else None
     pointed = after is not None and (after.text in _POINTERS or after.kind == "number" or found[1] > 1)
     pointed |= after is not None and grammar().at([after], 0, "count") is not None
+    pointed |= at > 0 and tokens[at - 1].text == "then"
     if not first and not pointed:
         return None
     return found[0], change[0] if change else "", found[1]

@@ -14,6 +14,7 @@ from thinkblox.brief import Brief
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
+from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.making import make
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import Instruction, NounPhrase, Order
@@ -256,6 +257,7 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
     known = [_is_known(phrase) for phrase in order.things]
     if order.things and not any(known) and not order.rest:
+        check_heeded(dataclasses.replace(order, doing="add", company=[]))
         bring(work, finder, order)
     elif not all(known) and all(phrase.places for phrase in order.things):
         for phrase, there in zip(order.things, known, strict=True):
@@ -274,6 +276,8 @@ def _is_known(phrase: NounPhrase) -> bool:
 def _bring(work: Work, finder: Finder, order: Order) -> None:
     """Move what is there; "bring a chair" where there is none adds one."""
     if order.away:
+        if order.lengths or order.slight:
+            raise InputError(f"'{order.text}': away from what? Say 'away from the wall'")
         remove(work, finder, order)
         return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))

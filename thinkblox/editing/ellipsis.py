@@ -33,8 +33,10 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
             second.things = [_again(first)]
             yield from (first, second)
             return
-        if first.things and _is_change(first) and _is_change(second) and not second.things and not second.looks:
-            second.things = [_again(first)]
+        if (first.things or first.room) and _is_change(first) and _is_change(second) and not second.looks:
+            if second.things or second.room:
+                continue
+            second.things, second.room = [_again(first)] if first.things else [], first.room
             yield from (first, second)
             return
         if _are_two(first, second):
@@ -84,8 +86,8 @@ def _at_spot(order: Order) -> bool:
 
 
 def _is_change(order: Order) -> bool:
-    """Whether it says how the size of a thing changes, without a length."""
-    return order.doing == "make" and bool(order.change) and not order.lengths and not order.room
+    """Whether it says how the size of a thing or the room changes."""
+    return order.doing == "make" and bool(order.change) and not order.change.endswith("=")
 
 
 def _is_step(order: Order) -> bool:

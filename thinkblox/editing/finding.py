@@ -80,7 +80,8 @@ class Finder:
         if noun.size is not None:
             found = self._of_size(noun, found)
         if noun.rows:
-            return tuple(p.id for p in row_of(self.scene, found, noun, phrase.member))
+            row = tuple(p.id for p in row_of(self.scene, found, noun, phrase.member))
+            return self._part(phrase, row) if phrase.share or phrase.left else row
         found = self._told_apart(phrase, found)
         if noun.total and noun.total != len(found):
             raise InputError(f"'{noun.text}': there are {len(found)}: {_ids(found)}")

@@ -368,7 +368,8 @@ class _OrderReader:
     def _change(self, mark: OrderMark) -> None:
         """Take how the size of a thing changes; of two ways the first is lost."""
         order = self.order
-        if order.change and not order.lengths and order.change.removesuffix("=") != mark.key:
+        absolute = mark.sort == "absolutes" and order.lengths
+        if order.change and not absolute and order.change.removesuffix("=") != mark.key:
             order.lost.append(order.change.removesuffix("="))
         order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
 
@@ -389,7 +390,11 @@ class _OrderReader:
     def _row(self, number: int) -> None:
         """Read "in the front row" of what was named last."""
         phrase = self._excepted or (self.order.things[-1] if self.order.things else None)
-        if phrase is None or phrase.noun.kind != "thing":
+        last = phrase.places[-1] if phrase is not None and phrase.places else None
+        if last is not None and last.noun is not None and last.noun.kind == "thing":
+            several = last.noun.many or last.noun.each
+            last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
+        elif phrase is None or phrase.noun.kind != "thing":
             self.order.lost.append("row")
         else:
             phrase.member = phrase.noun.ordinal
@@ -476,7 +481,7 @@ class _OrderReader:
     @staticmethod
     def _is_back(item: Item | None) -> bool:
         """Whether it is the back of what is spoken of."""
-        return isinstance(item, Noun) and item.kind == "part" and item.value == "back" and item.det == "my"
+        return isinstance(item, Noun) and item.kind == "part" and item.value in ("back", "head") and item.det == "my"
 
     def _behind(self) -> Noun | None:
         """Read "(its back) is to the window"."""

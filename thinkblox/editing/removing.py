@@ -7,6 +7,7 @@ from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.company import mates_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.rows import rows_of_all
 from thinkblox.editing.wheres import bound, named, slots_of, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -53,6 +54,11 @@ def keep_only(work: Work, finder: Finder, order: Order) -> None:
             else:
                 kept = named(finder, phrase, phrase.places)
             take_away(work, work.touched(id for id in alike if id not in kept))
+        return
+    if all(phrase.noun.kind == "number" and phrase.noun.rows for phrase in order.things):
+        stay = {id for phrase in order.things for id in named(finder, phrase, ())}
+        rows = [p.id for row in rows_of_all(work.scene) for p in row]
+        take_away(work, work.touched(id for id in rows if id not in stay))
         return
     order.spared = [*order.spared, *order.things]
     take_away(work, left_over(work, finder, order))

@@ -80,6 +80,10 @@ def row_of(scene: Scene, found: Sequence[Placement], noun: Noun, member: int = 0
     number = noun.ordinal - 1 if noun.ordinal > 0 else len(rows) - 1
     if number >= len(rows):
         raise InputError(f"'{noun.text}': there are only {len(rows)} rows")
+    several = max(noun.count or 1, noun.rows)
+    if several > 1 and not member and not noun.side:
+        first = number if noun.ordinal > 0 else max(0, len(rows) - several)
+        return [placement for row in rows[first : first + several] for placement in row]
     row = rows[number]
     if not member and not noun.side:
         return row

@@ -19,10 +19,8 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
-TURNED = 0.3
+TURNED = 1.5
 """How far something may be moved that is turned, besides half the difference of its sides [m]."""
-ASIDE = 1.5
-"""The same for something that is turned until it faces something [m]."""
 SHIFTED = 0.1
 """How far it may be moved without saying so [m]."""
 SLIGHT_TURN = 15.0
@@ -116,7 +114,7 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
         work.wish(id, goals)
         return
-    there = At(before.position[:2], ASIDE + abs(before.size[0] - before.size[1]) / 2)
+    there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
     failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
     say(work, id, before, failed, goals)
     _say_moved(work, before)

@@ -158,8 +158,9 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     found = _thing(where, noun, category, finder, ())
     singles = [dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", id=id)) for id in found.anchors]
     if found.kind in ("in_front_of", "at") and facts_of(category).is_in("small"):
-        return [_thing(w, w.noun, category, finder, ()) for w in singles if w.noun is not None]
-    return [dataclasses.replace(found, anchors=(anchor,)) for anchor in found.anchors]
+        each = (_thing(w, w.noun, category, finder, ()) for w in singles if w.noun is not None)
+        return [_upon(one, category, finder) for one in each]
+    return [_upon(dataclasses.replace(found, anchors=(anchor,)), category, finder) for anchor in found.anchors]
 
 
 def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ...]]:
@@ -654,7 +655,7 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
     """Objects without those that are excepted: "except two" is the first two of them, "the one" one of `of`."""
     for phrase in spared:
         one = phrase.noun.kind == "pronoun" and phrase.noun.value == "one"
-        if (one or phrase.noun.kind == "number") and not phrase.places:
+        if (one or phrase.noun.kind == "number") and not phrase.places and not phrase.noun.rows:
             ids = ids[1 if one else phrase.noun.count or 0 :]
         else:
             if phrase.noun.kind == "number" and of is not None:
