@@ -1,5 +1,9 @@
 """Small things for tables and floors: books, papers, cushions, toys, trays and tools."""
 
+from itertools import pairwise
+
+import numpy as np
+
 from thinkblox.assets.palette import (
     BRASS,
     BRIGHT,
@@ -61,6 +65,20 @@ def book_stack(spec: Spec) -> Build:
             (k * z / count, (k + 1) * z / count),
         )
     return Build(body=body, surfaces=[top_surface("top", around(0, 0.7 * x), around(0, 0.7 * y), z)])
+
+
+def book_row(spec: Spec) -> Build:
+    """Return books that stand side by side, some a little lower or further back."""
+    x, y, z = spec.size
+    count = max(3, round(y / 0.055))
+    thick = np.array([spec.between(0.035, 0.075) for _ in range(count)])
+    ends = -y / 2 + np.cumsum([0.0, *(thick * y / thick.sum())])
+    body: list[Part] = []
+    for k, (low, high) in enumerate(pairwise(ends.tolist())):
+        tall = z if k == count // 2 else z * spec.between(0.8, 1.0)
+        deep = x if k == count // 2 else x * spec.between(0.85, 1.0)
+        body.append(box(spec.choice(SPINES), (x / 2 - deep, x / 2), (low, high - 0.001), (0, tall)))
+    return Build(body=body)
 
 
 def magazine(spec: Spec) -> Build:

@@ -8,6 +8,8 @@ from tests.edited_rooms import bedroom, built, dining, living, room, same_but
 from thinkblox import Edit, Scene, edit_room
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 
 
@@ -115,3 +117,75 @@ def test_every_desk_is_every_kind_of_desk_and_the_teachers_is_one() -> None:
     assert "desk_1" not in done(before, "Remove the teacher's desk").scene
     with pytest.raises(InputError, match="of the same size"):
         edit_room(before, "Remove the larger of the school desks")
+
+
+def test_what_stood_at_a_wall_stays_there_when_it_is_made_larger() -> None:
+    before = bedroom()
+    after = done(before, "Make the wardrobe bigger").scene
+    assert measure(after, "against_wall", "wardrobe_1", ("east_wall",)).holds
+    crowded = edit_room(before, "Make the bed bigger")
+    assert not crowded.complete or measure(crowded.scene, "against_wall", "bed_1", ("north_wall",)).holds
+    taller = built(room(), ("bookcase_1", 2.0, 4.8, 270.0, "floor"), ("vase_1", 2.0, 4.8, 0.0, "bookcase_1"))
+    result = done(taller, "Replace the bookcase with a taller one").scene
+    assert result["bookcase_1"].size[2] > taller["bookcase_1"].size[2]
+    assert "vase_1" in result
+
+
+def test_walls_their_middles_and_corners_are_told() -> None:
+    before = living()
+    after = done(before, "Put the sideboard in the middle of the longest wall").scene
+    assert abs(after["sideboard_1"].position[0] - 3.0) < 0.11
+    after = done(before, "Turn the desk around so that it faces the wall").scene
+    assert turn_between(things(after, "desk_1")[0].gaze, 180.0) < 21.0
+    after = done(before, "Move the armchair to the other corner").scene
+    assert math.dist(after["armchair_1"].position, before["armchair_1"].position) > 1.5
+    assert measure(after, "in_corner", "armchair_1", ("corner",)).holds
+    after = done(before, "Push the coffee table against the wall").scene
+    assert math.dist(after["coffee_table_1"].position, before["coffee_table_1"].position) < 3.2
+
+
+def test_wishes_that_come_after_what_they_are_about() -> None:
+    before = living()
+    after = done(before, "I don't like the armchair, use a bench instead").scene
+    assert after["armchair_1"].category == "bench"
+    after = done(before, "Enlarge the room to the east by 1 metre").scene
+    assert after.room.extent == (7.0, 5.0)
+    assert done(before, "Make the room bigger").scene.room.extent == (6.5, 5.5)
+    assert len(done(dining(2), "Seat four people at the table").scene.placements) == 5
+    assert len(done(dining(2), "I would like four chairs instead of two").scene.placements) == 5
+    assert done(before, "The desk blocks the door, move it").complete
+
+
+def test_backs_sides_and_seats_are_meant_as_they_are_said() -> None:
+    before = living()
+    after = done(before, "Rotate the sofa so that its back is to the desk").scene
+    assert turn_between(things(after, "sofa_1")[0].gaze, 321.0) < 45.0
+    two = dining(2)
+    after = done(two, "Put a laptop in front of each chair").scene
+    assert [p.support for p in after.placements if p.category == "laptop"] == ["dining_table_1"] * 2
+    with pytest.raises(InputError, match="there is no chair in front of"):
+        edit_room(two, "Remove all chairs in front of the dining table")
+    after = done(two, "Pull both chairs out by 15 cm").scene
+    assert math.dist(after["chair_1"].position, two["chair_1"].position) == pytest.approx(0.15, abs=0.02)
+
+
+def test_fewer_are_taken_away_and_what_each_has_is_counted() -> None:
+    assert len(done(dining(2), "I want one chair less").scene.placements) == 2
+    assert len(done(dining(2), "Every table should have four chairs").scene.placements) == 5
+    with pytest.raises(InputError, match="no thing that can be added"):
+        edit_room(dining(2), "Add two chairs frobnix")
+    result = edit_room(dining(2), "Don't move anything, just add a plant")
+    assert [change.what for change in result.changes] == ["added"]
+
+
+def test_each_one_gets_its_own_beside_it_and_everything_but_spares() -> None:
+    after = done(bedroom(), "Put a book to the left of each lamp").scene
+    assert {p.support for p in after.placements if p.category == "book"} == {"nightstand_1", "nightstand_2"}
+    before = dining(2)
+    after = edit_room(before, "Move everything but the dining table 10 cm to the west").scene
+    assert after["dining_table_1"] == before["dining_table_1"]
+    assert after["chair_1"].position[0] == pytest.approx(before["chair_1"].position[0] - 0.1, abs=0.02)
+    assert done(before, "Raise the ceiling to 3 metres").scene.room.height == 3.0
+    lower = done(living(), "Make the sideboard lower and wider").scene["sideboard_1"].size
+    assert lower[2] < living()["sideboard_1"].size[2]
+    assert lower[1] > living()["sideboard_1"].size[1]

@@ -9,6 +9,7 @@ from thinkblox.editing.orders import Order
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token
 
 Signature = tuple[object, ...]
@@ -32,15 +33,18 @@ _SORTS = (
     "conditions",
 )
 """Phrases of the instructions' grammar that may be said in other words, or go without saying."""
-_OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts")
+_OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts", "people")
 MOST = 80
 """Longest instruction of which the words are tried [tokens]; longer ones are read order by order by their users."""
 
 
-def unaccounted(tokens: Sequence[Token], orders: Sequence[Order], unknown: Sequence[str], read: Read) -> list[str]:
+def unaccounted(
+    lexicon: Lexicon, tokens: Sequence[Token], orders: Sequence[Order], unknown: Sequence[str], read: Read
+) -> list[str]:
     """Words that change nothing about how an instruction is read, besides those that only join or are polite.
 
     Args:
+        lexicon: of its language.
         tokens: of the instruction.
         orders: as it was read.
         unknown: words that are known to mean nothing already.
@@ -48,7 +52,7 @@ def unaccounted(tokens: Sequence[Token], orders: Sequence[Order], unknown: Seque
     """
     said, known = signature(orders), {word for text in unknown for word in text.lower().split()}
     known |= {word for order in orders for text in order.lost for word in text.lower().split()}
-    named, passed = _named(orders), _passed(tokens)
+    named, passed = _named(orders), _passed(tokens) | _of_names(lexicon, tokens)
     found: list[str] = []
     for index, token in enumerate(tokens if len(tokens) <= MOST else ()):
         if token.kind != "word" or index in passed or token.text in known | named or token.shown.lower() in known:
@@ -91,6 +95,16 @@ def _named(orders: Sequence[Order]) -> set[str]:
     }
 
 
+def _of_names(lexicon: Lexicon, tokens: Sequence[Token]) -> set[int]:
+    """The tokens of names of things that have several words: "dining chair" as a chair."""
+    found: set[int] = set()
+    for index in range(len(tokens)):
+        name = lexicon.longest(list(tokens), index)
+        if name.length > 1 and any(entry.sort == "object" for entry in name.entries):
+            found |= set(range(index, index + name.length))
+    return found
+
+
 def _nouns(orders: Sequence[Order]) -> list[Noun]:
     """Every noun phrase of some orders."""
     nouns: list[Noun] = []
@@ -106,6 +120,15 @@ def _nouns(orders: Sequence[Order]) -> list[Noun]:
     return nouns
 
 
+def _is_of_new(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is the "new" of "a new chair", which says no more than "a"."""
+    before = tokens[at - 1] if at else None
+    counted = before is not None and (before.kind == "number" or grammar().at([before], 0, "count") is not None)
+    return (
+        tokens[at].text in ("new", "fresh") and before is not None and (counted or before.text in ("a", "some", "my"))
+    )
+
+
 def _passed(tokens: Sequence[Token]) -> set[int]:
     """The tokens that need not change what is asked: articles, words that join, courtesies, other words for verbs."""
     passed = set(range(told_before(tokens)))
@@ -114,6 +137,6 @@ def _passed(tokens: Sequence[Token]) -> set[int]:
         lengths = [found[1] for sort in _SORTS if (found := longest(sort, tokens, index)) is not None]
         phrase = grammar().at(tokens, index, *_OF_READER)
         lengths += [phrase.length] if phrase is not None else []
-        lengths += [1] if (tokens[index].text,) in functional else []
+        lengths += [1] if (tokens[index].text,) in functional or _is_of_new(tokens, index) else []
         passed |= set(range(index, index + max(lengths, default=0)))
     return passed

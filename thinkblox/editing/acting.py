@@ -7,16 +7,17 @@ from itertools import tee
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import DrawnUp, Goal, IntoRoom, OnPart, Related
+from thinkblox.editing.goals import BackTo, DrawnUp, Goal, IntoRoom, Laid, MidWall, OnPart, OnWall, Related, ToWall
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
-from thinkblox.editing.wheres import Bound, named
+from thinkblox.editing.wheres import Bound, bound, named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.scene.landmarks import things
+from thinkblox.reading.english.nodes import Where
+from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
@@ -28,6 +29,12 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
         return IntoRoom()
     if there.part:
         return OnPart("on", there.anchors, part=there.part)
+    if there.kind == "on" and there.anchors and all(name.endswith("_wall") for name in there.anchors):
+        return OnWall("on", there.anchors, there.negated)
+    if there.seat:
+        return Laid("on", there.anchors, seat=there.seat)
+    if there.middle:
+        return MidWall("against_wall", there.anchors)
     if there.side is not None:
         return DrawnUp("at", there.anchors, side=there.side)
     measured: RelationKind | None = None
@@ -54,7 +61,24 @@ def looking(finder: Finder, noun: Noun) -> Goal:
         return IntoRoom()
     if noun.kind == "part" and noun.value == "middle":
         return Related("facing", ("centre",))
+    if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
+        return ToWall(_wall_meant(finder, noun))
     return Related("facing", mark_names(finder, NounPhrase(noun)))
+
+
+def backing(finder: Finder, noun: Noun) -> Goal:
+    """What something is to have its back to, as a goal."""
+    if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
+        return BackTo((_wall_meant(finder, noun),))
+    return BackTo(mark_names(finder, NounPhrase(noun)))
+
+
+def _wall_meant(finder: Finder, noun: Noun) -> str:
+    """The wall that a thing is to look at: the nearest, where it is not said which."""
+    scene, spot = finder.scene, finder.scene[finder.about].position[:2]
+    found = [wall.name for name in bound(Where("against", noun, text="against"), "", finder).anchors
+             for wall in walls(scene.room, name)]  # fmt: skip
+    return min(found, key=lambda name: abs(scene.room.wall(name).coordinates(spot)[1]))
 
 
 def reach_goals(

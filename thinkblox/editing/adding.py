@@ -1,8 +1,10 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from thinkblox.assets import GENERAL_WORDS
+from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
 from thinkblox.editing.acting import looking, mark_names, related
 from thinkblox.editing.carrying import usual_ties
@@ -15,6 +17,7 @@ from thinkblox.editing.wheres import Bound, anchored, slots_of, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
+from thinkblox.knowledge.things import things as known_things
 from thinkblox.plan import Target
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -73,6 +76,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
         goals = [_related(work, w, category, index, count) for w in here]
+        goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [At(finder.left_place(order.text), THERE)] if order.there else []
@@ -94,7 +98,9 @@ def _check(noun: Noun) -> None:
     Raises:
         InputError: it is no thing, or says how many in a way that means nothing here.
     """
-    if noun.kind != "thing" or noun.det in ("no", "none"):
+    words = noun.value.split("_")
+    known = any(word in known_things() or f"any_{word}" in GENERAL_WORDS for word in map(singular, words[:-1]))
+    if noun.kind != "thing" or noun.det in ("no", "none") or (not noun.named and known):
         raise InputError(f"'{noun.text}' is no thing that can be added")
     if noun.rows or noun.groups:
         raise InputError(f"'{noun.text}': rows and groups are not added as such; say how many, and where each goes")
@@ -162,7 +168,11 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
             whole = Mention(work.scene[anchor].category) if anchor in work.scene else anchor
             draft.bonds.append(Bond(where.kind, thing, (whole,)))
     choose_senses(draft, {p.category for p in work.scene.placements})
-    work.source.usual(thing.noun)
+    _, mount = work.source.usual(thing.noun)
+    general = f"any_{noun.word}"
+    raised = [b for b in wheres if b.kind == "on" and b.anchors and b.anchors[0] in work.scene]
+    if raised and mount == "floor" and general in GENERAL_WORDS and thing.noun != general:
+        return category_of(work, replace(noun, value=general), wheres)
     return thing.noun
 
 

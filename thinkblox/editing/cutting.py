@@ -142,6 +142,9 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
+        times = longest("multiples", tokens, at) if self._doing == "make" else None
+        if times is not None:
+            return OrderMark("multiples", times[0], float(times[0])), times[1]
         if self._doing in ("make", "put") and not (at and tokens[at - 1].text in _NEW):
             for sort in ("comparatives", "absolutes"):
                 found = longest(sort, tokens, at)
@@ -203,7 +206,8 @@ class ClauseCutter:
             self._doing in ("add", "ensure") and distance and end < len(tokens)
         ):
             return None
-        key = (bound[0] if bound is not None else "") + (" by" if at and tokens[at - 1].text == "by" else "")
+        before = tokens[at - 1].text if at else ""
+        key = (bound[0] if bound is not None else "") + (f" {before}" if before in ("by", "to") else "")
         while end < len(tokens) and tokens[end].text == "of":
             end += 1
         return OrderMark("lengths", key.strip(), lengths=said.lengths), end - at

@@ -325,6 +325,8 @@ def _carry_out(work: Work, read: Instruction) -> None:
     orders = in_turn(_joined(read.orders), finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
+    if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
+        work.kept |= {p.id for p in work.scene.placements}
     for number, order in enumerate(orders):
         finder.scene = work.before = work.scene
         work.order = (number, order.text)
@@ -337,7 +339,14 @@ def _carry_out(work: Work, read: Instruction) -> None:
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
+    work.failed[:] = dict.fromkeys(work.failed)
     work.failed += work.unkept()
+
+
+def _is_of_anything(order: Order) -> bool:
+    """Whether it says "don't move anything", of nothing but what is added then."""
+    words = order.text.lower().split()
+    return "anything" in words and "else" not in words
 
 
 def _joined(orders: Sequence[Order]) -> list[Order]:

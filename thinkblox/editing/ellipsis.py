@@ -7,7 +7,7 @@ from thinkblox.editing.clauses import Clause
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.reading.english.chunks import Noun
 
-_SHARING = ("move", "put", "make", "turn")
+_SHARING = ("move", "put", "make", "turn", "swap")
 _LINKS = (",", "and", "then", "but", "also")
 _TO = ("to", "into", "onto", "against", "over to")
 ReadClause = Callable[[Clause], Order]
@@ -30,6 +30,10 @@ def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
         if len(first.lost) + len(second.lost) > len(whole.lost):
             continue
         if _is_step(first) and _is_step(second) and first.things and not second.things and not second.places:
+            second.things = [_again(first)]
+            yield from (first, second)
+            return
+        if first.things and _is_change(first) and _is_change(second) and not second.things and not second.looks:
             second.things = [_again(first)]
             yield from (first, second)
             return
@@ -57,6 +61,8 @@ def _are_two(first: Order, second: Order) -> bool:
     named = bool(first.things and second.things)
     if not named or second.things[0].noun.kind not in ("thing", "pronoun", "number") or _is_of_before(second):
         return False
+    if first.doing == "swap":
+        return first.split == second.split == 1 and len(first.things) == len(second.things) == 2
     if _at_spot(first) and any(phrase.places for phrase in second.things):
         return True
     placed = any(where.text.lower() in _TO for phrase in second.things for where in phrase.places)
@@ -75,6 +81,11 @@ def _says_how(order: Order) -> bool:
 
 def _at_spot(order: Order) -> bool:
     return any(where.word == "spot" for phrase in order.things for where in phrase.places)
+
+
+def _is_change(order: Order) -> bool:
+    """Whether it says how the size of a thing changes, without a length."""
+    return order.doing == "make" and bool(order.change) and not order.lengths and not order.room
 
 
 def _is_step(order: Order) -> bool:

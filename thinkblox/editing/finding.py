@@ -186,7 +186,11 @@ class Finder:
         told = [word for word in noun.unshown if word != noun.degree] if not noun.named else []
         wanted = [word.lower() for word in (*noun.attributes, *told)]
         fitting = [p for p in alike if all(self._has(p, word) for word in wanted)]
+        literal = [p for p in fitting if noun.word in p.category.split("_")]
+        fitting = literal or fitting
         exact = [p for p in fitting if p.category == noun.value]
+        if len(exact) > 1 and len(exact) == (2 if noun.det == "both" else noun.count):
+            return exact
         wide = wide or noun.many or noun.each or bool(noun.every or noun.rows) or noun.det in ("all", "both", "other")
         return exact if exact and not wide else fitting
 

@@ -38,6 +38,7 @@ _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
 _SPOT = ("where", "to where")
 """Words before what stood at a place: "where the wardrobe was"."""
+_COMPASS = ("north", "south", "east", "west")
 _IN_ROW = ("middle", "left", "right")
 _SHAPES = ("round",)
 """Prepositions that are looks where nothing follows."""
@@ -65,13 +66,13 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(text, ids)
-    tokens = _with_rows([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
+    tokens = _without_commas([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
         words = ", ".join(verbs())
         raise InputError(f"{_short(text)!r} does not say what to do with the room; an instruction begins with {words}")
-    unknown += unaccounted(tokens, orders, unknown, lambda left: _orders(lexicon, left, named, kinds)[0])
+    unknown += unaccounted(lexicon, tokens, orders, unknown, lambda left: _orders(lexicon, left, named, kinds)[0])
     for order in orders:
         check_heeded(order)
     return Instruction(text, tuple(orders), tuple(unknown))
@@ -129,6 +130,20 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
     return plain + text[end:], named
 
 
+def _without_commas(tokens: list[Token]) -> list[Token]:
+    """The tokens with rows as they are read, and no comma between two adjectives: "a bigger, round one"."""
+    read = _with_rows(tokens)
+    return [token for at, token in enumerate(read) if not (token.text == "," and _is_of_adjectives(read, at))]
+
+
+def _is_of_adjectives(tokens: Sequence[Token], at: int) -> bool:
+    if at < 2 or at + 2 > len(tokens):
+        return False
+    adjective = means("comparatives", tokens[at - 1].text) or means("sizes", tokens[at - 1].text)
+    begun = tokens[at - 2].text in ("a", "an", "the", "another", "some")
+    return bool(adjective) and begun and tokens[at + 1].kind == "word" and tokens[at + 1].text not in ("and", "please")
+
+
 def _with_rows(tokens: list[Token]) -> list[Token]:
     """Read "the front row" and "the back row" as the first and the last, and "a round one" as no preposition."""
     words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
@@ -167,7 +182,8 @@ class _OrderReader:
         self.order.space = (
             clause.doing == "free" and told[0] in _MAKING and any(means("distances", word) == "gap" for word in told)
         )
-        self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
+        only = any(means("markers", w) == "only" for w in told) and not any(w.startswith("anything") for w in told)
+        self.order.total = clause.doing in ("keep", "ensure") and only
         self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
         self._items = [_of_kind(item, kinds) for item in self._cutter.items(clause.tokens)]
@@ -182,6 +198,9 @@ class _OrderReader:
         self._distance = False
         self._around = False
         self._shared = False
+        self._more = False
+        self._up_to = False
+        self._had = any(token.text == "to" and token.start < 0 for token in clause.tokens)
 
     def read(self) -> Order:
         """Read everything."""
@@ -218,6 +237,33 @@ class _OrderReader:
             self._pending = None
         if self._pending is not None:
             order.together, order.scatter = self._pending, not self._pending
+        self._spaced()
+        if self._up_to and order.doing == "make" and order.change and not order.by:
+            order.change = f"{order.change.removesuffix('=')}="
+        somewhere = order.places and not order.things and not order.rest and not order.room
+        if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
+            order.doing = "clear"
+        if order.doing == "keep" and order.total:
+            order.doing = "only"
+        if order.doing == "add" and self._is_had_by_each():
+            order.doing = "ensure"
+        self._looked()
+
+    def _looked(self) -> None:
+        """Tell a wish about looks, and what is to face something, from an order to move."""
+        order = self.order
+        if order.doing == "put" and order.things and self._is_about_looks():
+            order.doing = "make"
+        if order.doing == "make" and (order.facing or order.backs or order.mutual) and order.things and not order.room:
+            order.doing = "turn"
+        if self._around and order.facing:
+            order.turn = None
+        if order.doing == "put" and self._only_looks():
+            order.doing = "turn"
+
+    def _spaced(self) -> None:
+        """Read what is said of the space between things, or of more space at one of them."""
+        order = self.order
         about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
         if (
             order.doing in ("free", "keep", "make", "move", "put")
@@ -226,27 +272,28 @@ class _OrderReader:
             and (not order.things or order.doing in ("free", "keep"))
         ):
             order.doing, order.places = "gap", about[:1]
-        somewhere = order.places and not order.things and not order.rest and not order.room
-        if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
-            order.doing = "clear"
-        if order.doing == "put" and order.things and self._is_about_looks():
-            order.doing = "make"
-        if order.doing == "keep" and order.total:
-            order.doing = "only"
-        if order.doing == "make" and (order.facing or order.mutual) and order.things and not order.room:
-            order.doing = "turn"
-        if self._around and order.facing:
-            order.turn = None
-        if order.doing == "put" and self._only_looks():
-            order.doing = "turn"
+            more = self._more and not order.lengths and not order.change
+            order.change = "wider" if more else order.change
+        if order.doing == "put" and order.space and order.places and not order.things:
+            order.doing = "free"
+
+    def _is_had_by_each(self) -> bool:
+        """Whether it is said how many each of several has: "every table should have four chairs"."""
+        counted = any((phrase.noun.count or 1) > 1 for phrase in self.order.things)
+        return self._had and counted and any(w.noun is not None and w.noun.each for w in self._places())
+
+    def _places(self) -> list[Where]:
+        return [*self.order.places, *(where for phrase in self.order.things for where in phrase.places)]
 
     def _only_looks(self) -> bool:
         """Whether all that is asked of things is what they face: they are turned, and not moved far for that."""
         order = self.order
-        said = any(getattr(order, field) for field in SAID if field not in ("facing", "company", "rest", "spared"))
+        said = any(
+            getattr(order, field) for field in SAID if field not in ("facing", "backs", "company", "rest", "spared")
+        )
         known = all(phrase.noun.definite or phrase.id for phrase in order.things)
         placed = any(phrase.places for phrase in order.things)
-        return bool(order.facing and order.things) and known and not placed and not said
+        return bool((order.facing or order.backs) and order.things) and known and not placed and not said
 
     def _is_about_looks(self) -> bool:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
@@ -265,10 +312,28 @@ class _OrderReader:
             things = [phrase for phrase in order.things if phrase.noun.kind not in ("place", "part")]
             self._clears = bool(things) and not order.free
             order.things[:] = things
+        elif (new := self._new_thing()) is not None and said.attributes and not said.unshown:
+            new.attributes += said.attributes
         elif order.doing in ("make", "put") and order.things and said.attributes and not said.unshown:
             order.looks += said.attributes
         else:
             self._lose(said)
+
+    def _new_thing(self) -> Noun | None:
+        """The new thing that looks by themselves speak of: "add a rug under the table, grey"."""
+        order = self.order
+        new = (
+            order.instead
+            if order.doing == "replace"
+            else order.things
+            if order.doing in ("add", "ensure", "put")
+            else []
+        )
+        return (
+            new[-1].noun
+            if new and new[-1].noun.kind != "pronoun" and not new[-1].noun.definite and not new[-1].id
+            else None
+        )
 
     def _lose(self, item: Chunk) -> None:
         text = item.request.phrase if isinstance(item, SaidSurface) else getattr(item, "text", "")
@@ -285,8 +350,8 @@ class _OrderReader:
                 self._how(mark)
             case "lengths":
                 self._length(mark)
-            case "turn":
-                order.turn = mark.value
+            case "turn" | "multiples":
+                setattr(order, "turn" if mark.sort == "turn" else "times", mark.value)
             case "directions":
                 if order.direction:
                     order.lost.append(mark.key)
@@ -296,9 +361,16 @@ class _OrderReader:
             case "rows":
                 self._row(int(mark.key))
             case "comparatives" | "absolutes":
-                order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
+                self._change(mark)
             case _:
                 self._marker(mark.key)
+
+    def _change(self, mark: OrderMark) -> None:
+        """Take how the size of a thing changes; of two ways the first is lost."""
+        order = self.order
+        if order.change and not order.lengths and order.change.removesuffix("=") != mark.key:
+            order.lost.append(order.change.removesuffix("="))
+        order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
 
     def _how(self, mark: OrderMark) -> None:
         order = self.order
@@ -332,6 +404,7 @@ class _OrderReader:
         bound, _, by = mark.key.partition(" ")
         order.bound = bound if bound in ("ge", "le") else order.bound
         order.by |= by == "by" or bound == "by"
+        self._up_to |= "to" in (by, bound)
         self._distance = len(mark.lengths) == 1 and not mark.lengths[0][1]
 
     def _marker(self, key: str) -> None:
@@ -368,7 +441,7 @@ class _OrderReader:
         order = self.order
         if self._is_address(noun):
             return
-        noun = self._merged(noun)
+        noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
         phrase = self._phrase(noun)
         if negated and order.things and self._mode == "things":
@@ -381,6 +454,14 @@ class _OrderReader:
         elif self._excepted is not None:
             (order.things[-1].spared if order.things else order.spared).append(phrase)
             self._excepted = phrase
+        elif not self._in_mode(phrase) and not self._is_of_room(noun):
+            self._thing(phrase)
+
+    def _in_mode(self, phrase: NounPhrase) -> bool:
+        """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
+        order, noun = self.order, phrase.noun
+        if self._is_back(noun) and (behind := self._behind()) is not None:
+            order.backs.append(behind)
         elif self._mode == "so":
             self._so.append(phrase)
         elif self._mode == "unblock" and noun.kind in ("place", "part"):
@@ -388,8 +469,25 @@ class _OrderReader:
             self._mode = "things"
         elif self._mode == "instead" and noun.kind in ("thing", "number"):
             order.instead.append(phrase)
-        elif not self._is_of_room(noun):
-            self._thing(phrase)
+        else:
+            return False
+        return True
+
+    @staticmethod
+    def _is_back(item: Item | None) -> bool:
+        """Whether it is the back of what is spoken of."""
+        return isinstance(item, Noun) and item.kind == "part" and item.value == "back" and item.det == "my"
+
+    def _behind(self) -> Noun | None:
+        """Read "(its back) is to the window"."""
+        at = self._at
+        verb = self._items[at] if at < len(self._items) else None
+        at += isinstance(verb, Connector) and verb.sort in ("verbs", "participles")
+        link, noun = (self._items[n] if n < len(self._items) else None for n in (at, at + 1))
+        if not isinstance(link, Connector) or link.value not in (*_ASIDE, "on") or not isinstance(noun, Noun):
+            return None
+        self._at = at + 2
+        return self._merged(noun)
 
     def _is_of_room(self, noun: Noun) -> bool:
         """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
@@ -399,6 +497,7 @@ class _OrderReader:
             order.places.append(Where("around", about, text="around"))
         elif self._is_space(noun):
             order.space = True
+            self._more |= noun.text.lower().startswith("more ")
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
@@ -434,7 +533,8 @@ class _OrderReader:
 
     def _thing(self, phrase: NounPhrase) -> None:
         order, noun = self.order, phrase.noun
-        if noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL:
+        everything = noun.kind == "abstract" and noun.text.lower() == "anything" and order.doing == "keep"
+        if everything or (noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL):
             order.rest = True
         elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
             order.company.append(phrase)
@@ -460,6 +560,14 @@ class _OrderReader:
             and (last.noun.count or 0) > 1
             and not last.places
         )
+
+    def _another(self, noun: Noun) -> Noun:
+        """Read "and another on the shelf" as one more of what was named last."""
+        last = self.order.things[-1].noun if self.order.things else None
+        new = self.order.doing in ("add", "put") and last is not None and last.kind == "thing" and not last.definite
+        if not (noun.kind == "pronoun" and noun.det == "another" and new) or last is None:
+            return noun
+        return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 
     def _phrase(self, noun: Noun) -> NounPhrase:
         rank, _, along = self._cutter.ranks.get(id(noun), "").partition(" ")
@@ -504,6 +612,8 @@ class _OrderReader:
         known = means("distances", noun.word) == "gap" or noun.value == "space"
         spoken = noun.kind in ("abstract", "room") and not whole_room and known
         whole = isinstance(following, Connector) and following.value in ("of", "with", "to", "as", "by")
+        after = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
+        whole &= not (isinstance(after, OrderMark) and after.sort == "lengths")
         return (
             spoken
             and self.order.doing in ("free", "keep", "make", "put", "move")
@@ -554,7 +664,7 @@ class _OrderReader:
             case "negations" if link.value == "not":
                 self._negated = True
             case "negations" if link.value == "only" and self.order.doing in ("keep", "ensure"):
-                self.order.total = True
+                self.order.total |= not self.order.rest
             case "verbs" if link.value in ("face", *_BEING):
                 self._verb(link)
             case "mutual":
@@ -595,6 +705,8 @@ class _OrderReader:
     def _is_exception(self) -> bool:
         noun = self._items[self._at] if self._at < len(self._items) else None
         said = self.order.things[-1].noun if self.order.things else None
+        if said is None and self.order.rest:
+            return isinstance(noun, Noun) and noun.kind == "thing"
         every = said is not None and (said.det in ("all", "each") or said.plural)
         counted = isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
         return every and counted and self._mode == "things"
@@ -612,6 +724,7 @@ class _OrderReader:
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
             self.order.mutual = link.value
+            self.order.abreast |= link.text.lower() == "side by side"
         else:
             self._lose(link)
 
@@ -642,6 +755,8 @@ class _OrderReader:
         order, following = self.order, self._items[self._at] if self._at < len(self._items) else None
         if not isinstance(following, Noun):
             self._without_noun(link, following)
+            return
+        if link.value in ("with", "so") and self._is_back(following):
             return
         towards = link.text.lower() in ("towards", "toward")
         if self._comes_instead(link, following):
@@ -687,6 +802,8 @@ class _OrderReader:
             return False
         if following.kind == "people":
             self.order.lost.append(f"{link.text} {following.text}")
+        elif self.order.doing in ("free", "gap"):
+            self.order.purpose.append(following)
         return following.kind == "people" or self.order.doing in ("free", "gap")
 
     def _without_noun(self, link: Connector, following: Item | None) -> None:
@@ -715,10 +832,12 @@ class _OrderReader:
         if where.word == "instead" and where.noun is not None:
             self._instead_of(where, where.noun)
             return
+        if "possible" in where.text.lower().split():
+            order.lost.append("as possible")
         self._refer(where)
         if self._goes_along(where):
             return
-        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to"):
+        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
             phrase = NounPhrase(where.noun, id=where.noun.id)
             order.apart.append((order.lengths.pop()[0], phrase))
@@ -733,15 +852,23 @@ class _OrderReader:
         places = order.things[-1].places if order.things else order.places
         if places:
             places.append(Where(places[-1].word, noun, negated=True, text=places[-1].text))
+        elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
+            order.doing, order.total = "ensure", True
         elif order.doing in ("add", "put", "ensure") and order.things and noun.kind == "thing":
             order.doing, order.instead, order.things = "replace", order.things, [NounPhrase(noun, id=noun.id)]
         else:
             order.lost.append(f"{where.text} {noun.text}")
 
+    def _is_other_number(self, noun: Noun) -> bool:
+        """Whether there are to be so many of one kind, not another number of them: "four chairs instead of two"."""
+        last = self.order.things[-1].noun
+        of_them = noun.kind == "number" or (noun.kind == "thing" and noun.value == last.value and not noun.attributes)
+        return of_them and bool(noun.count and last.count) and last.kind == "thing" and not last.definite
+
     def _goes_along(self, where: Where) -> bool:
         """Take "with its chairs", "and the chairs with it" as what goes along."""
         order, noun = self.order, where.noun
-        if where.word != "with" or noun is None or order.doing not in _WITH_ALONG or not order.things:
+        if where.word != "with" or noun is None or order.doing not in (*_WITH_ALONG, "remove") or not order.things:
             return False
         if _is_it(noun) and len(order.things) > 1:
             order.company.append(order.things.pop())
@@ -827,6 +954,12 @@ class _OrderReader:
         return isinstance(item, Connector) and item.sort == "joins" and isinstance(after, Noun)
 
     def _attach(self, where: Where) -> None:
+        noun = where.noun
+        if self.order.room and self.order.doing == "make" and noun is not None and where.whole is None:
+            side = next((side for side in _COMPASS if noun.value in (side, f"{side}_wall")), "")
+            if side and not self.order.direction:
+                self.order.direction = side
+                return
         if self._shared and where.noun is not None and where.noun.each:
             where.noun = replace(where.noun, det="all", plural=True)
         if self._mode == "so":

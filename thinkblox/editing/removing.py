@@ -4,6 +4,7 @@ import dataclasses
 from collections.abc import Sequence
 
 from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.company import mates_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.wheres import bound, named, slots_of, spare
@@ -29,6 +30,8 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
         ids |= dict.fromkeys(meant)
         if phrase.laden:
             ids |= dict.fromkeys(rider.id for id in meant for rider in work.scene.riders(id))
+    for phrase in order.company:
+        ids |= dict.fromkeys(mate for id in tuple(ids) for mate in mates_of(work, finder, phrase, id))
     take_away(work, work.touched(ids))
     finder.recent = []
 

@@ -1,6 +1,7 @@
 """In which turn orders are carried out: what is to stand where another thing stands comes after that one leaves."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
@@ -15,7 +16,7 @@ def in_turn(orders: Sequence[Order], finder: Finder) -> list[Order]:
 
     Two things of which each is to stand where the other stands change places.
     """
-    left = list(orders)
+    left, finder = list(orders), replace(finder, seen=[])
     for order in orders:
         if order not in left:
             continue

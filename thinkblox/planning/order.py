@@ -45,7 +45,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
 
     Two ties may have no anchors: "in_rows", and "facing" or "next_to" of the first among its like.
     """
-    brief = without_excluded(brief)
+    brief = _dressed(without_excluded(brief), room)
     members = Members(brief)
     relations = list(relations_in(brief, room, chosen_walls(brief, room)))
     for relation in relations:
@@ -76,6 +76,19 @@ def without_excluded(brief: Brief) -> Brief:
         return brief
     relations = (r for r in brief.relations if r.subject not in gone and gone.isdisjoint(r.anchors))
     return replace(brief, requests=tuple(r for r in brief.requests if r.key not in gone), relations=tuple(relations))
+
+
+def _dressed(brief: Brief, room: Room) -> Brief:
+    """The brief with no more of the curtains that it only assumes than the room has windows."""
+    windows = sum(opening.kind == "window" for opening in room.openings)
+    drapes = {r.key for r in brief.requests if not r.asked and facts_of(r.category).hanging.windows != "no"}
+    if not drapes:
+        return brief
+    fewer = (replace(r, count=min(r.count, windows)) if r.key in drapes and windows else r for r in brief.requests)
+    kept = tuple(r for r in fewer if windows or r.key not in drapes)
+    keys = {r.key for r in kept}
+    relations = (r for r in brief.relations if r.subject in keys and (drapes - keys).isdisjoint(r.anchors))
+    return replace(brief, requests=kept, relations=tuple(relations))
 
 
 def _due(members: Members, ordered: Sequence[Member]) -> dict[str, list[Due]]:

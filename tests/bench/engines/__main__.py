@@ -5,11 +5,11 @@ python -m tests.bench.engines ROOMS [--engines rapier3d,dartpy] [--home DIR] [--
 
 import argparse
 import json
+import math
 import subprocess
 import sys
 import tempfile
 import tomllib
-import venv
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,7 @@ import numpy as np
 from tests.bench.engines.case import moved, write_case
 from tests.bench.engines.marble import marble_case, marble_told
 from tests.bench.engines.page import page
+from tests.bench.venvs import interpreter
 from thinkblox.sim.environment import rooms_of
 
 HERE = Path(__file__).parent
@@ -30,24 +31,6 @@ COLUMNS = (
 MARBLE_COLUMNS = ("engine", "marble over the mug's bottom [mm]", "mug moved [mm]", "seconds")
 
 
-def interpreter(engine: str, home: Path) -> Path:
-    """The Python of an engine's virtual environment, which is made when it is not there.
-
-    Raises:
-        RuntimeError: it cannot be installed; says why.
-    """
-    place = home / str(PINS[engine].get("place", engine))
-    python = place / "bin" / "python"
-    if not (place / "ready").exists():
-        venv.create(place, with_pip=True, clear=True)
-        command = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PINS[engine]["needs"]]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise RuntimeError(f"cannot be installed: {done.stderr.strip().splitlines()[-1]}")
-        (place / "ready").touch()
-    return python
-
-
 def driven(engine: str, case: Path, home: Path) -> dict[str, Any]:
     """What a driver prints of a case.
 
@@ -56,7 +39,8 @@ def driven(engine: str, case: Path, home: Path) -> dict[str, Any]:
     """
     pin = PINS[engine]
     solver = [pin["solver"]] if "solver" in pin else []
-    command = [interpreter(engine, home), HERE / f"drive_{pin.get('driver', engine)}.py", case, *solver]
+    python = interpreter(home / str(pin.get("place", engine)), pin["needs"])
+    command = [python, HERE / f"drive_{pin.get('driver', engine)}.py", case, *solver]
     patience = pin.get("takes", 300)
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=patience)
@@ -101,11 +85,11 @@ def _swung(wanted: Any, found: Any) -> tuple[str, str]:
 def room_lines(rooms: list[str], engines: list[str], home: Path) -> Iterator[str]:
     """The table of rooms, line by line, failures included."""
     yield from _head(COLUMNS)
-    for source in (source for room in rooms for source in rooms_of(room)):
+    for number, source in enumerate(source for room in rooms for source in rooms_of(room)):
         scene = source.load()
         with tempfile.TemporaryDirectory(prefix="engines-") as folder:
             case = write_case(scene, Path(folder, "room"))
-            for engine in engines:
+            for engine in [engine for engine in engines if number < PINS[engine].get("rooms", math.inf)]:
                 try:
                     told = driven(engine, Path(folder, "room", "case.json"), home)
                     yield row(source.name, engine, case, told)

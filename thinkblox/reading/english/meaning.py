@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.across import ACROSS
@@ -251,7 +252,7 @@ class Meanings:
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
-        one_side = kind == "around" and said.value == "side" and _is_one(said)
+        one_side = kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other")
         kind, loose = ("at", True) if one_side else (kind, loose)
         if said.value == "in_shelf":
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
@@ -401,7 +402,12 @@ class Meanings:
         if wall is None or (said.value == "front" and not subjects):
             return None
         hangs = self.place is not None and self.place.kind == "on" and str(self.place.anchors[0]).endswith("_wall")
-        return Meaning("on" if hangs else "against_wall", (wall,))
+        return Meaning("on" if hangs and self._may_hang(subjects) else "against_wall", (wall,))
+
+    def _may_hang(self, subjects: list[Mention]) -> bool:
+        """Whether things do not stand on the floor, or others of their kind were said to hang."""
+        hung = {b.subject.noun for b in self.referents.draft.bonds if b.kind == "on"}
+        return all(t.noun in hung or kind_of(t.noun).mount != "floor" for t in subjects)
 
     # --- places
 

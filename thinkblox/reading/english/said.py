@@ -6,6 +6,7 @@ clauses made of them.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
 
@@ -25,6 +26,9 @@ _HAVING = {
     "inverses": ("on", "inside", "with"),
 }
 """Words between a thing and what it has."""
+_REACH = 12
+"""So many nouns back, at most, a position can be about."""
+_SIDES = (["left"], ["right"])
 _ASIDE = ("but", "stop")
 """Conjunctions that begin a statement of its own."""
 
@@ -39,9 +43,13 @@ class SaidPosition:
         whole: of what that noun is a part ("the left side of the bed").
         second: the other of "between A and B".
         of: what it can be about by its place, the nearest first; empty where it stands in front.
+        held: whether the nearest is said to belong to what comes next.
+        carried: whether it stands after what something lies on ("a lamp on a table next to the bed").
+        joined: what the nearest is joined to by "and", or, where the position is to a named thing, what has it.
         over: nouns before that to which the nearest was said to stand ("a chair next to the bed facing ...").
         led: what comes first after it, where it stands in front.
         verb: the verb between the nouns before and the preposition.
+        sides: how many sides it names ("to the left and right").
         end: the index of its last chunk.
     """
 
@@ -50,9 +58,13 @@ class SaidPosition:
     whole: Noun | None = None
     second: Noun | None = None
     of: list[Noun] = field(default_factory=list)
+    held: bool = False
+    carried: bool = False
+    joined: list[Noun] = field(default_factory=list)
     over: list[Noun] = field(default_factory=list)
     led: Noun | None = None
     verb: Connector | None = None
+    sides: int = 1
     end: int = 0
 
     @property
@@ -114,6 +126,19 @@ def positions(said: Sequence[Chunk]) -> Iterator[SaidPosition]:
             at = found.end + 1
 
 
+def parted(said: Sequence[Chunk]) -> set[int]:
+    """The tokens at which several begin that are told apart right after: "eight chairs, four along each wall"."""
+    found: set[int] = set()
+    for at, noun in enumerate(said[:-2]):
+        if isinstance(noun, Noun) and (noun.each or noun.value == "each"):
+            break
+        told = isinstance(noun, Noun) and noun.kind == "thing" and (noun.count or 0) > 1
+        number = _noun(said, at + 2, "number")
+        if told and is_link(said[at + 1], "mark") and number is not None and number.count:
+            found.add(noun.start)
+    return found
+
+
 def possessions(said: Sequence[Chunk]) -> Iterator[SaidList]:
     """What things are said to have in one statement."""
     for at, link in enumerate(said):
@@ -155,6 +180,9 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
     found = SaidPosition(link, _noun(said, at + 1), end=at)
     if found.to is not None:
         found.end = at + 1
+        if found.to.kind == "part" and _link(said, at + 2, "joins", "and") and at + 3 < len(said):
+            other = said[at + 3]
+            found.sides += isinstance(other, (Noun, Connector)) and other.text.lower().split()[-1:] in _SIDES
         part = found.to.kind in ("part", "place", "abstract")
         if part and _link(said, at + 2, "prepositions", "of") and (whole := _noun(said, at + 3)) is not None:
             found.whole, found.end = whole, at + 3
@@ -168,8 +196,11 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
             found.verb = found.verb or verb
         before -= 1
     if _noun(said, before) is not None:
-        found.of = list(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)))
-        found.over = [noun for noun in _further(said, before) if noun not in found.of]
+        found.of = [*islice(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)), _REACH)]
+        found.held = before > 1 and _is_having(said[before - 1]) and _noun(said, before - 2, "thing") is not None
+        found.carried = before > 0 and is_link(said[before - 1], "prepositions", "on", "on_top")
+        found.joined = [*islice(_joined(said, before, named=found.to is not None and found.to.kind == "thing"), _REACH)]
+        found.over = [*islice(_further(said, before), _REACH)]
     elif before < 0 or is_link(said[before], "joins", "and", *_ASIDE):
         found.led = _led(said, found.end + 1)
     return found
@@ -199,6 +230,15 @@ def _nearest(said: Sequence[Chunk], at: int, *, verb: bool, loose: bool) -> Iter
         at -= not verb and _link(said, at, "mark", "comma")
 
 
+def _joined(said: Sequence[Chunk], at: int, *, named: bool) -> Iterator[Noun]:
+    """What the noun at `at` is joined to without a comma."""
+    while at > 1 and (_link(said, at - 1, "joins", "and") or (named and _is_having(said[at - 1]))):
+        at -= 2
+        if (noun := _noun(said, at)) is None:
+            return
+        yield noun
+
+
 def _is_within(chunk: Chunk) -> bool:
     """Whether a word links two nouns before the verb of one clause."""
     return isinstance(chunk, Connector) and chunk.sort in ("prepositions", "participles", "inverses")
@@ -221,6 +261,10 @@ def _having(said: Sequence[Chunk], at: int, link: Connector) -> SaidList | None:
         each, before = True, before - 1
         before -= _link(said, before, "mark", "comma")
         before = next((n for n in range(before, -1, -1) if (told := _noun(said, n, "thing")) and told.many), before)
+    while _noun(said, before, "pronoun", "place") is not None and isinstance(to := said[before - 1], Connector):
+        if before < 2 or not _is_spatial(to):
+            return None
+        before -= 2
     head = _noun(said, before, "thing")
     if head is None:
         return None
@@ -228,7 +272,7 @@ def _having(said: Sequence[Chunk], at: int, link: Connector) -> SaidList | None:
     members, lying = _members(said, at + 1)
     if each or link.sort == "verbs":
         members, lying = [*members, *lying], []
-    return SaidList(head, link, list(_further(said, before)), members, lying, each=each)
+    return SaidList(head, link, [*islice(_further(said, before), _REACH)], members, lying, each=each)
 
 
 def _further(said: Sequence[Chunk], at: int) -> Iterator[Noun]:

@@ -7,13 +7,14 @@ the two disagree nobody knows which is right, so that the words are not understo
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.referents import Referents, is_small, parts_of
-from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, positions, possessions, statements
+from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, parted, positions, possessions, statements
 
 _LYING: tuple[RelationKind, ...] = ("on", "inside")
 _MEANT: dict[str, tuple[RelationKind, ...]] = {
@@ -90,8 +91,12 @@ class SecondOpinion:
             for having in held:
                 yield from self._lists(having)
             spread = any(h.head.many for h in held) or any(_is_shared_out(chunk) for chunk in said) or _defines(said)
+            for one, other in pairwise(said):
+                if _is_cut_in_two(one, other):
+                    yield Disagreement(one.start, other.end, range(one.start, other.end), "one thing?")
+            apart = parted(said)
             for noun in (chunk for chunk in said if isinstance(chunk, Noun) and not corrected):
-                if question := self._number(noun, spread=spread):
+                if question := self._number(noun, spread=spread and noun.start not in apart):
                     yield Disagreement(noun.start, noun.end, range(noun.start, noun.end), question)
 
     # --- positions
@@ -104,24 +109,36 @@ class SecondOpinion:
             return ""
         anchor = place.anchor
         if anchor is not None and anchor.kind == "thing":
-            anchors = self._things(anchor)
-            if anchors and not self._are_related(subjects, anchors, _kinds(place)):
-                return "where?"
-            if place.second is None and self._is_of_others(self._things(named), anchor):
-                return "which of them?"
-            if place.led is not None and self._is_shared_front(place, places, anchors):
-                return "of what?"
-        elif place.of and not self._has_place(place, subjects):
+            question = self._of_thing(place, places, subjects, anchor)
+        else:
+            question = "where?" if place.of and not self._has_place(place, subjects) else ""
+        return question or self._of_side(place, subjects)
+
+    def _of_thing(
+        self, place: SaidPosition, places: Sequence[SaidPosition], subjects: Sequence[Mention], anchor: Noun
+    ) -> str:
+        """What is open about a position that is to a thing."""
+        anchors = self._things(anchor)
+        if anchors and not self._are_related(subjects, anchors, _kinds(place)):
             return "where?"
-        if self._is_beside_its_carrier(subjects):
-            return "where?"
+        if place.second is None and self._is_of_others(self._things(*place.of[:1], place.led), anchor):
+            return "which of them?"
+        return "of what?" if place.led is not None and self._is_shared_front(place, places, anchors) else ""
+
+    def _of_side(self, place: SaidPosition, subjects: Sequence[Mention]) -> str:
+        """What is open about who is meant, and about sides."""
+        if _is_side_of_either(place):
+            return "of what?"
         if self._is_odd_side(place):
             return "how many?"
+        lost = self._is_forgotten(place) or self._is_one_sided(place, subjects)
+        if lost or self._is_beside_its_carrier(subjects):
+            return "where?"
         return "which of them?" if self._is_of_more(place) else ""
 
     def _goes_on(self, place: SaidPosition) -> bool:
         """Whether a position may be about what stood before the one before: the noun between was named earlier."""
-        if not place.of or place.link.value in ("facing", "opposite"):
+        if not place.of or place.link.value in ("facing", "opposite") or place.carried:
             return True
         before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
         return bool(before & set(self._meant.get(place.of[0].start, ())))
@@ -145,9 +162,9 @@ class SecondOpinion:
         return bool(told) and not any(self._lies(anchor) for bond in beside for anchor in parts_of(bond))
 
     def _lies(self, thing: Mention) -> bool:
-        """Whether it lies on or in something."""
-        held = (b for b in self._draft.bonds_of(thing) if b.kind in _LYING and not b.negated)
-        return is_small(thing) and any(parts_of(bond) for bond in held)
+        """Whether it is small, or a plant, and lies on or in something."""
+        low = is_small(thing) or load_habits().is_in(thing.noun, "plants")
+        return low and any(b.kind in _LYING and not b.negated and parts_of(b) for b in self._draft.bonds_of(thing))
 
     def _is_beside_its_carrier(self, subjects: Sequence[Mention]) -> bool:
         """Whether what one of them lies on was said to stand beside it."""
@@ -160,15 +177,40 @@ class SecondOpinion:
             if other.kind in _APART and not other.negated
         )
 
+    def _is_forgotten(self, place: SaidPosition) -> bool:
+        """Whether what is joined to the subject, and has to lie somewhere, is nowhere: "a fork and a mug beside it"."""
+        if place.to is not None and place.to.kind == "place":
+            return False
+        for things in (self._things(noun) for noun in place.joined):
+            if not all(is_small(thing) for thing in things):
+                return False
+            if things and not any(self._is_anywhere(thing) for thing in things):
+                return True
+        return False
+
+    def _is_anywhere(self, thing: Mention) -> bool:
+        """Whether anything is said of where a thing is, or of others by it."""
+        beside = any(thing in b.anchors and b.kind not in _LYING for b in self._draft.bonds)
+        return bool(self._draft.bonds_of(thing) or thing.per) or beside
+
+    def _is_one_sided(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
+        """Whether of "to the left and right" only one side was read."""
+        words = [str(a) for b in self._bonds(subjects) for a in (b.kind, *b.anchors) if isinstance(a, str)]
+        return place.sides > 1 and not all(any(side in word for word in words) for side in ("left", "right"))
+
     def _is_odd_side(self, place: SaidPosition) -> bool:
         """Whether not as many are at one side of something as at the other."""
         part = place.to
         if part is None or part.kind != "part" or part.det not in ("both", "either", "each") or not place.of:
             return False
-        things = self._things(place.of[0])
+        return not any(self._is_even(things) for noun in place.of if (things := self._things(noun)))
+
+    def _is_even(self, things: Sequence[Mention]) -> bool:
+        """Whether things are so many at each of two sides, or of each of several."""
         if any(bond.each for bond in self._bonds(things)):
-            return False
-        return any(t.count is None for t in things) or sum(self._referents.total(t) for t in things) % _PAIR > 0
+            return True
+        counted = all(thing.count is not None for thing in things)
+        return counted and sum(self._referents.total(t) for t in things) % _PAIR == 0
 
     def _is_of_more(self, place: SaidPosition) -> bool:
         """Whether a verb of one thing was taken to be about others too: "a bar with two lamps is on the left"."""
@@ -211,9 +253,12 @@ class SecondOpinion:
             if not heads or not things:
                 continue
             question = ""
-            if not self._are_related(things, [*heads, *self._things(*having.outer)]):
+            others = [t for t in self._things(*having.members, *having.lying) if t not in things]
+            if not self._are_related(things, [*heads, *self._things(*having.outer), *others]):
                 question = "where?"
-            elif having.each and self._is_shared_unevenly(having.head, heads, noun, things):
+            elif self._is_of_one_alone(heads, things) or (
+                having.each and self._is_shared_unevenly(having.head, heads, noun, things)
+            ):
                 question = "how many?"
             if question:
                 link = having.link
@@ -225,6 +270,12 @@ class SecondOpinion:
             return False
         each = sum(self._referents.total(t) for t in heads)
         return sum(self._referents.total(t) for t in things) % each > 0
+
+    def _is_of_one_alone(self, heads: Sequence[Mention], things: Sequence[Mention]) -> bool:
+        """Whether what each of several has was read as that of one: "a shelf above each sink with a cup"."""
+        shared = any(b.each and not b.negated for b in self._bonds(heads))
+        told = [b for b in self._bonds(things) if set(b.anchors) & set(heads)]
+        return shared and bool(told) and not any(b.each for b in self._bonds(things)) and len(things) == 1
 
     # --- numbers
 
@@ -239,7 +290,11 @@ class SecondOpinion:
         exact = sum(self._referents.total(thing) for thing in things)
         if noun.ordinal and exact > 1 and not noun.plural:
             return "which of them?"
-        if _is_part_of_some(noun) or any(thing.per for thing in things):
+        if any(thing.per for thing in things):
+            return ""
+        if noun.rows > 0 and noun.plural and all(thing.count is not None for thing in things):
+            return "how many?" if sum(self._referents.total(t) for t in self._things(noun)) < _PAIR * noun.rows else ""
+        if _is_part_of_some(noun):
             return ""
         count = noun.count or 1
         made = sum(self._referents.total(thing) for thing in self._things(noun))
@@ -269,6 +324,19 @@ def _kinds(place: SaidPosition) -> Sequence[str]:
     if place.whole is not None and place.to is not None:
         return _OF_PART.get(place.to.value, ())
     return _MEANT.get(place.link.value, ())
+
+
+def _is_cut_in_two(one: Chunk, other: Chunk) -> bool:
+    """Whether two things are named without a word between them: "a light" and "grey sofa"."""
+    named = isinstance(one, Noun) and isinstance(other, Noun) and one.kind == other.kind == "thing"
+    return named and isinstance(other, Noun) and one.end == other.start and not other.det and other.count is None
+
+
+def _is_side_of_either(place: SaidPosition) -> bool:
+    """Whether a side may be the room's, and several that something has there: "a bar with six stools on the left"."""
+    side = place.to is not None and place.to.kind == "part" and place.to.value in ("left", "right")
+    told = place.whole is None and place.to is not None and place.to.det == "the"
+    return side and told and place.held and place.of[0].many
 
 
 def _is_at_wall(bonds: Sequence[Bond]) -> bool:
