@@ -51,6 +51,32 @@ def test_units_and_axes_that_cannot_be_meant_are_named(tmp_path):
     assert "less than 1/20 as large" in notes(size=0.01)
 
 
+def test_turns_in_radians_are_named(tmp_path):
+    for turns, told in (((1.5708, 0, 3.14), True), ((1.5708, 30, 0), False), ((0, 90, 180), False)):
+        layout = _layout()
+        for asset, turn in zip(layout["assets"].values(), turns, strict=False):
+            asset["rotation"] = [0, 0, turn]
+        assert ("in radians" in " ".join(read_layout(_written(tmp_path, layout)).notes)) is told
+
+
+def test_what_stands_on_a_rug_is_measured_on_the_floor_with_all_that_it_carries(tmp_path):
+    layout = _layout()
+    layout["assets"]["rug-0"] = {
+        "category": "rug",
+        "position": [1.7, 1.5, 0.01],
+        "rotation": [0, 0, 0],
+        "assetMetadata": {"boundingBox": {"x": 1.4, "y": 2.0, "z": 0.02}},
+    }
+    for name in ("table-0", "vase-0"):
+        layout["assets"][name]["position"][2] += 0.02
+    read = read_layout(_written(tmp_path, layout))
+    bases = {p.id: round(p.position[2], 6) for p in read.scene.placements}
+    assert bases == {"sofa-0": 0.0, "table-0": 0.0, "vase-0": 0.44, "lamp-0": 2.0, "rug-0": 0.0}
+    assert read.notes == (
+        "On a rug, which nothing collides with, and so measured on the floor under it: table-0, vase-0.",
+    )
+
+
 def test_numbers_out_of_range_are_told_with_place_value_and_unit(tmp_path):
     for changes, match in (
         ({"room": 100}, r"<= 100\.0, not 260; lengths are read in metres - at `\$\.boundary\.wall_height`"),

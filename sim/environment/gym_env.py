@@ -58,9 +58,9 @@ def vector_environment(
     vector = needed("gymnasium.vector")
     if task not in NAMES:
         raise InputError(f"no task {task!r}; there are {', '.join(NAMES)}")
-    sources, skipped = rooms_of(rooms), dict[str, str]()
+    sources, tried, skipped = rooms_of(rooms), list[Any](), dict[str, str]()
     if count is None and len(sources) > 1:
-        sources, skipped = _doable(sources, task, options)
+        sources, tried, skipped = _doable(sources, task, options)
     count = len(sources) if count is None else count
     if count < 1:
         raise InputError(f"{count} environments are none; give at least 1")
@@ -68,23 +68,34 @@ def vector_environment(
         raise InputError(f"{count} environments need as many rooms; there are {len(sources)}")
     shares = [[source.home for source in sources[i::count]] for i in range(count)]
     makers = [_maker(share, task, options) for share in shares]
-    made = vector.AsyncVectorEnv(makers) if parallel else vector.SyncVectorEnv(makers)
+    if parallel:
+        for env in tried:
+            env.close()
+        made = vector.AsyncVectorEnv(makers)
+    else:
+        made = vector.SyncVectorEnv([lambda env=env: env for env in tried] or makers)
     made.skipped = skipped
     return made
 
 
-def _doable(sources: Sequence[RoomSource], task: str, options: dict[str, Any]) -> tuple[Any, dict[str, str]]:
-    """The rooms in which the task can be done, and why not in the others; raises InputError when there are none."""
-    found, skipped = [], {}
+def _doable(
+    sources: Sequence[RoomSource], task: str, options: dict[str, Any]
+) -> tuple[tuple[RoomSource, ...], list[Any], dict[str, str]]:
+    """The rooms in which the task can be done, an environment of each, and why not in the others.
+
+    Raises:
+        InputError: it can be done in none of them.
+    """
+    found: list[tuple[RoomSource, Any]] = []
+    skipped: dict[str, str] = {}
     for source in sources:
         try:
-            _maker([source.home], task, options)().close()
-            found.append(source)
+            found.append((source, _maker([source.home], task, options)()))
         except InputError as error:
             skipped[source.name] = str(error)
     if not found:
         raise InputError(f"the task can be done in none of the rooms: {'; '.join(dict.fromkeys(skipped.values()))}")
-    return found, skipped
+    return tuple(source for source, _ in found), [env for _, env in found], skipped
 
 
 def _maker(rooms: Sequence[RoomLike], task: str, options: dict[str, Any]) -> Any:

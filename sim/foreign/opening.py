@@ -187,8 +187,8 @@ def _check_model(path: Path, model: mujoco.MjModel) -> None:
         usable = np.isfinite(values) & ((np.abs(values) <= LARGEST) | (field in _FINITE))
         if not usable.all():
             row = int(np.argwhere(~usable.reshape(len(values), -1).all(axis=1))[0, 0])
-            above = f", or more than {LARGEST:g}" if field in _BOUNDED else ""
-            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number{above}.")
+            above = f", or more than {LARGEST:g}; is the model in metres?" if field in _BOUNDED else "."
+            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number{above}")
     if not np.all(np.isfinite(model.opt.gravity)):
         raise InputError(f"{path}: <option gravity> is not made of finite numbers.")
 

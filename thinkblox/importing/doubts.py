@@ -1,5 +1,6 @@
 """What speaks for it that a layout means other units or axes than its format has, in sentences."""
 
+import math
 from collections.abc import Callable, Sequence
 from statistics import median
 
@@ -20,6 +21,8 @@ HALF, MOST = 0.5, 0.8
 """Less than the one of all things is in the room as it is said, the other at least as it may have been meant."""
 SHOWN, SHORT = 3, 40
 """How many names are told, and how much of each."""
+CLOSE = 0.006
+"""How far numbers may be from quarter turns in radians, which are written with two digits at least [degrees]."""
 ODD = 20.0
 """How many times as large or small as usual things are when their sizes are in another unit."""
 _UNITS = (("centimetres", 0.01), ("millimetres", 0.001), ("inches", 0.0254), ("feet", 0.3048))
@@ -43,7 +46,12 @@ def doubts(room: Room, items: Sequence[Item], bodies: Sequence[ItemBody], shift:
         places = [_shifted(meant(item.position), shift) for item in items]
         return sum(floor.contains(Point(x, y)) and -NEAR <= z <= room.height + NEAR for x, y, z in places)
 
-    return (*_positions(len(items), within), *_axes(items, bodies, shift, within), *_sizes(items, bodies))
+    return (
+        *_positions(len(items), within),
+        *_axes(items, bodies, shift, within),
+        *_sizes(items, bodies),
+        *_angles(bodies),
+    )
 
 
 def _positions(count: int, within: Callable[[Callable[[Vec3], Vec3]], int]) -> list[str]:
@@ -89,6 +97,15 @@ def _sizes(items: Sequence[Item], bodies: Sequence[ItemBody]) -> list[str]:
     if ratios and median(ratios.values()) <= 1 / ODD:
         return [f"Most objects are less than 1/{ODD:g} as large as usual; sizes are read in metres."]
     return []
+
+
+def _angles(bodies: Sequence[ItemBody]) -> list[str]:
+    """Whether every turn is, as degrees, what quarter turns are in radians."""
+    turns = [abs((body.yaw + 45.0) % 90.0 - 45.0) for body in bodies]
+    odd = [turn for turn in turns if turn > CLOSE]
+    if not odd or any(min(abs(turn - quarters * math.pi / 2) for quarters in (1, 2, 3, 4)) > CLOSE for turn in odd):
+        return []
+    return [f"Objects are turned by {odd[0]:.4g} degrees: angles are read in degrees; are these in radians?"]
 
 
 def _swap(position: Vec3) -> Vec3:

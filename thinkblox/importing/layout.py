@@ -21,6 +21,7 @@ from thinkblox.importing.layoutvlm import read_layoutvlm
 from thinkblox.importing.library import Library
 from thinkblox.importing.mounting import mounts_of
 from thinkblox.importing.outline import origin_of, room_of
+from thinkblox.importing.rugs import off_rugs
 from thinkblox.importing.sceneeval import read_sceneeval
 from thinkblox.importing.signatures import detect
 from thinkblox.importing.sizes import Sizes, read_sizes, size_in
@@ -197,6 +198,10 @@ def _layout(document: Document, draft: LayoutDraft, format: str, height: float |
     if "wall" in mounts:
         notes = (*notes, FRONTS)
     ids = _ids(room, draft.items)
+    bodies, lowered = off_rugs(bodies, mounts)
+    if lowered:
+        names = ", ".join(ids[k] for k in lowered[:RENAMED]) + (" and more" if len(lowered) > RENAMED else "")
+        notes = (*notes, f"On a rug, which nothing collides with, and so measured on the floor under it: {names}.")
     return ForeignLayout(
         scene=_scene(document, room, bodies, ids, mounts, plain(draft.prompt)),
         format=format,
