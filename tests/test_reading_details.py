@@ -18,6 +18,15 @@ from thinkblox.reading import read_brief
          ["1 ceiling_projector on ceiling"]),
         ("A sunroom full of plants, with two armchairs and a table between them.", ["1 coffee_table between armchair"]),
         ("Three workbenches, a clock on the first two.", ["2 clock on workbench"]),
+        # What a room has that is named after things in it, and what two face each other across.
+        ("A picnic table with a basket on it, in a conservatory with a fern.", ["1 basket on picnic_table"]),
+        ("Two sofas facing each other across a coffee table.",
+         ["2 sofa facing sofa", "1 coffee_table between sofa"]),
+        ("Two armchairs face each other over a small table.", ["1 coffee_table between armchair"]),
+        ("A sofa and an armchair facing each other across a low table.", ["1 coffee_table between sofa armchair"]),
+        ("Two parallel rows of three workbenches, each with a vise.", ["6 workbench in_rows", "6 vise on workbench"]),
+        ("A long row of six lockers.", ["6 locker in_rows"]),
+        ("Four beds, two along each side wall.", ["4 bed against_wall wall"]),
         # Sides and ends.
         ("Four tables, each with a lamp and six chairs, three on each side.", ["24 chair at_long_side dining_table"]),
         ("A desk is at the front left.", ["1 desk in_corner near_wall left_wall"]),
@@ -30,6 +39,8 @@ from thinkblox.reading import read_brief
         ("A mug on the kitchen counter, next to the sink.", ["1 cup next_to sink", "1 cup on base_cabinet"]),
         ("A table with a vase with a single flower.", ["1 flower inside vase"]),
         ("A cello on a stand.", ["1 cello on guitar_stand"]),
+        ("A fruit bowl with apples on the counter.", ["3 apple inside fruit_bowl", "1 fruit_bowl on counter"]),
+        ("A vase with two roses on the table.", ["2 rose inside vase", "1 vase on dining_table"]),
         # Of which kind something is, told later; numbered items.
         ("Six chairs around a table, two of which are armchairs.",
          ["4 chair around dining_table", "2 armchair around dining_table"]),

@@ -2,20 +2,22 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import tee
 
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import DrawnUp, Goal, IntoRoom, OnPart, Related
+from thinkblox.editing.goals import BackTo, DrawnUp, Goal, IntoRoom, Laid, MidWall, OnPart, OnWall, Related, ToWall
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
-from thinkblox.editing.wheres import Bound, named
+from thinkblox.editing.wheres import Bound, bound, named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
-from thinkblox.scene.landmarks import things
+from thinkblox.reading.english.nodes import Where
+from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
@@ -27,6 +29,12 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
         return IntoRoom()
     if there.part:
         return OnPart("on", there.anchors, part=there.part)
+    if there.kind == "on" and there.anchors and all(name.endswith("_wall") for name in there.anchors):
+        return OnWall("on", there.anchors, there.negated)
+    if there.seat:
+        return Laid("on", there.anchors, seat=there.seat)
+    if there.middle:
+        return MidWall("against_wall", there.anchors)
     if there.side is not None:
         return DrawnUp("at", there.anchors, side=there.side)
     measured: RelationKind | None = None
@@ -53,7 +61,24 @@ def looking(finder: Finder, noun: Noun) -> Goal:
         return IntoRoom()
     if noun.kind == "part" and noun.value == "middle":
         return Related("facing", ("centre",))
+    if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
+        return ToWall(_wall_meant(finder, noun))
     return Related("facing", mark_names(finder, NounPhrase(noun)))
+
+
+def backing(finder: Finder, noun: Noun) -> Goal:
+    """What something is to have its back to, as a goal."""
+    if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
+        return BackTo((_wall_meant(finder, noun),))
+    return BackTo(mark_names(finder, NounPhrase(noun)))
+
+
+def _wall_meant(finder: Finder, noun: Noun) -> str:
+    """The wall that a thing is to look at: the nearest, where it is not said which."""
+    scene, spot = finder.scene, finder.scene[finder.about].position[:2]
+    found = [wall.name for name in bound(Where("against", noun, text="against"), "", finder).anchors
+             for wall in walls(scene.room, name)]  # fmt: skip
+    return min(found, key=lambda name: abs(scene.room.wall(name).coordinates(spot)[1]))
 
 
 def reach_goals(
@@ -68,9 +93,27 @@ def reach_goals(
     begin: Pose | None = None,
 ) -> Reaching | None:
     """Bring an object to its goals; returns None when that is done, or what was tried."""
-    told = ties_of(goals) if ties is None else tuple(ties)
+    if more := work.standing(id, goals):
+        direct, again = tee(direct)
+        wanted = [*goals, *more]
+        if _reaching(work, id, wanted, ties_of(wanted) if ties is None else ties, again, ask, search, begin).run():
+            return None
+    reaching = _reaching(work, id, goals, ties_of(goals) if ties is None else ties, direct, ask, search, begin)
+    return None if reaching.run() else reaching
+
+
+def _reaching(
+    work: Work,
+    id: str,
+    goals: Sequence[Goal],
+    told: Sequence[Tie],
+    direct: Iterator[Pose],
+    ask: bool,
+    search: bool,
+    begin: Pose | None,
+) -> Reaching:
     target = work.target(id, work.scene[id].category, told, work.asset_of(id).attributes)
-    reaching = Reaching(
+    return Reaching(
         work,
         target,
         work.asset_of(id),
@@ -81,7 +124,6 @@ def reach_goals(
         begin=begin,
         more=likely(_without(work, id), work.asset_of(id), goals),
     )
-    return None if reaching.run() else reaching
 
 
 def _without(work: Work, id: str) -> Scene:
@@ -94,6 +136,7 @@ def say(work: Work, id: str, before: Placement, failed: Reaching | None, goals: 
     if failed is not None:
         work.failed.append(f"{id} was left where it is: {failed.why}")
         return
+    work.wish(id, goals)
     text = "; ".join(dict.fromkeys(findings(work, goals, id)))
     work.done.append(f"{moved_words(before, work.scene[id])}{f' ({text})' if text else ''}")
 

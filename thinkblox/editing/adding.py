@@ -1,8 +1,10 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from thinkblox.assets import GENERAL_WORDS
+from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
 from thinkblox.editing.acting import looking, mark_names, related
 from thinkblox.editing.carrying import usual_ties
@@ -11,10 +13,11 @@ from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, slots_of
+from thinkblox.editing.wheres import Bound, anchored, slots_of, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
+from thinkblox.knowledge.things import things as known_things
 from thinkblox.plan import Target
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -57,6 +60,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     finder.about = ""
     places = anchored(finder, places)
     within, places = _with(places)
+    spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_of(where, guess, finder) for where in places]
     if noun.degree:
@@ -72,9 +76,11 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
         goals = [_related(work, w, category, index, count) for w in here]
+        goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [At(finder.left_place(order.text), THERE)] if order.there else []
+        goals += [At(spot_of(where, "", work.start, finder).position[:2], THERE) for where in spots_said]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
         id = add_one(work, category, noun, goals)
         if not id and several < 2:
@@ -92,7 +98,9 @@ def _check(noun: Noun) -> None:
     Raises:
         InputError: it is no thing, or says how many in a way that means nothing here.
     """
-    if noun.kind != "thing" or noun.det in ("no", "none"):
+    words = noun.value.split("_")
+    known = any(word in known_things() or f"any_{word}" in GENERAL_WORDS for word in map(singular, words[:-1]))
+    if noun.kind != "thing" or noun.det in ("no", "none") or (not noun.named and known):
         raise InputError(f"'{noun.text}' is no thing that can be added")
     if noun.rows or noun.groups:
         raise InputError(f"'{noun.text}': rows and groups are not added as such; say how many, and where each goes")
@@ -160,32 +168,46 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
             whole = Mention(work.scene[anchor].category) if anchor in work.scene else anchor
             draft.bonds.append(Bond(where.kind, thing, (whole,)))
     choose_senses(draft, {p.category for p in work.scene.placements})
-    work.source.usual(thing.noun)
+    _, mount = work.source.usual(thing.noun)
+    general = f"any_{noun.word}"
+    raised = [b for b in wheres if b.kind == "on" and b.anchors and b.anchors[0] in work.scene]
+    if raised and mount == "floor" and general in GENERAL_WORDS and thing.noun != general:
+        return category_of(work, replace(noun, value=general), wheres)
     return thing.noun
 
 
-def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal]) -> str:
-    """Add one thing; its id, or an empty text where that cannot be, which is noted."""
+def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, asset: Asset | None = None) -> str:
+    """Add one thing, as it is said or of an asset; its id, or an empty text where that cannot be, which is noted."""
     id = work.new_id(category)
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)
     target = work.target(id, category, ties, attributes)
-    asset = _asset(work, target, noun)
+    asset = asset or _asset(work, target, noun)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = spots(work.scene, asset, goals) if seated else ()
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
     if not reaching.run():
-        work.failed.append(f"{id} was not added: {reaching.why}")
+        why = reaching.why.removeprefix(f"{id}: ")
+        work.failed.append(f"{_named(work, category)} was not added: {why}")
         return ""
+    work.wish(id, goals)
     placement = work.scene[id]
     found = "; ".join(dict.fromkeys(goal.check(work.before, work.scene, id)[1] for goal in goals))
     x, y, _ = placement.position
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _named(work: Work, category: str) -> str:
+    """What could not be added: "a plant", or "another plant" where one is there."""
+    name = category.replace("_", " ")
+    if any(p.category == category for p in work.scene.placements):
+        return f"another {name}"
+    return f"{'an' if name[:1] in 'aeiou' else 'a'} {name}"
 
 
 def _begin(scene: Scene, asset: Asset, spot: Vec2) -> Pose:

@@ -22,6 +22,10 @@ _BRINGS = ("add", "want", "ensure")
 _NOT = Token("not", "not", "word", start=-1)
 _TO = Token("to", "to", "word", start=-1)
 _NOTHING = ("nothing",)
+_WITH = Token("with", "with", "word", start=-1)
+_CHAIRS = Token("chairs", "chairs", "word", start=-1)
+_FROM = Token("from", "from", "word", start=-1)
+_OUT_OF_WAY = tuple(Token(word, word, "word", start=-1) for word in ("out", "of", "the", "way", "of"))
 
 
 @dataclass(frozen=True)
@@ -70,16 +74,27 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     tokens = _led(tokens)
     starts = list(_starts(tokens)) or _asked_for(tokens)
     lead = tokens[: starts[0].begin] if starts else tokens
-    about = _about(lead)
-    lead = [] if about else lead
+    about, blocked, disliked = _about(lead), _blocked(lead), _disliked(lead)
+    lead = [] if about or disliked else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
     for number, start in enumerate(starts):
         end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
-        if not number and about and body[:1] and body[0].text in ("it", "them"):
-            body = (*about, *body[1:])
+        if not number and about and (near := _too_near(lead)) and any(t.text == "away" for t in body[-1:]):
+            body = (*body, _FROM, *near)
+        if not number and (about or disliked) and body[:1] and body[0].text in ("it", "them"):
+            alone = _ends(body, 1) and start.doing in ("move", "put")
+            body = (
+                *(about or disliked),
+                *(_OUT_OF_WAY if alone and blocked else ()),
+                *(blocked if alone else ()),
+                *body[1:],
+            )
+        elif not number and disliked and start.doing in ("add", "put", *_WANTS):
+            body = (*disliked, _WITH, *(token for token in body if token.text != "instead"))
+            start = replace(start, doing="replace")
         if start.whose:
             body = _had(body, start.whose)
         clause = _settled(_turned_about(Clause(start.doing, start.change, body, text)))
@@ -97,6 +112,36 @@ def _about(lead: Sequence[Token]) -> tuple[Token, ...]:
     told = next((n for n in range(first, len(lead)) if means("statements", lead[n].text)), first)
     pointed = told > first and lead[first].text in _POINTERS
     return tuple(lead[first:told]) if pointed else ()
+
+
+def _blocked(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What a thing is said to be in the way of: "the wardrobe blocks the window"."""
+    for at in range(len(lead)):
+        if (found := longest("blocking", lead, at)) is not None:
+            return tuple(token for token in lead[at + found[1] :] if token.text not in (*ENDS, *_LINKS))
+    return ()
+
+
+def _too_near(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What a thing is said to be too close to: "the bed is too close to the wall"."""
+    for at in range(len(lead) - 3):
+        if lead[at].text == "too" and lead[at + 1].text in ("close", "near") and lead[at + 2].text == "to":
+            return tuple(token for token in lead[at + 3 :] if token.text not in (*ENDS, *_LINKS))
+    return ()
+
+
+def _disliked(lead: Sequence[Token]) -> tuple[Token, ...]:
+    """What is said not to be liked before an order."""
+    first = _first(lead)
+    found = longest("dislikes", lead, first)
+    return tuple(t for t in lead[first + found[1] :] if t.text not in (*ENDS, *_LINKS)) if found is not None else ()
+
+
+def told_before(tokens: Sequence[Token]) -> int:
+    """How many tokens tell of a thing before the first order says what is to be done with it."""
+    starts = list(_starts(tokens))
+    lead = tokens[: starts[0].begin] if starts else ()
+    return len(lead) if _about(lead) or _disliked(lead) else 0
 
 
 def _asked_for(tokens: Sequence[Token]) -> list[_Start]:
@@ -117,6 +162,10 @@ def _turned_about(clause: Clause) -> Clause:
         if any(grammar().at(tokens, n, "prepositions") is not None for n in range(len(tokens))):
             raise InputError(f"'{clause.text}' says what is not to be done; say what is")
         return Clause("remove", "", tokens, clause.text)
+    if clause.doing == "seat":
+        return _seated(clause)
+    if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:
+        return fewer
     if clause.doing != "give":
         return clause
     linked = next((n for n, t in enumerate(tokens) if t.text == "with"), None)
@@ -124,6 +173,45 @@ def _turned_about(clause: Clause) -> Clause:
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _fewer(clause: Clause) -> Clause | None:
+    """Read "I want two tables fewer", "one chair less", as an order to take so many away.
+
+    Raises:
+        InputError: it says that of each of several, or of what is nothing that can be counted.
+    """
+    tokens = clause.tokens
+    at = next((n for n, t in enumerate(tokens) if t.text in ("less", "fewer") and not _is_bound(tokens, n)), None)
+    if at is None:
+        return None
+    if any(t.text in ("each", "every", "all") for t in tokens) or (
+        at + 1 < len(tokens) and tokens[at + 1].text == "than"
+    ):
+        raise InputError(f"'{clause.text}' does not say which go; say 'remove two of the tables'")
+    return Clause("remove", "", (*tokens[:at], *tokens[at + 1 :]), clause.text)
+
+
+def _is_bound(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it belongs to "no less than"."""
+    return any(start <= at < start + found[1] for start in range(max(0, at - 2), at + 1)
+               if (found := longest("bounds", tokens, start)) is not None)  # fmt: skip
+
+
+def _seated(clause: Clause) -> Clause:
+    """So many chairs as people are to sit there.
+
+    Raises:
+        InputError: it is not said how many.
+    """
+    people = next((n for n, t in enumerate(clause.tokens) if grammar().knows(t.text, "people")), None)
+    counted = bool(clause.tokens) and (
+        clause.tokens[0].kind == "number" or grammar().at(clause.tokens, 0, "count") is not None
+    )
+    if not counted:
+        raise InputError(f"'{clause.text}' does not say how many are to sit there; say 'six people'")
+    rest = clause.tokens[1 if people is None else people + 1 :]
+    return Clause("ensure", "", (clause.tokens[0], _CHAIRS, *rest), clause.text)
 
 
 def _is_given(tokens: Sequence[Token], at: int) -> bool:
@@ -337,6 +425,7 @@ def _verb(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str, i
     after = tokens[at + found[1]] if at + found[1] < len(tokens) else None
     pointed = after is not None and (after.text in _POINTERS or after.kind == "number" or found[1] > 1)
     pointed |= after is not None and grammar().at([after], 0, "count") is not None
+    pointed |= at > 0 and tokens[at - 1].text == "then"
     if not first and not pointed:
         return None
     return found[0], change[0] if change else "", found[1]

@@ -52,12 +52,17 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
 def _mates(work: Work, finder: Finder, order: Order, id: str) -> list[str]:
     found: list[str] = []
     for phrase in order.company:
-        found += _of_phrase(work, finder, phrase, id)
+        found += mates_of(work, finder, phrase, id)
     riding = {rider.id for rider in work.scene.riders(id)}
     return [mate for mate in dict.fromkeys(found) if mate != id and mate not in riding and mate not in work.kept]
 
 
-def _of_phrase(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[str]:
+def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[str]:
+    """The things that a phrase means of what stands by an object: "its chairs".
+
+    Raises:
+        InputError: none is there, or none stands by it.
+    """
     noun = phrase.noun
     if phrase.id or noun.id or not noun.many:
         return list(finder.ids(phrase, picks=(nearest_to(work.scene, id, 1),)))

@@ -86,7 +86,8 @@ class ClauseCutter:
     def _rank(self, tokens: Sequence[Token], at: int, run: Sequence[Token]) -> int:
         """Read "larger" of "the larger table", "the larger of the two tables"; returns the tokens that it takes."""
         before = run[-1].text if run else ""
-        rank = means("sizes", tokens[at].text) if before in _RANKED else ""
+        counted = before == "two" and (len(run) < 2 or run[-2].text not in _RANKED)
+        rank = means("sizes", tokens[at].text) if before in _RANKED and not counted else ""
         after = at + 1
         if not rank or self._doing == "add" or after >= len(tokens) or tokens[after].kind != "word":
             return 0
@@ -129,6 +130,7 @@ class ClauseCutter:
                 starts = [token.start for token in run[chunk.start : chunk.end]]
                 chunk.id = next((self._named[s] for s in starts if s in self._named), chunk.id)
                 self.ranks[id(chunk)] = next((self._ranked[s] for s in starts if s in self._ranked), "")
+                chunk.degree = chunk.degree or self.ranks[id(chunk)]
                 self.shares[id(chunk)] = next((self._shared[s] for s in starts if s in self._shared), 0.0)
             yield chunk
 
@@ -140,6 +142,9 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
+        times = longest("multiples", tokens, at) if self._doing == "make" else None
+        if times is not None:
+            return OrderMark("multiples", times[0], float(times[0])), times[1]
         if self._doing in ("make", "put") and not (at and tokens[at - 1].text in _NEW):
             for sort in ("comparatives", "absolutes"):
                 found = longest(sort, tokens, at)
@@ -201,7 +206,8 @@ class ClauseCutter:
             self._doing in ("add", "ensure") and distance and end < len(tokens)
         ):
             return None
-        key = (bound[0] if bound is not None else "") + (" by" if at and tokens[at - 1].text == "by" else "")
+        before = tokens[at - 1].text if at else ""
+        key = (bound[0] if bound is not None else "") + (f" {before}" if before in ("by", "to") else "")
         while end < len(tokens) and tokens[end].text == "of":
             end += 1
         return OrderMark("lengths", key.strip(), lengths=said.lengths), end - at

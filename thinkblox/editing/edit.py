@@ -14,6 +14,7 @@ from thinkblox.brief import Brief
 from thinkblox.editing.ensuring import bring, ensure
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
+from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.making import make
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import Instruction, NounPhrase, Order
@@ -25,6 +26,7 @@ from thinkblox.editing.spacing import space
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
+from thinkblox.editing.turns import in_turn
 from thinkblox.editing.wheres import named
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
@@ -255,6 +257,7 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
     known = [_is_known(phrase) for phrase in order.things]
     if order.things and not any(known) and not order.rest:
+        check_heeded(dataclasses.replace(order, doing="add", company=[]))
         bring(work, finder, order)
     elif not all(known) and all(phrase.places for phrase in order.things):
         for phrase, there in zip(order.things, known, strict=True):
@@ -273,6 +276,8 @@ def _is_known(phrase: NounPhrase) -> bool:
 def _bring(work: Work, finder: Finder, order: Order) -> None:
     """Move what is there; "bring a chair" where there is none adds one."""
     if order.away:
+        if order.lengths or order.slight:
+            raise InputError(f"'{order.text}': away from what? Say 'away from the wall'")
         remove(work, finder, order)
         return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
@@ -321,11 +326,14 @@ _DOERS: dict[str, Doer] = {
 
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
-    orders = _joined(read.orders)
+    orders = in_turn(_joined(read.orders), finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
-    for order in orders:
+    if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
+        work.kept |= {p.id for p in work.scene.placements}
+    for number, order in enumerate(orders):
         finder.scene = work.before = work.scene
+        work.order = (number, order.text)
         finder.owners, finder.about = [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
         _DOERS[order.doing](work, finder, order)
@@ -335,6 +343,14 @@ def _carry_out(work: Work, read: Instruction) -> None:
         if said == (len(work.done), len(work.failed)):
             raise InputError(f"'{order.text}': nothing was found in it that could be done")
     work.done += finder.seen
+    work.failed[:] = dict.fromkeys(work.failed)
+    work.failed += work.unkept()
+
+
+def _is_of_anything(order: Order) -> bool:
+    """Whether it says "don't move anything", of nothing but what is added then."""
+    words = order.text.lower().split()
+    return "anything" in words and "else" not in words
 
 
 def _joined(orders: Sequence[Order]) -> list[Order]:
@@ -395,6 +411,7 @@ def _hold(work: Work, order: Order, before: Scene, said: int) -> None:
     if changed:
         work.world = work.world.with_scene(before)
         del work.done[said:]
+        work.wishes = [wish for wish in work.wishes if wish.order < work.order[0]]
         work.failed.append(f"'{order.text}' was not done: {', '.join(changed)} is to stay as it is")
 
 

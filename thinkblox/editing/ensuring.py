@@ -2,6 +2,7 @@
 
 import dataclasses
 
+from thinkblox.editing.acting import related
 from thinkblox.editing.adding import add
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
@@ -9,7 +10,7 @@ from thinkblox.editing.making import make
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.removing import take_away
-from thinkblox.editing.wheres import bound
+from thinkblox.editing.wheres import bound, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
@@ -25,6 +26,10 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     if order.text.lower().startswith("hang ") and not any(p.places for p in order.things) and not order.places:
         wall = Noun("place", "wall", 0, 0, "a wall", det="a")
         order = dataclasses.replace(order, places=[Where("on", wall, text="on")])
+    known = [p for p in order.things if p.noun.of_known and p.noun.kind == "thing" and finder.matching(p.noun)]
+    if known and len(known) == len(order.things):
+        move(work, finder, dataclasses.replace(order, doing="move"))
+        return
     compared = [p for p in order.things if p.noun.degree and not p.noun.id]
     if not compared:
         add(work, finder, order)
@@ -68,6 +73,9 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
         if noun.kind != "thing" or noun.definite or phrase.id:
             move(work, finder, Order("move", order.text, things=[phrase], facing=order.facing))
             continue
+        if any(w.noun is not None and w.noun.each for w in phrase.places):
+            _at_each(work, finder, order, phrase)
+            continue
         there = held(finder, phrase)
         if noun.det in ("no", "none"):
             take_away(work, work.touched(there))
@@ -82,6 +90,26 @@ def ensure(work: Work, finder: Finder, order: Order) -> None:
         else:
             work.done.append(f"{', '.join(there)} is there: it is so already")
         finder.scene = work.scene
+
+
+def _at_each(work: Work, finder: Finder, order: Order, phrase: NounPhrase) -> None:
+    """Add to each of several places what is lacking there: "every table should have four chairs"."""
+    noun, alike = phrase.noun, finder.matching(phrase.noun)
+    where = next(w for w in phrase.places if w.noun is not None and w.noun.each)
+    more = 0
+    for slot in slots_of(where, noun.value if noun.named else "", finder):
+        goal = related(slot, alike[0].category) if alike else None
+        there = [p.id for p in alike if goal is not None and goal.check(work.scene, work.scene, p.id)[0]]
+        lacking = (noun.count or 1) - len(there)
+        if lacking <= 0:
+            continue
+        more += lacking
+        at = Noun("thing", work.scene[slot.anchors[0]].category, 0, 0, "it", det="the", id=slot.anchors[0])
+        here = dataclasses.replace(phrase, noun=_so_many(noun, lacking), places=[dataclasses.replace(where, noun=at)])
+        add(work, finder, Order("add", order.text, things=[here], facing=order.facing, closer=order.closer))
+        finder.scene = work.scene
+    if not more:
+        work.done.append(f"'{order.text}': it is so already")
 
 
 def _so_many(noun: Noun, count: int) -> Noun:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets.plurals import singular
+from thinkblox.editing.grammar import rank_of, whose
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.rows import row_of
 from thinkblox.errors import InputError
@@ -16,11 +17,14 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement, apart
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
 SAME_SIZE = 0.05
 """How much a size may differ from what is said of it [m]."""
+ACROSS = 120.0
+"""From which angle between two gazes on one looks at the other [degrees]."""
 LISTED = 40
 """Most kinds and objects that a message names."""
 Picks = Callable[[Sequence[Placement]], Sequence[Placement]]
@@ -63,19 +67,22 @@ class Finder:
             return (phrase.id or noun.id,)
         if noun.kind == "pronoun":
             return self._part(phrase, self._spoken_of(noun))
-        found = self.matching(noun) if among is None else list(among)
+        if noun.rows and noun.kind == "number":
+            return tuple(p.id for p in row_of(self.scene, (), noun, phrase.member))
+        rank = phrase.rank or rank_of(noun.degree)[0]
+        found = self.matching(noun, wide=bool(rank)) if among is None else list(among)
         if not found:
             raise self.nothing(noun.text)
-        _check_told(phrase)
+        _check_told(phrase, found)
+        if len(found) == 1 and noun.named and (noun.unshown or noun.styles or noun.states):
+            says = f"'{noun.text}' is taken to be {found[0].id}"
+            self.seen += [says] if says not in self.seen else []
         if noun.size is not None:
             found = self._of_size(noun, found)
         if noun.rows:
-            found = row_of(self.scene, found, noun)
-            return tuple(p.id for p in found)
-        if noun.det == "other":
-            found = self._others(noun, found)
-        if phrase.rank:
-            found = sorted(found, key=lambda p: -phrase.rank * _extent(p, phrase.along))[: noun.count or 1]
+            row = tuple(p.id for p in row_of(self.scene, found, noun, phrase.member))
+            return self._part(phrase, row) if phrase.share or phrase.left else row
+        found = self._told_apart(phrase, found)
         if noun.total and noun.total != len(found):
             raise InputError(f"'{noun.text}': there are {len(found)}: {_ids(found)}")
         if phrase.share or phrase.left or noun.every:
@@ -140,8 +147,39 @@ class Finder:
             raise InputError(f"'{noun.text}': there is no other than {_ids(found)}")
         return left
 
-    def matching(self, noun: Noun) -> list[Placement]:
-        """Every object that a noun fits, those that are just that before those that are like it."""
+    def _told_apart(self, phrase: NounPhrase, found: list[Placement]) -> list[Placement]:
+        """Those that are meant by what was spoken of, by how large they are, or by whose they are."""
+        noun = phrase.noun
+        rank, along = (phrase.rank, phrase.along) if phrase.rank else rank_of(noun.degree)
+        if noun.det == "other":
+            found = self._others(noun, found)
+        if rank:
+            found = _ranked(noun, found, rank, along)
+        if whose(noun.text) and len(found) > 1:
+            found = self._of_somebody(noun, found)
+        return found
+
+    def _of_somebody(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+        """The teacher's desk: the one that is turned to all others of its kind.
+
+        Raises:
+            InputError: none is, or several are.
+        """
+        gazes = {p.id: things(self.scene, p.id)[0].gaze for p in found}
+        facing = [p for p in found if sum(turn_between(gazes[p.id], gaze) > ACROSS for gaze in gazes.values()) > 1]
+        if len(facing) != 1 or len(found) < 3:
+            raise InputError(
+                f"'{noun.text}': which of {_ids(found)} is {whose(noun.text)} is not known; name it by its id"
+            )
+        return facing
+
+    def matching(self, noun: Noun, *, wide: bool = False) -> list[Placement]:
+        """Every object that a noun fits; of one thing those that are just that before those that are like it.
+
+        Args:
+            noun: the phrase.
+            wide: those that are like it are meant too, as of "the nearest desk".
+        """
         if noun.id:
             return [p for p in self.scene.placements if p.id == noun.id]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
@@ -149,8 +187,13 @@ class Finder:
         told = [word for word in noun.unshown if word != noun.degree] if not noun.named else []
         wanted = [word.lower() for word in (*noun.attributes, *told)]
         fitting = [p for p in alike if all(self._has(p, word) for word in wanted)]
+        literal = [p for p in fitting if noun.word in p.category.split("_")]
+        fitting = literal or fitting
         exact = [p for p in fitting if p.category == noun.value]
-        return exact if exact and not noun.many else fitting
+        if len(exact) > 1 and len(exact) == (2 if noun.det == "both" else noun.count):
+            return exact
+        wide = wide or noun.many or noun.each or bool(noun.every or noun.rows) or noun.det in ("all", "both", "other")
+        return exact if exact and not wide else fitting
 
     def nothing(self, text: str) -> InputError:
         """The error that nothing fits a phrase, with what there is."""
@@ -334,14 +377,37 @@ def _is_whichever(noun: Noun) -> bool:
     return noun.det in ("a", "another", "any", "either", "") and not noun.definite
 
 
-def _check_told(phrase: NounPhrase) -> None:
+def _ranked(noun: Noun, found: Sequence[Placement], rank: int, along: str) -> list[Placement]:
+    """So many of them as are meant by how large they are.
+
+    Raises:
+        InputError: others are just as large.
+    """
+    ordered = sorted(found, key=lambda p: -rank * _extent(p, along))
+    count = noun.count or 1
+    meant, rest = ordered[:count], ordered[count:]
+    if rest and abs(_extent(rest[0], along) - _extent(meant[-1], along)) < 0.01 * _extent(rest[0], along):
+        same = [p for p in ordered if abs(_extent(p, along) - _extent(rest[0], along)) < 0.01 * _extent(p, along)]
+        raise InputError(
+            f"'{noun.text}': {_ids(same)} are of the same size; say which, by its place ('the one by the window') or by"
+            " its id"
+        )
+    return meant
+
+
+def _check_told(phrase: NounPhrase, found: Sequence[Placement]) -> None:
     """Refuse what says which of several in a way that nobody can tell.
 
     Raises:
-        InputError: it compares by what no thing of a room shows, or forms groups.
+        InputError: it compares by what no thing of a room shows, calls some what nobody sees, or forms groups.
     """
     noun = phrase.noun
-    if noun.degree and not phrase.rank:
+    unseen = [word for word in (*noun.unshown, *noun.states, *noun.styles) if word != noun.degree] if noun.named else []
+    if unseen and len(found) > 1 and not phrase.rank:
+        raise InputError(
+            f"'{noun.text}': which of {_ids(found)} that are cannot be seen; say by place ('by the window') or id"
+        )
+    if noun.degree and not phrase.rank and not rank_of(noun.degree)[0]:
         raise InputError(f"'{noun.text}': which is the {noun.degree} is not known; name it by its place or its id")
     if noun.groups:
         raise InputError(f"'{noun.text}': groups of things are not known in a room; name them by place or id")

@@ -1,16 +1,19 @@
 """What an order wants of one object, measured on the scene before and after: geometry alone, metres and degrees."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-from shapely import Polygon
+from shapely import Point, Polygon
+from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
 from thinkblox.plan import Tie
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.free_parts import parts, takers
-from thinkblox.scene.landmarks import Landmark, things
+from thinkblox.scene.landmarks import Landmark, things, walls
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
@@ -18,8 +21,18 @@ from thinkblox.value import Vec2, Vec3
 
 EXACT = 0.02
 """How far a thing may stand from where it was to go [m]."""
+ASIDE = 1.5
+"""How many times as far as it comes nearer, or goes away, a thing may be moved that is to do so by a length."""
 TURN_EXACT = 2.0
 """The same for its yaw [degrees]."""
+TO_WALL = 20.0
+"""Largest angle between a gaze and the way to the wall that is looked at [degrees]."""
+MID_WALL = 0.1
+"""How far from the middle of a wall something stands at most that is to be there [m]."""
+LEVEL = 0.2
+"""How far before or behind a thing something stands at most that is beside it [m]."""
+BEFORE_SEAT = 0.9
+"""How far from the middle of a seat what lies before it is at most [m]."""
 LEAST = 0.02
 """Least by which something comes nearer or goes away, where there is so much room [m]."""
 INTO_ROOM = 45.0
@@ -94,6 +107,59 @@ class OnPart(Related):
 
 
 @dataclass(frozen=True)
+class OnWall(Related):
+    """It hangs on a wall."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """By what it is fixed to."""
+        named = {wall.name for name in self.anchors for wall in walls(after.room, name)}
+        if after.asset_of(after[id]).mount != "wall":
+            return super().check(before, after, id)
+        return (after[id].support in named) != self.negated, f"{id} on {after[id].support}"
+
+
+@dataclass(frozen=True)
+class MidWall(Related):
+    """It stands with its back to a wall, at the middle of it."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both: how far along the wall its middle is from that of the wall."""
+        held, says = super().check(before, after, id)
+        named = {wall.name for name in self.anchors for wall in walls(after.room, name)}
+        along = [(w.coordinates(after[id].position[:2]), w.length) for w in after.room.walls if w.name in named]
+        off = min(((away, abs(far - length / 2)) for (far, away), length in along), default=(0.0, math.inf))[1]
+        return held and off <= MID_WALL, f"{says}, {off:.2f} m from its middle"
+
+
+@dataclass(frozen=True)
+class Abreast(Related):
+    """It stands beside a thing and looks the same way."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both, and how far it is before or behind that thing."""
+        held, says = super().check(before, after, id)
+        thing = after[self.anchors[0]]
+        ahead, left = thing.to_local(after[id].position[:2])
+        turn = turn_between(after[id].yaw, thing.yaw)
+        there = abs(ahead) <= LEVEL and abs(left) > abs(ahead) and turn <= TURN_EXACT
+        return held and there, f"{says}, {abs(ahead):.2f} m before or behind it, turned {turn:.0f} degrees otherwise"
+
+
+@dataclass(frozen=True)
+class Laid(Related):
+    """It lies on a table before a seat of it."""
+
+    seat: str = ""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """On it, and where from the seat."""
+        held, says = super().check(before, after, id)
+        ahead, left = after[self.seat].to_local(after[id].position[:2])
+        there = 0.0 < ahead <= BEFORE_SEAT and abs(left) <= after[self.seat].size[1] / 2 + LEVEL / 2
+        return held and there, f"{says}, {ahead:.2f} m before {self.seat} and {abs(left):.2f} m aside"
+
+
+@dataclass(frozen=True)
 class DrawnUp(Related):
     """A seat is drawn up to a table at one side of it."""
 
@@ -129,11 +195,28 @@ class Nearing(Untied):
         """The distance between the outlines, and where these touch that between the middles."""
         old, new = self.of(before, id), self.of(after, id)
         change = old - new if self.nearer else new - old
+        if self.by is not None and not self.nearer and old < LEAST and self._is_less_over(before, after, id):
+            change = max(change, min(self.by, math.dist(before[id].position[:2], after[id].position[:2])))
         wanted = self.by - EXACT if self.by is not None else min(LEAST, old / 3) if self.nearer else LEAST
-        exact = self.by is None or change <= self.by + EXACT
-        return change >= max(
-            wanted, 1e-3
-        ) and exact, f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
+        step = math.dist(before[id].position[:2], after[id].position[:2])
+        turn = turn_between(before[id].yaw, after[id].yaw)
+        exact = self.by is None or (change <= self.by + EXACT and step <= ASIDE * self.by and turn <= TURN_EXACT)
+        says = f"{old:.2f} m from {', '.join(self.anchors)} before, {new:.2f} m now"
+        if self.by is not None and not exact:
+            says += f", {step:.2f} m from where it was"
+        return change >= max(wanted, 1e-3) and exact, says
+
+    def _is_less_over(self, before: Scene, after: Scene, id: str) -> bool:
+        """Whether something stands less over or under the others than before, or no more at all."""
+        shares = [
+            sum(
+                float(scene[id].footprint.intersection(scene[name].footprint).area)
+                for name in self.anchors
+                if name in scene
+            )
+            for scene in (before, after)
+        ]
+        return shares[1] < shares[0] or shares[1] == 0.0
 
     def of(self, scene: Scene, id: str) -> float:
         """The distance now [m]."""
@@ -178,6 +261,38 @@ class Turned(Untied):
 
 
 @dataclass(frozen=True)
+class ToWall(Untied):
+    """It looks straight at a wall."""
+
+    wall: str
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Between its gaze and the way to the wall, within TO_WALL degrees."""
+        if after.asset_of(after[id]).front == "any":
+            return True, f"{id} faces every way"
+        turn = turn_between(things(after, id)[0].gaze, after.room.wall(self.wall).yaw + 180.0)
+        return turn <= TO_WALL, f"front of {id} {turn:.0f} degrees off the way to {self.wall}"
+
+
+@dataclass(frozen=True)
+class BackTo(Untied):
+    """Its back is to something."""
+
+    anchors: tuple[str, ...]
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Between its gaze and the way away from what is behind it, within INTO_ROOM degrees."""
+        if after.asset_of(after[id]).front == "any":
+            return True, f"{id} has no back"
+        mark = things(after, id)[0]
+        behind = min((m for name in self.anchors for m in things(after, name)), key=lambda m: ground_gap(mark, m))
+        x, y = nearest_points(behind.footprint, Point(mark.centre))[0].coords[0]
+        away = math.degrees(math.atan2(mark.centre[1] - y, mark.centre[0] - x))
+        turn = turn_between(mark.gaze, away)
+        return turn <= INTO_ROOM, f"back of {id} {turn:.0f} degrees off {', '.join(self.anchors)}"
+
+
+@dataclass(frozen=True)
 class IntoRoom(Untied):
     """Its front points away from the wall that it is nearest to, or to the middle of the room."""
 
@@ -209,6 +324,20 @@ class At(Untied):
         if self.height is not None:
             away = max(away, abs(z - self.height))
         return away <= self.reach, f"{id} {away:.2f} m from ({self.point[0]:.2f}, {self.point[1]:.2f})"
+
+
+@dataclass(frozen=True)
+class Spot(At):
+    """It stands where another thing stood."""
+
+    old: Placement | None = None
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """The distance between their middles, which may differ by half of what one is longer than the other."""
+        old = self.old
+        more = abs(max(after[id].size[:2]) - max(old.size[:2])) / 2 if old is not None else 0.0
+        away = math.dist(after[id].position[:2], self.point)
+        return away <= self.reach + more, f"{id} {away:.2f} m from where {old.id if old is not None else 'it'} was"
 
 
 @dataclass(frozen=True)
@@ -293,3 +422,18 @@ class Within(Untied):
         mark = things(after, id)[0]
         away = math.dist(mark.centre, self.region.centre)
         return self.region.holds(mark) == self.inside, f"{id} {away:.2f} m from the middle of {self.region.name}"
+
+
+def overruled(goal: Goal, later: Iterable[Goal]) -> bool:
+    """Whether what is asked of the same object later may undo a goal: another step, another way to face."""
+    if _is_turn(goal):
+        return any(_is_turn(other) for other in later)
+    if isinstance(goal, At | Along | Nearing | Elsewhere):
+        return any(not _is_turn(other) for other in later)
+    return False
+
+
+def _is_turn(goal: Goal) -> bool:
+    return isinstance(goal, Turned | IntoRoom | ToWall | BackTo) or (
+        isinstance(goal, Related) and goal.kind in ("facing", "opposite")
+    )

@@ -55,7 +55,18 @@ def verbs() -> tuple[str, ...]:
     """The verbs that an instruction can begin with, one for each thing that can be done."""
     first: dict[str, str] = {}
     for words, key in sections()["verbs"].items():
-        if key == "unwanted":
+        if key in ("unwanted", "seat"):
             continue
         first.setdefault(key, " ".join(words))
     return tuple(first.values())
+
+
+def whose(text: str) -> str:
+    """Of whom a thing is said to be, as it is written: "teacher's" of "the teacher's desk"; empty where nobody's."""
+    return next((word for word in text.lower().replace("’", "'").split() if word.endswith(("'s", "s'"))), "")
+
+
+def rank_of(key: str) -> tuple[int, str]:
+    """Which of several a key of the section "sizes" means: 1 the largest, and by what it is; 0 for none."""
+    rank, _, along = key.partition(" ")
+    return (int(rank), along) if rank in ("1", "-1") else (0, "")

@@ -6,20 +6,33 @@ from thinkblox.editing.orders import Order
 from thinkblox.errors import InputError
 
 _WHERE = ("things", "places", "closer", "apart", "facing")
-_SHIFTED = ("company", "mutual", "together", "scatter", "direction", "lengths", "seated", "there", "free")
+_SHIFTED = (
+    "backs",
+    "abreast",
+    "company",
+    "mutual",
+    "together",
+    "scatter",
+    "direction",
+    "lengths",
+    "seated",
+    "there",
+    "free",
+)
+_LOOKED = ("facing", "backs")
 _MOVED = (*_WHERE, *_SHIFTED, "rest", "spared")
 HEEDED: Mapping[str, tuple[str, ...]] = {
     "add": (*_WHERE, "there"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
-    "turn": ("things", "places", "facing", "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
+    "turn": ("things", "places", *_LOOKED, "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
     "replace": ("things", "instead"),
-    "remove": ("things", "places", "rest", "spared", "away"),
+    "remove": ("things", "places", "rest", "spared", "away", "company"),
     "swap": ("things", "split", "company"),
     "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
     "resite": ("things", "rest", "spared"),
-    "make": ("things", "room", "ceiling", "lengths", "change", "looks", "direction"),
+    "make": ("things", "room", "ceiling", "lengths", "change", "times", "looks", "direction"),
     "free": ("things", "places", "free", "space", "room", "rest", "spared", "away"),
     "clear": ("things", "places", "room", "rest", "spared", "away"),
     "keep": ("things", "places", "rest", "room", "spared", "total", "away"),
@@ -36,7 +49,8 @@ SAID = {
     "sense": "which way round", "direction": "a direction", "lengths": "a length", "change": "another size",
     "room": "the room", "ceiling": "the ceiling", "into": "what it becomes", "free": "what stays free",
     "rest": "everything else", "away": "away", "seated": "in or out", "looks": "another look", "space": "a space",
-    "total": "how many there are to be", "split": "two groups", "there": "in its place",
+    "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
+    "backs": "what its back is to", "abreast": "side by side",
 }  # fmt: skip
 """What a field says, in words."""
 

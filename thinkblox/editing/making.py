@@ -3,7 +3,7 @@
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import Order
-from thinkblox.editing.remaking import looks_of, otherwise
+from thinkblox.editing.remaking import factors, looks_of, otherwise
 from thinkblox.editing.replacing import replace_one
 from thinkblox.editing.resizing import resize
 from thinkblox.editing.wheres import named
@@ -50,14 +50,24 @@ def _remake(work: Work, finder: Finder, order: Order) -> None:
     found = (id for phrase in order.things for id in named(finder, phrase, phrase.places))
     ids = work.touched(dict.fromkeys(found))
     for id in ids:
-        before = work.asset_of(id)
+        _remake_one(work, id, order)
+    finder.recent = list(ids)
+
+
+def _remake_one(work: Work, id: str, order: Order) -> None:
+    """Let one thing be otherwise where it stands; less so, where there is no room for more and nobody says how much."""
+    before, said = work.asset_of(id), len(work.failed)
+    for factor in factors(order):
         try:
-            asset = otherwise(work, before, order)
+            asset = otherwise(work, before, order, factor)
         except InputError as error:
-            work.failed.append(f"{id} was left as it is: {error}")
-            continue
+            if len(work.failed) == said:
+                work.failed.append(f"{id} was left as it is: {error}")
+            return
         if asset.id == before.id:
             work.done.append(f"{id} stays: it is {looks_of(before)} already")
-            continue
-        replace_one(work, id, asset)
-    finder.recent = list(ids)
+            return
+        if replace_one(work, id, asset, stays=True):
+            del work.failed[said:]
+            return
+        del work.failed[said + 1 :]

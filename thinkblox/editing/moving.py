@@ -8,34 +8,49 @@ from itertools import chain
 from msgspec import structs
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.acting import backing, findings, looking, mark_names, reach_goals, related, say
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.company import with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
+    Abreast,
     Along,
     Apart,
     At,
+    BackTo,
     Elsewhere,
     Free,
     Goal,
     IntoRoom,
     Nearing,
     Related,
+    Spot,
 )
 from thinkblox.editing.grammar import sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
-from thinkblox.editing.spots import Pose, by_gap, likely, shifted, spots, whole_floor
+from thinkblox.editing.spots import (
+    Pose,
+    along_walls,
+    at_wall,
+    between,
+    by_gap,
+    likely,
+    middle_off,
+    shifted,
+    spots,
+    whole_floor,
+)
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare
+from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
+from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
@@ -47,6 +62,10 @@ THERE = 0.75
 """How far from where something was another may stand that comes there [m]."""
 SLIGHT = 0.45
 """How far something is moved at most that is moved a bit [m]."""
+OTHER_CORNER = 1.5
+"""How far from where it was something stands at least that goes to another corner [m]."""
+MIDDLE = 0.3
+"""How far from the middle that is asked for something may stand that is left where it is [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
@@ -68,8 +87,11 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         _line_up(work, finder, order, wall)
         return
     seen: set[tuple[str, str]] = set()
-    for ids, places in _groups(work, finder, order):
+    groups = list(_groups(work, finder, order))
+    moving = {id for ids, _ in groups for id in ids}
+    for ids, places in groups:
         _check_says_where(order, places)
+        ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
@@ -144,7 +166,7 @@ def _move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> 
 
 
 def _check_says_where(order: Order, places: Sequence[Where]) -> None:
-    told = (order.closer, order.apart, order.direction, order.facing, order.seated, order.mutual)
+    told = (order.closer, order.apart, order.direction, order.facing, order.backs, order.seated, order.mutual)
     if not (places or any(told) or order.there or order.free):
         raise InputError(f"'{order.text}' does not say where to; say a place, such as 'next to the bed'")
     if order.lengths and not (order.closer or order.direction or order.seated == "out" or order.scatter):
@@ -180,8 +202,8 @@ def _split(
     finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]
 ) -> tuple[list[Where], list[Where]]:
     """Where the thing is said to be now, and where it is to go."""
-    here = [w for w in places if w.word == "from"]
-    rest = [w for w in places if w.word != "from"]
+    here = [w for w in places if w.word in ("from", "of")]
+    rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
     if order.closer or order.direction or order.doing == "resite":
@@ -207,13 +229,15 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         return found
 
     def not_yet(found: Sequence[Placement]) -> Sequence[Placement]:
-        wanted = [bound(w, found[0].category, finder) for w in places if not w.negated]
+        wanted = [bound(w, found[0].category, finder) for w in places if not w.negated and w.word != "spot"]
         return [p for p in found if not all(b.holds(finder.scene, p.id) for b in wanted if not b.of_room)]
 
     picks: list[Picks] = [left_there] if any(w.negated for w in places) else []
-    if any(not w.negated for w in places):
+    if any(not w.negated and w.word != "spot" for w in places):
         picks.append(not_yet)
     for _, anchor in order.closer:
+        if anchor.noun.det == "my":
+            continue
         name = anchor.noun.value if anchor.noun.kind == "place" else ""
         if not name:
             name = finder.ids(anchor)[0]
@@ -238,6 +262,7 @@ def _goals(
     closer = [(nearer, phrase) for nearer, phrase in order.closer if not any(noun is phrase.noun for noun in said)]
     goals += [_nearing(work, finder, order, id, nearer, phrase) for nearer, phrase in closer]
     goals += [Apart(mark_names(finder, phrase), away, order.bound) for away, phrase in order.apart]
+    goals += [backing(finder, noun) for noun in order.backs]
     return goals + [looking(finder, noun) for noun in order.facing]
 
 
@@ -245,6 +270,14 @@ def _at_place(
     work: Work, finder: Finder, order: Order, id: str, where: Where, index: int, count: int
 ) -> Iterator[Goal]:
     """What a place wants of one of several that are moved there."""
+    if where.word == "spot":
+        old = spot_of(where, id, work.start, finder)
+        yield Spot(old.position[:2], THERE, old=old)
+        return
+    if where.noun is not None and _is_any_other_corner(where, where.noun):
+        yield Related("in_corner", ("corner",))
+        yield Elsewhere(OTHER_CORNER)
+        return
     category = work.scene[id].category
     slots = slots_of(where, category, finder)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
@@ -255,16 +288,30 @@ def _at_place(
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
+    if there.upon:
+        yield Related("on", (there.upon,))
     yield related(there, category, index, count)
+
+
+def _is_any_other_corner(where: Where, noun: Noun) -> bool:
+    """Whether it is "another corner", whichever."""
+    bare = where.whole is None and where.second is None and not where.negated and "opposite" not in noun.text.lower()
+    return noun.value == "corner" and noun.det in ("other", "another") and bare and not noun.many
 
 
 def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, phrase: NounPhrase) -> Goal:
     """How far nearer to something, or away from it; of "their desks" to the one that is nearest."""
-    anchors, by = mark_names(finder, phrase), order.lengths[0][0] if order.lengths else None
+    by = order.lengths[0][0] if order.lengths else None
+    if phrase.noun.det == "my" and phrase.noun.text.lower().split()[0] in ("its", "their"):
+        many = dataclasses.replace(phrase.noun, plural=True, count=None)
+        own = tuple(p.id for p in finder.matching(many) if p.id != id)
+        if not own:
+            raise finder.nothing(phrase.noun.text)
+        nearest = min(own, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id))
+        return Nearing((nearest,), nearer, by, order.slight)
+    anchors = mark_names(finder, phrase)
     if order.rest and not nearer and by is not None:
         return Apart(anchors, by, "ge")
-    if phrase.noun.det == "my" and phrase.noun.many:
-        anchors = (min(anchors, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id)),)
     return Nearing(anchors, nearer, by, order.slight)
 
 
@@ -293,8 +340,9 @@ def _seated(work: Work, id: str, order: Order) -> list[Goal]:
 def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     """Move one object to where it meets the goals, and the order's direction; notes what became of it."""
     before = work.scene[id]
-    if goals and not order.direction and all(goal.check(work.before, work.scene, id)[0] for goal in goals):
+    if goals and not order.direction and all(_is_so(work, goal, id) for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        work.wish(id, goals)
         return
     gap = next((goal for goal in goals if isinstance(goal, Nearing)), None)
     if gap is not None and gap.nearer and gap.by is None and gap.of(work.scene, id) < TOUCHING:
@@ -308,13 +356,24 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
         goals = [*goals, *more]
         done = reach_goals(work, id, goals, direct=direct, ask=False, search=not order.lengths)
     else:
-        direct = chain(_in_line(work.scene, before, goals), _so_far(work.scene, before, goals), _spots(work, id, goals))
+        direct = chain(
+            _at_spot(work, id, goals),
+            _in_line(work.scene, before, goals),
+            _so_far(work.scene, before, goals),
+            _spots(work, id, goals),
+        )
         if any(isinstance(goal, Related) and goal.kind == "against_wall" and goal.count > 1 for goal in goals):
             direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
         done = reach_goals(work, id, goals, direct=direct, ask=True)
     say(work, id, before, done, goals)
+
+
+def _is_so(work: Work, goal: Goal, id: str) -> bool:
+    """Whether a goal is met as it is: of what is to be in the middle or between things not only about so."""
+    near = not isinstance(goal, Related) or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
+    return near and goal.check(work.before, work.scene, id)[0]
 
 
 def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -324,13 +383,29 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     if any(isinstance(goal, Related) and goal.kind == "in_centre" and goal.anchors == ("centre",) for goal in goals):
         x, y = work.scene.room.polygon.centroid.coords[0]
         yield from whole_floor(empty, work.asset_of(id), structs.replace(before, position=(x, y, before.position[2])))
+    if any(isinstance(g, Related) and g.kind == "against_wall" and g.anchors == ("wall",) for g in goals):
+        yield from along_walls(empty, work.asset_of(id), before.position[:2], math.inf)
+    for goal in goals:
+        if isinstance(goal, Related) and goal.kind == "between" and work.asset_of(id).mount == "floor":
+            yield from between(empty, work.asset_of(id), goal.anchors, before.yaw)
     yield from spots(empty, work.asset_of(id), goals)
+
+
+def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Where another thing stood, as that was turned, and the free places about it: at a wall where it was at one."""
+    for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
+        asset = work.asset_of(id)
+        yield (*old.position[:2], old.position[2] if asset.mount != "floor" else 0.0), old.yaw
+        empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+        if at_wall(work.start, old.id) and asset.mount == "floor":
+            yield from along_walls(empty, asset, old.position[:2], THERE)
+        yield from whole_floor(empty, asset, structs.replace(work.scene[id], position=old.position, yaw=old.yaw))
 
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
     """The place as it is, where only the front is to point elsewhere."""
     if goals and all(
-        isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
+        isinstance(goal, IntoRoom | BackTo) or (isinstance(goal, Related) and goal.kind == "facing") for goal in goals
     ):
         yield from turns(scene, before, goals)
 
@@ -421,7 +496,8 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     by = order.lengths[0][0] if order.lengths else None
     for id in rest:
         beside = order.mutual == "next_to"
-        goal = Related("next_to", (fixed,)) if beside else Nearing((fixed,), order.together, by, order.slight)
+        next_to = Abreast("next_to", (fixed,)) if order.abreast else Related("next_to", (fixed,))
+        goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
         move_one(work, order, id, [goal])
     finder.recent = ids
 

@@ -24,6 +24,7 @@ class NounPhrase:
         spared: which of them are excepted.
         left: how many are excepted, whichever ("all but two of them").
         laden: what rests on it is meant too.
+        member: which of a row it is, from the left; -1 the last, 0 where nothing is said.
     """
 
     noun: Noun
@@ -35,6 +36,7 @@ class NounPhrase:
     left: int = 0
     spared: list["NounPhrase"] = field(default_factory=list)
     laden: bool = False
+    member: int = 0
 
     @property
     def text(self) -> str:
@@ -61,6 +63,7 @@ class Order:
         scatter: further from each other.
         split: how many of its things are the first of two groups.
         facing: what they are to face.
+        backs: what their backs are to be to.
         turn, sense: by how many degrees, and which way: 1 counter-clockwise, -1 clockwise, 0 where either will do.
         direction: where they are shifted to: "left", "north", "up", ...
         lengths: lengths that it names [m], with their axes ("" where none is said).
@@ -69,6 +72,7 @@ class Order:
         seated: seats are pushed "in" to their table, or pulled "out".
         looks: what a thing is to look like: colours, materials, shapes.
         change: how the room is to change: "longer", "wider", ...
+        times: by how many times; 0 where that is not said.
         room: it is about the whole room.
         ceiling: it is about the ceiling.
         into: the zone that a region becomes, "reading_corner".
@@ -78,6 +82,8 @@ class Order:
         there: where something was that the order before has taken away.
         space: it speaks of the space at its places.
         total: it says how many there are to be ("only two chairs").
+        abreast: beside each other, turned the same way.
+        purpose: what it is for, which is known but changes nothing.
         lost: words that mean nothing in it.
     """
 
@@ -95,6 +101,7 @@ class Order:
     together: bool = False
     scatter: bool = False
     facing: list[Noun] = field(default_factory=list)
+    backs: list[Noun] = field(default_factory=list)
     turn: float | None = None
     sense: int = 0
     direction: str = ""
@@ -104,6 +111,7 @@ class Order:
     seated: str = ""
     looks: list[str] = field(default_factory=list)
     change: str = ""
+    times: float = 0.0
     room: bool = False
     ceiling: bool = False
     into: str = ""
@@ -114,6 +122,8 @@ class Order:
     total: bool = False
     there: bool = False
     split: int = 0
+    abreast: bool = False
+    purpose: list[Noun] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)
 
 

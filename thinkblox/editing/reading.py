@@ -1,14 +1,16 @@
 """Instructions to orders: the reader's noun phrases and prepositions, and a grammar of what is done with them."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import cast
 
 from thinkblox.assets.plurals import singular
+from thinkblox.editing.accounting import unaccounted
 from thinkblox.editing.clauses import Clause, clauses
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
+from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
@@ -34,6 +36,10 @@ _OF_ALL = ("remove", "keep", "move", "free", "turn")
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
+_SPOT = ("where", "to where")
+"""Words before what stood at a place: "where the wardrobe was"."""
+_COMPASS = ("north", "south", "east", "west")
+_IN_ROW = ("middle", "left", "right")
 _SHAPES = ("round",)
 """Prepositions that are looks where nothing follows."""
 _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
@@ -60,20 +66,31 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(text, ids)
-    tokens = _with_rows([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
-    orders: list[Order] = []
-    unknown: list[str] = []
-    found = clauses(tokens, named, unknown)
-    for clause in found:
-        reader = _OrderReader(lexicon, clause, named)
-        orders += reader.read()
-        unknown += reader.order.lost
-    if not found:
+    tokens = _without_commas([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
+    kinds = frozenset(id.rpartition("_")[0] for id in ids)
+    orders, unknown = _orders(lexicon, tokens, named, kinds)
+    if not orders:
         words = ", ".join(verbs())
         raise InputError(f"{_short(text)!r} does not say what to do with the room; an instruction begins with {words}")
+    unknown += unaccounted(lexicon, tokens, orders, unknown, lambda left: _orders(lexicon, left, named, kinds)[0])
     for order in orders:
         check_heeded(order)
     return Instruction(text, tuple(orders), tuple(unknown))
+
+
+def _orders(
+    lexicon: Lexicon, tokens: Sequence[Token], named: Mapping[int, str], kinds: Collection[str]
+) -> tuple[list[Order], list[str]]:
+    """The orders that tokens hold, and what means nothing in them."""
+    unknown: list[str] = []
+
+    def read(clause: Clause) -> Order:
+        return _OrderReader(lexicon, clause, named, kinds).read()
+
+    orders = [order for clause in clauses(tokens, named, unknown) for order in each_order(clause, read)]
+    for order in orders:
+        unknown += order.lost
+    return orders, unknown
 
 
 def _check(text: object) -> None:
@@ -113,13 +130,28 @@ def _without_ids(text: str, ids: Collection[str]) -> tuple[str, dict[int, str]]:
     return plain + text[end:], named
 
 
+def _without_commas(tokens: list[Token]) -> list[Token]:
+    """The tokens with rows as they are read, and no comma between two adjectives: "a bigger, round one"."""
+    read = _with_rows(tokens)
+    return [token for at, token in enumerate(read) if not (token.text == "," and _is_of_adjectives(read, at))]
+
+
+def _is_of_adjectives(tokens: Sequence[Token], at: int) -> bool:
+    if at < 2 or at + 2 > len(tokens):
+        return False
+    adjective = means("comparatives", tokens[at - 1].text) or means("sizes", tokens[at - 1].text)
+    begun = tokens[at - 2].text in ("a", "an", "the", "another", "some")
+    return bool(adjective) and begun and tokens[at + 1].kind == "word" and tokens[at + 1].text not in ("and", "please")
+
+
 def _with_rows(tokens: list[Token]) -> list[Token]:
-    """Read "the front row of" and "the back row of" as the first and the last, and "a round one" as no preposition."""
-    words = {"front": "first", "back": "last", "rear": "last"}
+    """Read "the front row" and "the back row" as the first and the last, and "a round one" as no preposition."""
+    words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
     read = list(tokens)
+    for index, token in enumerate(tokens[:-1]):
+        if token.text in words and tokens[index + 1].text == "row":
+            read[index] = replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
-        if tokens[index].text in words and (tokens[index + 1].text, tokens[index + 2].text) == ("row", "of"):
-            read[index] = replace(tokens[index], text=words[tokens[index].text])
         if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
             read[index + 1] = replace(tokens[index + 1], text="circular")
     return read
@@ -143,18 +175,18 @@ def _of_orders() -> frozenset[str]:
 class _OrderReader:
     """Reads the words after one verb."""
 
-    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str]) -> None:
+    def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str] = ()) -> None:
         verb = clause.text.split(" ", 1)[0].lower()
         self.order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
         told = [word.lower() for word in clause.text.split()[:4]]
         self.order.space = (
             clause.doing == "free" and told[0] in _MAKING and any(means("distances", word) == "gap" for word in told)
         )
-        self.order.total = clause.doing in ("keep", "ensure") and any(means("markers", w) == "only" for w in told)
-        self.orders = [self.order]
+        only = any(means("markers", w) == "only" for w in told) and not any(w.startswith("anything") for w in told)
+        self.order.total = clause.doing in ("keep", "ensure") and only
         self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
-        self._items = self._cutter.items(clause.tokens)
+        self._items = [_of_kind(item, kinds) for item in self._cutter.items(clause.tokens)]
         self._at = 0
         self._mode = "things"
         self._so: list[NounPhrase] = []
@@ -165,8 +197,12 @@ class _OrderReader:
         self._excepted: NounPhrase | None = None
         self._distance = False
         self._around = False
+        self._shared = False
+        self._more = False
+        self._up_to = False
+        self._had = any(token.text == "to" and token.start < 0 for token in clause.tokens)
 
-    def read(self) -> list[Order]:
+    def read(self) -> Order:
         """Read everything."""
         while self._at < len(self._items):
             item = self._items[self._at]
@@ -187,7 +223,7 @@ class _OrderReader:
                 case _:
                     self._lose(item)
         self._finish()
-        return self.orders
+        return self.order
 
     def _sized(self) -> Noun | None:
         """The new thing of which a size by itself speaks: "a round one that is 1.5 m wide"."""
@@ -201,6 +237,33 @@ class _OrderReader:
             self._pending = None
         if self._pending is not None:
             order.together, order.scatter = self._pending, not self._pending
+        self._spaced()
+        if self._up_to and order.doing == "make" and order.change and not order.by:
+            order.change = f"{order.change.removesuffix('=')}="
+        somewhere = order.places and not order.things and not order.rest and not order.room
+        if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
+            order.doing = "clear"
+        if order.doing == "keep" and order.total:
+            order.doing = "only"
+        if order.doing == "add" and self._is_had_by_each():
+            order.doing = "ensure"
+        self._looked()
+
+    def _looked(self) -> None:
+        """Tell a wish about looks, and what is to face something, from an order to move."""
+        order = self.order
+        if order.doing == "put" and order.things and self._is_about_looks():
+            order.doing = "make"
+        if order.doing == "make" and (order.facing or order.backs or order.mutual) and order.things and not order.room:
+            order.doing = "turn"
+        if self._around and order.facing:
+            order.turn = None
+        if order.doing == "put" and self._only_looks():
+            order.doing = "turn"
+
+    def _spaced(self) -> None:
+        """Read what is said of the space between things, or of more space at one of them."""
+        order = self.order
         about = [w for w in (*order.places, *(w for p in order.things for w in p.places)) if w.word == "between"]
         if (
             order.doing in ("free", "keep", "make", "move", "put")
@@ -209,27 +272,28 @@ class _OrderReader:
             and (not order.things or order.doing in ("free", "keep"))
         ):
             order.doing, order.places = "gap", about[:1]
-        somewhere = order.places and not order.things and not order.rest and not order.room
-        if self._clears and order.doing == "free" and not order.free and not order.space and not somewhere:
-            order.doing = "clear"
-        if order.doing == "put" and order.things and self._is_about_looks():
-            order.doing = "make"
-        if order.doing == "keep" and order.total:
-            order.doing = "only"
-        if order.doing == "make" and (order.facing or order.mutual) and order.things and not order.room:
-            order.doing = "turn"
-        if self._around and order.facing:
-            order.turn = None
-        if order.doing == "put" and self._only_looks():
-            order.doing = "turn"
+            more = self._more and not order.lengths and not order.change
+            order.change = "wider" if more else order.change
+        if order.doing == "put" and order.space and order.places and not order.things:
+            order.doing = "free"
+
+    def _is_had_by_each(self) -> bool:
+        """Whether it is said how many each of several has: "every table should have four chairs"."""
+        counted = any((phrase.noun.count or 1) > 1 for phrase in self.order.things)
+        return self._had and counted and any(w.noun is not None and w.noun.each for w in self._places())
+
+    def _places(self) -> list[Where]:
+        return [*self.order.places, *(where for phrase in self.order.things for where in phrase.places)]
 
     def _only_looks(self) -> bool:
         """Whether all that is asked of things is what they face: they are turned, and not moved far for that."""
         order = self.order
-        said = any(getattr(order, field) for field in SAID if field not in ("facing", "company", "rest", "spared"))
+        said = any(
+            getattr(order, field) for field in SAID if field not in ("facing", "backs", "company", "rest", "spared")
+        )
         known = all(phrase.noun.definite or phrase.id for phrase in order.things)
         placed = any(phrase.places for phrase in order.things)
-        return bool(order.facing and order.things) and known and not placed and not said
+        return bool((order.facing or order.backs) and order.things) and known and not placed and not said
 
     def _is_about_looks(self) -> bool:
         """Whether a wish is about how a thing is, not where: "I want the sofa bigger"."""
@@ -248,10 +312,28 @@ class _OrderReader:
             things = [phrase for phrase in order.things if phrase.noun.kind not in ("place", "part")]
             self._clears = bool(things) and not order.free
             order.things[:] = things
+        elif (new := self._new_thing()) is not None and said.attributes and not said.unshown:
+            new.attributes += said.attributes
         elif order.doing in ("make", "put") and order.things and said.attributes and not said.unshown:
             order.looks += said.attributes
         else:
             self._lose(said)
+
+    def _new_thing(self) -> Noun | None:
+        """The new thing that looks by themselves speak of: "add a rug under the table, grey"."""
+        order = self.order
+        new = (
+            order.instead
+            if order.doing == "replace"
+            else order.things
+            if order.doing in ("add", "ensure", "put")
+            else []
+        )
+        return (
+            new[-1].noun
+            if new and new[-1].noun.kind != "pronoun" and not new[-1].noun.definite and not new[-1].id
+            else None
+        )
 
     def _lose(self, item: Chunk) -> None:
         text = item.request.phrase if isinstance(item, SaidSurface) else getattr(item, "text", "")
@@ -268,8 +350,8 @@ class _OrderReader:
                 self._how(mark)
             case "lengths":
                 self._length(mark)
-            case "turn":
-                order.turn = mark.value
+            case "turn" | "multiples":
+                setattr(order, "turn" if mark.sort == "turn" else "times", mark.value)
             case "directions":
                 if order.direction:
                     order.lost.append(mark.key)
@@ -279,9 +361,17 @@ class _OrderReader:
             case "rows":
                 self._row(int(mark.key))
             case "comparatives" | "absolutes":
-                order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
+                self._change(mark)
             case _:
                 self._marker(mark.key)
+
+    def _change(self, mark: OrderMark) -> None:
+        """Take how the size of a thing changes; of two ways the first is lost."""
+        order = self.order
+        absolute = mark.sort == "absolutes" and order.lengths
+        if order.change and not absolute and order.change.removesuffix("=") != mark.key:
+            order.lost.append(order.change.removesuffix("="))
+        order.change = mark.key if mark.sort == "comparatives" else f"{mark.key}="
 
     def _how(self, mark: OrderMark) -> None:
         order = self.order
@@ -300,10 +390,18 @@ class _OrderReader:
     def _row(self, number: int) -> None:
         """Read "in the front row" of what was named last."""
         phrase = self._excepted or (self.order.things[-1] if self.order.things else None)
-        if phrase is None or phrase.noun.kind != "thing":
+        last = phrase.places[-1] if phrase is not None and phrase.places else None
+        if last is not None and last.noun is not None and last.noun.kind == "thing":
+            several = last.noun.many or last.noun.each
+            last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
+        elif phrase is None or phrase.noun.kind != "thing":
             self.order.lost.append("row")
         else:
-            phrase.noun = replace(phrase.noun, rows=1, ordinal=number)
+            phrase.member = phrase.noun.ordinal
+            middle = [w for w in phrase.places if w.noun is not None and w.noun.kind == "part" and not w.whole]
+            side = next((w.noun.value for w in middle if w.noun is not None and w.noun.value in _IN_ROW), "")
+            phrase.places = [w for w in phrase.places if w not in middle] if side else phrase.places
+            phrase.noun = replace(phrase.noun, rows=1, ordinal=number, side=side or phrase.noun.side)
 
     def _length(self, mark: OrderMark) -> None:
         order = self.order
@@ -311,6 +409,7 @@ class _OrderReader:
         bound, _, by = mark.key.partition(" ")
         order.bound = bound if bound in ("ge", "le") else order.bound
         order.by |= by == "by" or bound == "by"
+        self._up_to |= "to" in (by, bound)
         self._distance = len(mark.lengths) == 1 and not mark.lengths[0][1]
 
     def _marker(self, key: str) -> None:
@@ -347,7 +446,7 @@ class _OrderReader:
         order = self.order
         if self._is_address(noun):
             return
-        noun = self._merged(noun)
+        noun = self._another(self._merged(noun))
         negated, self._negated = self._negated, False
         phrase = self._phrase(noun)
         if negated and order.things and self._mode == "things":
@@ -360,6 +459,14 @@ class _OrderReader:
         elif self._excepted is not None:
             (order.things[-1].spared if order.things else order.spared).append(phrase)
             self._excepted = phrase
+        elif not self._in_mode(phrase) and not self._is_of_room(noun):
+            self._thing(phrase)
+
+    def _in_mode(self, phrase: NounPhrase) -> bool:
+        """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
+        order, noun = self.order, phrase.noun
+        if self._is_back(noun) and (behind := self._behind()) is not None:
+            order.backs.append(behind)
         elif self._mode == "so":
             self._so.append(phrase)
         elif self._mode == "unblock" and noun.kind in ("place", "part"):
@@ -367,8 +474,25 @@ class _OrderReader:
             self._mode = "things"
         elif self._mode == "instead" and noun.kind in ("thing", "number"):
             order.instead.append(phrase)
-        elif not self._is_of_room(noun):
-            self._thing(phrase)
+        else:
+            return False
+        return True
+
+    @staticmethod
+    def _is_back(item: Item | None) -> bool:
+        """Whether it is the back of what is spoken of."""
+        return isinstance(item, Noun) and item.kind == "part" and item.value in ("back", "head") and item.det == "my"
+
+    def _behind(self) -> Noun | None:
+        """Read "(its back) is to the window"."""
+        at = self._at
+        verb = self._items[at] if at < len(self._items) else None
+        at += isinstance(verb, Connector) and verb.sort in ("verbs", "participles")
+        link, noun = (self._items[n] if n < len(self._items) else None for n in (at, at + 1))
+        if not isinstance(link, Connector) or link.value not in (*_ASIDE, "on") or not isinstance(noun, Noun):
+            return None
+        self._at = at + 2
+        return self._merged(noun)
 
     def _is_of_room(self, noun: Noun) -> bool:
         """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
@@ -378,6 +502,7 @@ class _OrderReader:
             order.places.append(Where("around", about, text="around"))
         elif self._is_space(noun):
             order.space = True
+            self._more |= noun.text.lower().startswith("more ")
         elif (noun.kind == "room" or noun.word in ("furniture", "layout")) and order.doing in _OF_ROOM:
             order.room = True
         elif part and noun.value == "ceiling" and order.doing == "make":
@@ -413,10 +538,13 @@ class _OrderReader:
 
     def _thing(self, phrase: NounPhrase) -> None:
         order, noun = self.order, phrase.noun
-        if noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL:
+        everything = noun.kind == "abstract" and noun.text.lower() == "anything" and order.doing == "keep"
+        if everything or (noun.kind == "pronoun" and noun.value == "all" and order.doing in _OF_ALL):
             order.rest = True
         elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
             order.company.append(phrase)
+        elif self._shares_out(noun):
+            self._shared = True
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
             if order.things and _is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
                 phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
@@ -424,6 +552,27 @@ class _OrderReader:
             self._anchors = []
         else:
             self._lose(noun)
+
+    def _shares_out(self, noun: Noun) -> bool:
+        """Whether a number says how many of what is added go to each of several places: "two plants, one in each"."""
+        last = self.order.things[-1] if self.order.things else None
+        one = noun.kind == "pronoun" and noun.value == "one"
+        bare = one or (noun.kind == "number" and not noun.det and not noun.ordinal and not noun.rows)
+        return (
+            self.order.doing in ("add", "put")
+            and last is not None
+            and bare
+            and (last.noun.count or 0) > 1
+            and not last.places
+        )
+
+    def _another(self, noun: Noun) -> Noun:
+        """Read "and another on the shelf" as one more of what was named last."""
+        last = self.order.things[-1].noun if self.order.things else None
+        new = self.order.doing in ("add", "put") and last is not None and last.kind == "thing" and not last.definite
+        if not (noun.kind == "pronoun" and noun.det == "another" and new) or last is None:
+            return noun
+        return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 
     def _phrase(self, noun: Noun) -> NounPhrase:
         rank, _, along = self._cutter.ranks.get(id(noun), "").partition(" ")
@@ -468,6 +617,8 @@ class _OrderReader:
         known = means("distances", noun.word) == "gap" or noun.value == "space"
         spoken = noun.kind in ("abstract", "room") and not whole_room and known
         whole = isinstance(following, Connector) and following.value in ("of", "with", "to", "as", "by")
+        after = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
+        whole &= not (isinstance(after, OrderMark) and after.sort == "lengths")
         return (
             spoken
             and self.order.doing in ("free", "keep", "make", "put", "move")
@@ -518,17 +669,30 @@ class _OrderReader:
             case "negations" if link.value == "not":
                 self._negated = True
             case "negations" if link.value == "only" and self.order.doing in ("keep", "ensure"):
-                self.order.total = True
+                self.order.total |= not self.order.rest
             case "verbs" if link.value in ("face", *_BEING):
                 self._verb(link)
             case "mutual":
                 self._mutual(link)
+            case "joins" if link.text.lower() in _SPOT and (noun := self._spot()) is not None:
+                self._attach(Where("spot", noun, text=link.text))
             case "joins" if link.value in ("or", "stop", "but"):
                 self._join(link)
             case "joins" | "mark" | "participles" | "fillers":
                 pass
             case _:
                 self._lose(link)
+
+    def _spot(self) -> Noun | None:
+        """Read "(where) the bookcase stands"; None where something else follows."""
+        noun, verb = (self._items[n] if n < len(self._items) else None for n in (self._at, self._at + 1))
+        told = (
+            isinstance(verb, Connector) and verb.sort in ("verbs", "participles") and verb.value in (*_BEING, "stand")
+        )
+        if not isinstance(noun, Noun) or noun.kind not in ("thing", "pronoun") or not told:
+            return None
+        self._at += 2
+        return self._merged(noun) if noun.kind == "thing" else noun
 
     def _verb(self, link: Connector) -> None:
         if link.value == "face":
@@ -546,6 +710,8 @@ class _OrderReader:
     def _is_exception(self) -> bool:
         noun = self._items[self._at] if self._at < len(self._items) else None
         said = self.order.things[-1].noun if self.order.things else None
+        if said is None and self.order.rest:
+            return isinstance(noun, Noun) and noun.kind == "thing"
         every = said is not None and (said.det in ("all", "each") or said.plural)
         counted = isinstance(noun, Noun) and noun.kind in ("thing", "number", "pronoun")
         return every and counted and self._mode == "things"
@@ -563,6 +729,7 @@ class _OrderReader:
             link.value == "next_to" and self.order.doing in ("move", "put")
         ):
             self.order.mutual = link.value
+            self.order.abreast |= link.text.lower() == "side by side"
         else:
             self._lose(link)
 
@@ -593,6 +760,8 @@ class _OrderReader:
         order, following = self.order, self._items[self._at] if self._at < len(self._items) else None
         if not isinstance(following, Noun):
             self._without_noun(link, following)
+            return
+        if link.value in ("with", "so") and self._is_back(following):
             return
         towards = link.text.lower() in ("towards", "toward")
         if self._comes_instead(link, following):
@@ -638,11 +807,15 @@ class _OrderReader:
             return False
         if following.kind == "people":
             self.order.lost.append(f"{link.text} {following.text}")
+        elif self.order.doing in ("free", "gap"):
+            self.order.purpose.append(following)
         return following.kind == "people" or self.order.doing in ("free", "gap")
 
     def _without_noun(self, link: Connector, following: Item | None) -> None:
         """A preposition that no noun follows says how a thing is, waits for a length, or is lost."""
         order, text = self.order, link.text.lower()
+        if isinstance(following, Connector) and following.text.lower() in _SPOT:
+            return
         if text in _SHAPES and order.doing in ("make", "put") and order.things:
             order.looks.append(text)
         elif (isinstance(following, Adjective) and order.doing == "make" and link.value in ("to", "in")) or (
@@ -664,10 +837,12 @@ class _OrderReader:
         if where.word == "instead" and where.noun is not None:
             self._instead_of(where, where.noun)
             return
+        if "possible" in where.text.lower().split():
+            order.lost.append("as possible")
         self._refer(where)
         if self._goes_along(where):
             return
-        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to"):
+        if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
             phrase = NounPhrase(where.noun, id=where.noun.id)
             order.apart.append((order.lengths.pop()[0], phrase))
@@ -682,15 +857,23 @@ class _OrderReader:
         places = order.things[-1].places if order.things else order.places
         if places:
             places.append(Where(places[-1].word, noun, negated=True, text=places[-1].text))
+        elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
+            order.doing, order.total = "ensure", True
         elif order.doing in ("add", "put", "ensure") and order.things and noun.kind == "thing":
             order.doing, order.instead, order.things = "replace", order.things, [NounPhrase(noun, id=noun.id)]
         else:
             order.lost.append(f"{where.text} {noun.text}")
 
+    def _is_other_number(self, noun: Noun) -> bool:
+        """Whether there are to be so many of one kind, not another number of them: "four chairs instead of two"."""
+        last = self.order.things[-1].noun
+        of_them = noun.kind == "number" or (noun.kind == "thing" and noun.value == last.value and not noun.attributes)
+        return of_them and bool(noun.count and last.count) and last.kind == "thing" and not last.definite
+
     def _goes_along(self, where: Where) -> bool:
         """Take "with its chairs", "and the chairs with it" as what goes along."""
         order, noun = self.order, where.noun
-        if where.word != "with" or noun is None or order.doing not in _WITH_ALONG or not order.things:
+        if where.word != "with" or noun is None or order.doing not in (*_WITH_ALONG, "remove") or not order.things:
             return False
         if _is_it(noun) and len(order.things) > 1:
             order.company.append(order.things.pop())
@@ -715,7 +898,7 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        new = following.det in ("a", "another", "") or following.kind == "number"
+        new = following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
         if order.doing == "replace":
             return link.value in ("with", "by", "for") or (link.value in ("in", "to") and new)
         if order.doing == "swap" and (link.value == "for" or (link.value == "with" and new)) and new:
@@ -744,7 +927,12 @@ class _OrderReader:
         noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
         beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
         cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
-        if not cornered or noun is None or where.whole is not None or noun.each or noun.plural:
+        if not cornered or noun is None or where.whole is not None:
+            return where
+        each = noun.each or noun.plural
+        if each and (
+            not isinstance(link, Connector) or link.value not in _ASIDE or not noun.value.startswith("corner")
+        ):
             return where
         if noun.value.startswith("wall") and (not isinstance(link, Connector) or link.value not in _OF_WALL):
             return where
@@ -755,6 +943,8 @@ class _OrderReader:
         ):
             return where
         if beside.kind not in ("place", "thing"):
+            return where
+        if each and beside.kind != "place":
             return where
         self._at += 2
         if link.value in _ACROSS:
@@ -769,6 +959,14 @@ class _OrderReader:
         return isinstance(item, Connector) and item.sort == "joins" and isinstance(after, Noun)
 
     def _attach(self, where: Where) -> None:
+        noun = where.noun
+        if self.order.room and self.order.doing == "make" and noun is not None and where.whole is None:
+            side = next((side for side in _COMPASS if noun.value in (side, f"{side}_wall")), "")
+            if side and not self.order.direction:
+                self.order.direction = side
+                return
+        if self._shared and where.noun is not None and where.noun.each:
+            where.noun = replace(where.noun, det="all", plural=True)
         if self._mode == "so":
             self._of_result(where)
         elif self._excepted is not None:
@@ -798,6 +996,19 @@ class _OrderReader:
             self.order.free.append(where.noun)
         elif self.order.things:
             self.order.things[-1].places.append(where)
+
+
+def _of_kind(item: Item, kinds: Collection[str]) -> Item:
+    """A noun as the thing of the room that is called so, where it could be a room: "the changing room"."""
+    if not isinstance(item, Noun) or item.kind != "room":
+        return item
+    words = [word for word in item.text.lower().split() if word != item.text.lower().split()[0] or not item.det]
+    kind = "_".join([*words[:-1], singular(words[-1])]) if words else ""
+    return (
+        replace(item, kind="thing", value=kind, named=True, plural=words[-1] != singular(words[-1]))
+        if kind in kinds
+        else item
+    )
 
 
 def _is_theirs(noun: Noun) -> bool:

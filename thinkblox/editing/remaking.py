@@ -12,8 +12,8 @@ from thinkblox.judging import style_seed
 from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec3
 
-MORE, SLIGHTLY = 1.25, 1.1
-"""By which factor a thing becomes larger where nobody says by how much."""
+MORE, SLIGHTLY = (1.25, 1.15, 1.08), (1.1, 1.06)
+"""By which factors a thing becomes larger where nobody says by how much: the first that there is room for."""
 LEAST = 0.02
 """Least by which it differs then [m]."""
 _SENSES = {"longer": 1, "wider": 1, "deeper": 1, "larger": 1, "higher": 1,
@@ -22,13 +22,22 @@ _AXES = {"longer": "length", "shorter": "length", "wider": "width", "narrower": 
          "higher": "height", "lower": "height"}  # fmt: skip
 
 
-def otherwise(work: Work, old: Asset, order: Order) -> Asset:
-    """The same kind of thing as an order wants it.
+def factors(order: Order) -> tuple[float, ...]:
+    """By which factors what an order makes larger or smaller may become so; one where it says how large."""
+    if order.times and order.change:
+        return (order.times,)
+    if order.lengths or not order.change:
+        return (1.0,)
+    return SLIGHTLY if order.slight else MORE
+
+
+def otherwise(work: Work, old: Asset, order: Order, factor: float = MORE[0]) -> Asset:
+    """The same kind of thing as an order wants it, larger by a factor where nobody says by how much.
 
     Raises:
         InputError: such a thing is not made so.
     """
-    size = _size(work, old, order)
+    size = _size(work, old, order, factor)
     if not order.looks:
         return work.source.fit(old, size) if size != old.size else old
     made = looking(work, old, order.looks)
@@ -47,7 +56,9 @@ def looking(work: Work, old: Asset, looks: Sequence[str]) -> Asset:
     Raises:
         InputError: such things do not come so.
     """
+    shaped = bool(_shapes(looks))
     kept = [word for word in old.attributes if not any(_are_alike(word, look) for look in looks)]
+    kept = [word for word in kept if not (shaped and means("proportions", word))]
     for words in ((*looks, *kept), tuple(looks)):
         made = work.source.make(old.category, seed=style_seed(work.scene), attributes=words)
         if set(looks) <= set(made.attributes):
@@ -67,7 +78,7 @@ def _shapes(words: Sequence[str]) -> frozenset[str]:
     return frozenset(word for word in words if means("shapes", word))
 
 
-def _size(work: Work, old: Asset, order: Order) -> Vec3:
+def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
     """The size that an order wants of a thing [m].
 
     Raises:
@@ -85,15 +96,18 @@ def _size(work: Work, old: Asset, order: Order) -> Vec3:
         if not named and change not in ("larger", "smaller"):
             raise InputError(f"it is not said which side of it is to be {metres:g} m; say 'wide', 'long' or 'high'")
         for side in (long if named == "length" else named,) if named else ("depth", "width"):
-            sides[side] = _changed(sides[side], metres, change, absolute=absolute or not change, order=order)
+            sides[side] = _changed(
+                sides[side], metres, change, absolute=absolute or not change, order=order, factor=factor
+            )
     wanted = (sides["depth"], sides["width"], sides["height"])
-    return _possible(work, old, wanted, said=bool(order.lengths))
+    return _possible(work, old, wanted, said=bool(order.lengths or order.times))
 
 
-def _changed(side: float, metres: float, change: str, *, absolute: bool, order: Order) -> float:
+def _changed(side: float, metres: float, change: str, *, absolute: bool, order: Order, factor: float) -> float:
     sense = _SENSES.get(change, 1)
+    if not metres and order.times:
+        return side * order.times
     if not metres:
-        factor = SLIGHTLY if order.slight else MORE
         return side * factor if sense > 0 else side / factor
     if absolute and not order.by:
         return metres
@@ -122,8 +136,8 @@ def looks_of(asset: Asset) -> str:
     return f"{asset.description}, {_by(asset.size)}"
 
 
-def compared(work: Work, old: Asset, degree: str, *, slight: bool = False) -> Asset:
-    """The same kind of thing as "a larger one", "a taller one" of it.
+def compared(work: Work, old: Asset, degree: str, factor: float = MORE[0]) -> Asset:
+    """The same kind of thing as "a larger one", "a taller one" of it, by a factor.
 
     Raises:
         InputError: a word that compares nothing that can be made otherwise, or no such thing is made.
@@ -131,5 +145,4 @@ def compared(work: Work, old: Asset, degree: str, *, slight: bool = False) -> As
     change = means("comparatives", degree)
     if not change:
         raise InputError(f"'{degree}': what that means of a {old.category.replace('_', ' ')} is not known")
-    order = dataclasses.replace(Order("make", degree), change=change, slight=slight)
-    return work.source.fit(old, _size(work, old, order))
+    return work.source.fit(old, _size(work, old, dataclasses.replace(Order("make", degree), change=change), factor))

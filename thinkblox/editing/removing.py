@@ -4,8 +4,10 @@ import dataclasses
 from collections.abc import Sequence
 
 from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.company import mates_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.rows import rows_of_all
 from thinkblox.editing.wheres import bound, named, slots_of, spare
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
@@ -29,6 +31,8 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
         ids |= dict.fromkeys(meant)
         if phrase.laden:
             ids |= dict.fromkeys(rider.id for id in meant for rider in work.scene.riders(id))
+    for phrase in order.company:
+        ids |= dict.fromkeys(mate for id in tuple(ids) for mate in mates_of(work, finder, phrase, id))
     take_away(work, work.touched(ids))
     finder.recent = []
 
@@ -50,6 +54,11 @@ def keep_only(work: Work, finder: Finder, order: Order) -> None:
             else:
                 kept = named(finder, phrase, phrase.places)
             take_away(work, work.touched(id for id in alike if id not in kept))
+        return
+    if all(phrase.noun.kind == "number" and phrase.noun.rows for phrase in order.things):
+        stay = {id for phrase in order.things for id in named(finder, phrase, ())}
+        rows = [p.id for row in rows_of_all(work.scene) for p in row]
+        take_away(work, work.touched(id for id in rows if id not in stay))
         return
     order.spared = [*order.spared, *order.things]
     take_away(work, left_over(work, finder, order))

@@ -1,16 +1,19 @@
 """Orders that let another thing come in place of one."""
 
+import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace as replace_fields
 
 from thinkblox.editing.acting import related
 from thinkblox.editing.adding import MOST, add_one, category_of, sized
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.grammar import means
 from thinkblox.editing.moving import move_one
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
-from thinkblox.editing.remaking import compared, otherwise
+from thinkblox.editing.remaking import MORE, compared, otherwise
 from thinkblox.editing.removing import take_away
 from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.wheres import Bound, bound, named
@@ -23,6 +26,7 @@ from thinkblox.scene.actions import Replace, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 
 _BY = ("with", "by", "for")
@@ -30,6 +34,10 @@ NEW_PLACE = 0.75
 """How far from the old one's middle the new one may stand that comes in its place, besides half of what one is longer
 than the other [m].
 """
+STAYS = 0.3
+"""The same for a thing that is made otherwise [m]."""
+SAID = 0.25
+"""From how far that is said, besides half of the same [m]."""
 TRIES = 60
 """Places about the old one's that are looked at."""
 
@@ -46,22 +54,37 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
     found = (id for phrase in order.things for id in named(finder, phrase, phrase.places))
     ids = work.touched(dict.fromkeys(found))
     first = order.instead[0]
-    count = _how_many(order, ids, first.noun)
+    count, before = _how_many(order, ids, first.noun), work.scene
     for id in ids[:count]:
         if _comes_in_place(work, id, first.noun):
             _place(work, finder, order, id, first)
     if ids[count:]:
         take_away(work, ids[count:])
-    by = ids[0] if ids else ""
-    for noun in [first.noun] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
-        for _ in range(1 if noun is first.noun else noun.count or 1):
-            add_one(work, category_of(work, noun, ()), noun, [Related("near", (by,))] if by else [])
+    _bring_more(work, order, before, ids, count)
     finder.recent = [id for id in ids if id in work.scene]
+
+
+def _bring_more(work: Work, order: Order, before: Scene, ids: Sequence[str], count: int) -> None:
+    """Add what comes in place of things besides what stands where they stood: of two for one the second."""
+    by, first = ids[0] if ids else "", order.instead[0].noun
+    for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
+        for _ in range(1 if noun is first else noun.count or 1):
+            if not by:
+                add_one(work, category_of(work, noun, ()), noun, [])
+            elif work.scene[by].asset != before[by].asset or noun is not first:
+                _add_another(work, by, noun, like=noun is first)
+
+
+def _add_another(work: Work, by: str, noun: Noun, *, like: bool) -> None:
+    """Add another one of what has come in place of a thing, or what comes besides."""
+    new = noun if noun.kind == "thing" else replace_fields(noun, value=work.scene[by].category, kind="thing")
+    asset = work.asset_of(by) if like else None
+    add_one(work, category_of(work, new, ()), new, [Related("near", (by,))], asset=asset)
 
 
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
     """How many come in place of these: so many as is said, one for "a bench", or as many as there were."""
-    each = any(phrase.noun.det in ("each", "all") for phrase in order.things)
+    each = any(phrase.noun.det == "each" for phrase in order.things)
     if new.count and new.count > MOST:
         raise InputError(f"'{new.text}': one order adds at most {MOST} things")
     if new.count and new.count > 1:
@@ -71,13 +94,18 @@ def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
 
 def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
     """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
-    asset, said = _successor(work, id, new), len(work.failed)
-    if replace_one(work, id, asset):
-        return True
-    if new.size is not None or new.degree:
-        return False
-    if replace_one(work, id, _as_small(work, id, asset)):
-        del work.failed[said:]
+    said = len(work.failed)
+    for factor in MORE if new.degree else MORE[:1]:
+        if replace_one(work, id, _successor(work, id, new, factor)):
+            del work.failed[said:]
+            return True
+        del work.failed[said + 1 :]
+    asset, riders = _successor(work, id, new, MORE[0]), work.scene.riders(id)
+    smaller = new.size is None and not new.degree
+    if (smaller and replace_one(work, id, _as_small(work, id, asset))) or (
+        riders and replace_one(work, id, asset, bare=True)
+    ):
+        del work.failed[said]
         return True
     del work.failed[said + 1 :]
     return False
@@ -99,13 +127,18 @@ def _place(work: Work, finder: Finder, order: Order, id: str, new: NounPhrase) -
         move_one(work, order, id, goals)
 
 
-def _successor(work: Work, id: str, new: Noun) -> Asset:
-    """What comes in place of an object."""
+def _successor(work: Work, id: str, new: Noun, factor: float) -> Asset:
+    """What comes in place of an object; by a factor larger or smaller where only that is said."""
     old = work.asset_of(id)
     same = new.kind == "number" or not new.value
     category = old.category if same else category_of(work, new, _place_of(work, id))
+    size = next((means("sizes", word) for word in new.attributes if means("sizes", word)), "")
+    if same and size and new.size is None and not new.degree:
+        degree = "larger" if size == "1" else "smaller"
+        rest = [word for word in new.attributes if not means("sizes", word)]
+        return _compared(work, old, category, replace_fields(new, degree=degree, attributes=rest), factor)
     if new.degree:
-        return _compared(work, old, category, new)
+        return _compared(work, old, category, new, factor)
     if same and new.attributes and new.size is None:
         return _otherwise(work, old, new)
     target = Target(
@@ -130,15 +163,15 @@ def _otherwise(work: Work, old: Asset, new: Noun) -> Asset:
     return otherwise(work, old, Order("make", new.text, looks=list(new.attributes)))
 
 
-def _compared(work: Work, old: Asset, category: str, new: Noun) -> Asset:
+def _compared(work: Work, old: Asset, category: str, new: Noun, factor: float) -> Asset:
     """What is larger, taller, ... than the old one, as is said."""
     if category == old.category:
-        made = compared(work, old, new.degree)
+        made = compared(work, old, new.degree, factor)
         return _otherwise(work, made, new) if new.attributes else made
     usual = work.source.make(category, seed=style_seed(work.scene), attributes=tuple(new.attributes))
     least, most = work.source.size_range(category)
     start = [min(max(o, a), b) for o, a, b in zip(old.size, least, most, strict=True)]
-    return compared(work, work.source.fit(usual, (start[0], start[1], start[2])), new.degree)
+    return compared(work, work.source.fit(usual, (start[0], start[1], start[2])), new.degree, factor)
 
 
 def _place_of(work: Work, id: str) -> list[Bound]:
@@ -146,30 +179,65 @@ def _place_of(work: Work, id: str) -> list[Bound]:
     return [Bound("on", (support,))] if support in work.scene else []
 
 
-def replace_one(work: Work, id: str, asset: Asset) -> bool:
-    """Let an asset stand where an object stands; whether that could be, which is noted."""
+def replace_one(work: Work, id: str, asset: Asset, *, stays: bool = False, bare: bool = False) -> bool:
+    """Let an asset stand where an object stands; whether that could be, which is noted.
+
+    What stood at a wall stands at it again where that can be.
+
+    Args:
+        work: the edit.
+        id: of the object.
+        asset: what it becomes.
+        stays: it is the same thing made otherwise, and stays where it is.
+        bare: all that rests on it is placed anew.
+    """
     before, saved = work.scene, work.saved()
     old = before[id]
-    action = Replace(id=id, asset=asset)
-    _, _, left = outcome(before, action)
-    taken = take(work, left)
-    reach = NEW_PLACE + abs(max(asset.size[:2]) - max(old.size[:2])) / 2
-    goals: list[Goal] = [At(old.position[:2], reach)]
+    _, _, left = outcome(before, Replace(id=id, asset=asset))
+    taken = take(work, [rider.id for rider in before.riders(id)] if bare else left)
+    reach = (STAYS if stays else NEW_PLACE) + abs(max(asset.size[:2]) - max(old.size[:2])) / 2
+    there, walled = At(old.position[:2], reach), _walls_at(before, id, asset)
     ties = work.usual_ties(id) or usual_ties(work.scene, asset.category)
     target = work.target(id, asset.category, ties, asset.attributes)
-    direct = _same_place(work.scene, id, asset, reach)
-    reaching = Reaching(work, target, asset, goals, direct=direct, search=False, tries=TRIES)
-    if not reaching.run():
+    wanted: list[list[Goal]] = [[there, Related("against_wall", walled)]] if walled else []
+    wanted += [[there]] if not (walled and stays) else []
+    why = ""
+    for goals in wanted:
+        direct = _same_place(work.scene, id, asset, reach)
+        reaching = Reaching(work, target, asset, goals, direct=direct, search=False, tries=TRIES)
+        if reaching.run():
+            break
+        why = why or reaching.why
+    else:
         work.restore(saved)
-        work.failed.append(f"{id} was not replaced by {_article(asset.description)}: {reaching.why}")
+        size = " by ".join(f"{side:.2f}" for side in asset.size)
+        says = f"left as it is; of {size} m there" if stays else f"not replaced by {_article(asset.description)}"
+        work.failed.append(f"{id} was {says}: {why}")
         return False
-    new = work.scene[id]
-    x, y, _ = new.position
-    size = " by ".join(f"{side:.2f}" for side in asset.size)
-    turned = f", turned to yaw {new.yaw:g}" if new.yaw != old.yaw else ""
-    work.done.append(f"{id} is now {_article(asset.description)} of {size} m at ({x:.2f}, {y:.2f}){turned}")
+    _say_replaced(work, old, asset, walled)
     _replace_riders(work, id, taken, before)
     return True
+
+
+def _walls_at(scene: Scene, id: str, asset: Asset) -> tuple[str, ...]:
+    """The wall that a thing stands with its back to, where what comes there can do so too."""
+    if asset.mount != "floor" or asset.front == "any" or scene.asset_of(scene[id]).front == "any":
+        return ()
+    found = [wall.name for wall in scene.room.walls if measure(scene, "against_wall", id, (wall.name,)).holds]
+    return tuple(found[:1]) if at_wall(scene, id) else ()
+
+
+def _say_replaced(work: Work, old: Placement, asset: Asset, walled: tuple[str, ...]) -> None:
+    new = work.scene[old.id]
+    x, y, _ = new.position
+    size = " by ".join(f"{side:.2f}" for side in asset.size)
+    says = f"{old.id} is now {_article(asset.description)} of {size} m at ({x:.2f}, {y:.2f})"
+    says += f", turned to yaw {new.yaw:g}" if new.yaw != old.yaw else ""
+    away = math.dist(new.position[:2], old.position[:2])
+    says += f", {away:.2f} m from where it was" if away > abs(max(new.size[:2]) - max(old.size[:2])) / 2 + SAID else ""
+    if walled and not measure(work.scene, "against_wall", old.id, walled).holds:
+        says += f", and not at the {walled[0].replace('_', ' ')} any more"
+    work.done.append(says)
 
 
 def _replace_riders(work: Work, id: str, off: Sequence[Placement], before: Scene) -> None:

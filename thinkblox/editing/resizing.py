@@ -12,6 +12,8 @@ from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
 
 _AT_SIDE = 1e-6
+USUALLY, SLIGHTLY = 0.5, 0.25
+"""By how much a side of the room moves where nobody says it [m]."""
 _SENSES = {"longer": 1, "wider": 1, "deeper": 1, "larger": 1, "higher": 1,
            "shorter": -1, "narrower": -1, "smaller": -1, "lower": -1}  # fmt: skip
 
@@ -64,9 +66,13 @@ def _words(old: Room, new: Room) -> str:
 
 def _changes(room: Room, order: Order) -> tuple[float, float, float]:
     """By how much the room grows to the east, to the north and up [m]."""
-    lengths = [metres for metres, _ in order.lengths]
-    if not lengths:
+    if order.times:
+        raise InputError(f"'{order.text}': say by how many metres, such as 'one metre longer'")
+    if not order.lengths and (not order.change or order.change.endswith("=")):
         raise InputError(f"'{order.text}' does not say by how much; say a length, such as 'one metre longer'")
+    lengths = [metres for metres, _ in order.lengths] or [SLIGHTLY if order.slight else USUALLY]
+    if order.direction:
+        return _to_one_side(order, lengths[0])
     across, along = room.extent
     long_east = across >= along
     absolute = order.change.endswith("=") or not order.change
@@ -75,7 +81,7 @@ def _changes(room: Room, order: Order) -> tuple[float, float, float]:
         wanted = sorted(lengths[:2], reverse=long_east) if not order.change else lengths[:2]
         height = lengths[2] - room.height if len(lengths) > 2 else 0.0
         return wanted[0] - across, wanted[1] - along, height
-    axis = order.lengths[0][1]
+    axis = order.lengths[0][1] if order.lengths else ""
     if not change and axis:
         change = {"length": "longer", "width": "wider", "depth": "deeper", "height": "higher"}.get(axis, "")
     if not change:
@@ -90,6 +96,22 @@ def _changes(room: Room, order: Order) -> tuple[float, float, float]:
     if both and not absolute:
         return grows, grows, 0.0
     return (grows, 0.0, 0.0) if to_east else (0.0, grows, 0.0)
+
+
+def _to_one_side(order: Order, by: float) -> tuple[float, float, float]:
+    """By how much the room grows to the side that is named.
+
+    Raises:
+        InputError: that side cannot move, or what is asked for is no length by which it moves.
+    """
+    change = order.change or "longer"
+    if order.direction not in ("east", "north"):
+        raise InputError(
+            f"'{order.text}': only the east and the north side of a room move; the others stay where they are"
+        )
+    if change.endswith("=") or change in ("higher", "lower"):
+        raise InputError(f"'{order.text}' does not say by how much that side moves; say 'by 1 m'")
+    return (_SENSES[change] * by, 0.0, 0.0) if order.direction == "east" else (0.0, _SENSES[change] * by, 0.0)
 
 
 def resized(room: Room, east: float, north: float, up: float = 0.0) -> Room:

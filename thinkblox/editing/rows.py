@@ -3,10 +3,12 @@
 import math
 from collections.abc import Sequence
 
+from thinkblox.assets import facts_of
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
@@ -34,21 +36,61 @@ def rows_of(scene: Scene, found: Sequence[Placement]) -> list[list[Placement]]:
             rows[-1].append(placement)
         else:
             rows.append([placement])
-    return rows
+    return [sorted(row, key=lambda p: p.position[0] * math.sin(way) - p.position[1] * math.cos(way)) for row in rows]
 
 
-def row_of(scene: Scene, found: Sequence[Placement], noun: Noun) -> list[Placement]:
-    """The row that a phrase means, by its number from the front.
+def rows_of_all(scene: Scene) -> list[list[Placement]]:
+    """The rows of the room: of desks and tables with the seats drawn up to them, else of seats, else of what does."""
+    standing = [p for p in scene.placements if p.support == "floor" and scene.asset_of(p).collides]
+    tables = [p for p in standing if facts_of(p.category).is_in("tables", "desks", "counters")]
+    seats = [p for p in standing if facts_of(p.category).is_in("seating")]
+    others = [p for p in standing if p not in tables and p not in seats]
+    for found in (tables, seats, others):
+        rows = rows_of(scene, found)
+        if len(rows) > 1 and max(map(len, rows)) > 1:
+            rows = [row for row in rows if len(row) > 1]
+            return [[*row, *_seats_at(scene, row, seats if found is tables else ())] for row in rows]
+    return []
+
+
+def _seats_at(scene: Scene, row: Sequence[Placement], seats: Sequence[Placement]) -> list[Placement]:
+    return [seat for seat in seats if any(measure(scene, "at", seat.id, (p.id,)).holds for p in row)]
+
+
+def row_of(scene: Scene, found: Sequence[Placement], noun: Noun, member: int = 0) -> list[Placement]:
+    """The row that a phrase means, by its number from the front; or one of it, by its number from the left or its side.
+
+    Left is that of somebody who looks to the front.
+
+    Args:
+        scene: the room.
+        found: what forms the rows; everything that does where the phrase names no kind.
+        noun: says which row, and which of it by a side.
+        member: which of the row, -1 for the last; 0 where nothing is said.
 
     Raises:
         InputError: the things form no such row, or it is not said which.
     """
-    rows = rows_of(scene, found)
+    rows = rows_of(scene, found) if found else rows_of_all(scene)
     if len(rows) < 2:
-        raise InputError(f"'{noun.text}': {', '.join(p.id for p in found)} do not stand in rows")
+        names = f"{', '.join(p.id for p in found)} do" if found else "the things of the room do"
+        raise InputError(f"'{noun.text}': {names} not stand in rows")
     if not noun.ordinal:
         raise InputError(f"'{noun.text}': there are {len(rows)} rows; say which, such as 'the first row of'")
     number = noun.ordinal - 1 if noun.ordinal > 0 else len(rows) - 1
     if number >= len(rows):
         raise InputError(f"'{noun.text}': there are only {len(rows)} rows")
-    return rows[number]
+    several = max(noun.count or 1, noun.rows)
+    if several > 1 and not member and not noun.side:
+        first = number if noun.ordinal > 0 else max(0, len(rows) - several)
+        return [placement for row in rows[first : first + several] for placement in row]
+    row = rows[number]
+    if not member and not noun.side:
+        return row
+    at = {"left": 0, "right": len(row) - 1, "middle": (len(row) - 1) // 2}.get(
+        noun.side, -1 if member < 0 else member - 1
+    )
+    if at >= len(row) or (noun.side == "middle" and len(row) % 2 == 0):
+        says = "none is in the middle" if noun.side == "middle" else "it has no such place"
+        raise InputError(f"'{noun.text}': that row holds {', '.join(p.id for p in row)}; {says}")
+    return [row[at]]

@@ -9,6 +9,7 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.rearranging import vacate
+from thinkblox.editing.scattering import scatter
 from thinkblox.editing.spots import Pose, by_gap
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import PASSAGE, between
@@ -26,14 +27,20 @@ def space(work: Work, finder: Finder, order: Order) -> None:
     Raises:
         InputError: it does not name two things, or a thing and a part of the room.
     """
+    if several := _several(finder, order):
+        scatter(work, several, by=None, slight=order.slight)
+        finder.recent = list(several)
+        return
     one, other = _two(finder, order)
     if not order.lengths and not order.change:
         zone = between(work.scene, one, other)
         if zone.takers(work.scene):
             vacate(work, [zone])
+            if one in work.before and other in work.before and _gap(work, one, other) >= PASSAGE:
+                return
     if one not in work.scene:
         one, other = other, one
-    gap = Nearing((other,), nearer=False).of(work.scene, one)
+    gap = _gap(work, one, other)
     goals = [_goal(order, gap, other)]
     finder.recent = [id for id in (one, other) if id in work.scene]
     holds, says = goals[0].check(work.before, work.scene, one)
@@ -50,6 +57,19 @@ def space(work: Work, finder: Finder, order: Order) -> None:
             return
     why = failed.why if failed is not None else f"{one} and {other} are to stay where they are"
     work.failed.append(f"{one} and {other} were left where they are, {gap:.2f} m apart: {why}")
+
+
+def _several(finder: Finder, order: Order) -> tuple[str, ...]:
+    """The things that are to be further apart, where they are more than two: "more space between the tables"."""
+    where = order.places[0]
+    if where.second is not None or where.noun is None or order.lengths or order.change.removesuffix("=") in _LESS:
+        return ()
+    found = finder.ids(NounPhrase(where.noun)) if where.noun.kind == "thing" and where.noun.many else ()
+    return found if len(found) > 2 else ()
+
+
+def _gap(work: Work, one: str, other: str) -> float:
+    return Nearing((other,), nearer=False).of(work.scene, one)
 
 
 def _goal(order: Order, gap: float, other: str) -> Apart:

@@ -2,14 +2,17 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
+from shapely import Polygon
 from shapely.ops import nearest_points
 
-from thinkblox.editing.goals import Goal, Related
+from thinkblox.editing.goals import BEFORE_SEAT, Abreast, Goal, Laid, OnWall, Related
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
+from thinkblox.scene.nearby import BACK_GAP, EYE
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth
 from thinkblox.scene.relations import measure
@@ -59,6 +62,19 @@ def likely(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
 
 def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     name = goal.anchors[0]
+    if isinstance(goal, Laid) and goal.seat in scene:
+        yield from _before_seat(scene, asset, scene[name], scene[goal.seat])
+        return
+    if isinstance(goal, Abreast) and name in scene:
+        yield from _beside(asset, scene[name], "left_of")
+        yield from _beside(asset, scene[name], "right_of")
+        return
+    if isinstance(goal, OnWall) and asset.mount == "wall":
+        yield from _hanging(scene, asset, goal)
+        return
+    if goal.kind == "above" and asset.mount == "ceiling" and name in scene:
+        yield (*scene[name].position[:2], scene.room.height - asset.size[2]), scene[name].yaw
+        return
     if name not in scene:
         yield from _at_part(scene, asset, goal) if asset.mount == "floor" else ()
     elif goal.kind in ("on", "in_centre") and asset.mount == "surface":
@@ -78,6 +94,26 @@ def _at_part(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     elif goal.kind in ("left_of", "right_of"):
         for opening in (o for o in scene.room.openings if goal.anchors[0] in (o.id, o.kind)):
             yield from _beside_opening(scene, asset, opening, goal.kind)
+
+
+def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
+    """At eye height on the walls that are named, the middle of each first."""
+    height = round(max(0.0, min(EYE - asset.size[2] / 2, scene.room.height - asset.size[2])), 4)
+    for wall in (wall for name in goal.anchors for wall in walls(scene.room, name)):
+        reach = wall.length / 2 - asset.size[1] / 2
+        for off in sorted(np.arange(-reach, reach + 1e-6, 2 * STEP), key=abs):
+            x, y = wall.point(wall.length / 2 + float(off), BACK_GAP + asset.size[0] / 2)
+            yield (round(x, 4), round(y, 4), height), wall.yaw
+
+
+def _before_seat(scene: Scene, asset: Asset, table: Placement, seat: Placement) -> Iterator[Pose]:
+    """On the highest top of a table, from its edge before a seat inwards, turned to who sits there."""
+    tops = [s.position[2] for s in scene.asset_of(table).surfaces if not s.inner]
+    for ahead in np.arange(0.2, BEFORE_SEAT, STEP):
+        for left in (0.0, 0.1, -0.1, 0.2, -0.2):
+            x, y = seat.to_room((float(ahead), left))
+            height = round(table.position[2] + max(tops, default=table.size[2]), 4)
+            yield (round(x, 4), round(y, 4), height), round((seat.yaw + 180.0) % 360.0, 3) % 360.0
 
 
 def _on_top(scene: Scene, asset: Asset, thing: Placement) -> Iterator[Pose]:
@@ -115,6 +151,41 @@ def _at_wall(asset: Asset, wall: Wall) -> Iterator[Pose]:
 def at_wall(scene: Scene, id: str) -> bool:
     """Whether something stands with its back to a wall."""
     return scene[id].support == "floor" and measure(scene, "against_wall", id, ("wall",)).holds
+
+
+def middle_off(scene: Scene, id: str, kind: str, anchors: Sequence[str]) -> float:
+    """How far a thing is from the middle of the room, or of the way between two things [m]; else 0."""
+    middle = _middle(scene, kind, anchors)
+    return math.dist(scene[id].position[:2], middle) if middle is not None else 0.0
+
+
+def _middle(scene: Scene, kind: str, anchors: Sequence[str]) -> Vec2 | None:
+    if kind == "in_centre" and anchors == ("centre",):
+        x, y = scene.room.polygon.centroid.coords[0]
+        return (x, y)
+    if kind != "between" or len(anchors) != 2:
+        return None
+    one, other = (next(iter(things(scene, name)), None) for name in anchors)
+    if one is None or other is None:
+        return None
+    a, b = nearest_points(one.footprint, other.footprint)
+    return ((a.x + b.x) / 2, (a.y + b.y) / 2)
+
+
+def between(scene: Scene, asset: Asset, anchors: Sequence[str], yaw: float) -> Iterator[Pose]:
+    """Poses between two things that look free from above, the nearest to the middle of the way there first."""
+    middle = _middle(scene, "between", anchors)
+    if middle is None:
+        return
+    steps = np.arange(-1.0, 1.001, 2 * STEP)
+    offsets = sorted(((float(x), float(y)) for x in steps for y in steps), key=lambda o: math.hypot(*o))
+    turns = (0.0,) if asset.front == "any" else (0.0, 90.0, 180.0, 270.0)
+    poses: list[Pose] = [
+        ((round(middle[0] + dx, 4), round(middle[1] + dy, 4), 0.0), round((yaw + turn) % 360.0, 3) % 360.0)
+        for dx, dy in offsets
+        for turn in turns
+    ]
+    yield from _free(scene, asset, poses)
 
 
 def along_walls(scene: Scene, asset: Asset, spot: Vec2, reach: float) -> Iterator[Pose]:
@@ -251,9 +322,28 @@ def _nearest_way(mark: Landmark, anchor: Landmark) -> Vec2:
     one, other = nearest_points(mark.footprint, place_of(anchor))
     dx, dy = other.x - one.x, other.y - one.y
     if math.hypot(dx, dy) < 1e-6:
-        dx, dy = anchor.centre[0] - mark.centre[0], anchor.centre[1] - mark.centre[1]
+        return _way_in(mark, anchor)
     length = math.hypot(dx, dy) or 1.0
     return (dx / length, dy / length)
+
+
+def _way_in(mark: Landmark, anchor: Landmark) -> Vec2:
+    """Unit vector into a thing that another touches or overlaps, across the side at which that is."""
+    box = place_of(anchor).minimum_rotated_rectangle
+    outline = box.exterior if isinstance(box, Polygon) else box
+    corners = [(float(x), float(y)) for x, y in outline.coords]
+    best, depth = (1.0, 0.0), -math.inf
+    for (ax, ay), (bx, by) in pairwise(corners):
+        length = math.hypot(bx - ax, by - ay)
+        if length < 1e-6:
+            continue
+        for sign in (1.0, -1.0):
+            out = (sign * (by - ay) / length, -sign * (bx - ax) / length)
+            reach = max(x * out[0] + y * out[1] for x, y in corners)
+            beyond = mark.centre[0] * out[0] + mark.centre[1] * out[1] - reach
+            if beyond > depth:
+                best, depth = (-out[0], -out[1]), beyond
+    return best
 
 
 def shifted(placement: Placement, by: Vec3) -> Vec3:

@@ -1,5 +1,6 @@
 """Orders that let things change places: two things, or two groups of them."""
 
+import dataclasses
 import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
@@ -9,7 +10,7 @@ from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Within
-from thinkblox.editing.orders import Order
+from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.spots import Pose, along_walls, at_wall
 from thinkblox.editing.wheres import named
@@ -37,9 +38,21 @@ GROUPED = 0.6
 """How far from the middle of a group's places what comes there may stand, besides the reach of both groups [m]."""
 
 
+def _on_each(finder: Finder, order: Order) -> list[tuple[str, ...]]:
+    """Read "the lamps on desk_1 and desk_2" as that on the one and that on the other; empty where it is not that."""
+    things = [p for p in order.things if p.noun.kind == "thing"]
+    if len(things) != 2 or order.split or not things[0].noun.many or len(things[0].places) != 1 or things[1].places:
+        return []
+    where, one = things[0].places[0], dataclasses.replace(things[0].noun, plural=False, det="the")
+    if where.noun is None or where.noun.kind != "thing" or where.noun.value != things[1].noun.value:
+        return []
+    second = dataclasses.replace(where, noun=dataclasses.replace(things[1].noun, id=things[1].id or things[1].noun.id))
+    return [named(finder, NounPhrase(one), [place]) for place in (where, second)]
+
+
 def swap(work: Work, finder: Finder, order: Order) -> None:
     """Let two things change places."""
-    groups = [named(finder, phrase, phrase.places) for phrase in order.things]
+    groups = _on_each(finder, order) or [named(finder, phrase, phrase.places) for phrase in order.things]
     ids = list(dict.fromkeys(id for group in groups for id in group))
     if len(work.touched(ids)) < len(ids) and ids:
         return

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from thinkblox.editing.acting import findings, looking, reach_goals, related, say
+from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
 from thinkblox.editing.company import with_company
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, Goal, Related, Turned
+from thinkblox.editing.goals import At, BackTo, Goal, Related, Turned
 from thinkblox.editing.orders import Order
 from thinkblox.editing.spots import Pose
 from thinkblox.editing.wheres import bound, named, spare
@@ -36,7 +36,8 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
             placement = work.scene[id]
             finder.scene, finder.about = work.scene, id
             looks = [looking(finder, noun) for noun in order.facing]
-            looks += [related(bound(w, placement.category, finder), placement.category) for w in places]
+            looks += [backing(finder, noun) for noun in order.backs]
+            looks += [_look(finder, w, placement.category) for w in places]
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
             if looks:
@@ -46,6 +47,13 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _look(finder: Finder, where: Where, category: str) -> Goal:
+    """What a place says of what a thing is to face."""
+    if where.word == "facing" and where.noun is not None and where.noun.kind == "place" and not where.negated:
+        return looking(finder, where.noun)
+    return related(bound(where, category, finder), category)
 
 
 def face_each_other(work: Work, finder: Finder, order: Order) -> None:
@@ -104,6 +112,7 @@ def _turn_to(work: Work, id: str, goals: Sequence[Goal]) -> None:
     before = work.scene[id]
     if all(goal.check(work.before, work.scene, id)[0] for goal in goals):
         work.done.append(f"{id} stays: it is so already ({'; '.join(findings(work, goals, id))})")
+        work.wish(id, goals)
         return
     there = At(before.position[:2], TURNED + abs(before.size[0] - before.size[1]) / 2)
     failed = reach_goals(work, id, [*goals, there], direct=turns(work.scene, before, goals))
@@ -122,7 +131,8 @@ def turns(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Po
     """The place as it is with every yaw that may do: square to the walls first, then straight at what it faces."""
     square = sorted((wall.yaw for wall in scene.room.walls), key=lambda yaw: turn_between(yaw, before.yaw))
     away = 180.0 if scene.asset_of(before).gaze == "back" else 0.0
-    names = [n for goal in goals for n in (goal.anchors if isinstance(goal, Related) else ("centre",))]
+    away += 180.0 if any(isinstance(goal, BackTo) for goal in goals) else 0.0
+    names = [n for goal in goals for n in (goal.anchors if isinstance(goal, Related | BackTo) else ("centre",))]
     marks = [mark for name in names for mark in things(scene, name)]
     straight = [round((bearing(before.position[:2], mark.centre) + away) % 360.0, 1) % 360.0 for mark in marks]
     for yaw in dict.fromkeys([*square, *straight]):

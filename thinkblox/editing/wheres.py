@@ -6,10 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, cast, get_args
 
+from shapely import Point
+
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import PartOfTop
+from thinkblox.editing.grammar import rank_of
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -35,6 +38,10 @@ _COMPASS = {"north_wall": (0.0, 1.0), "south_wall": (0.0, -1.0), "east_wall": (1
 _TWO_SIDED = ("side", "end", "long_side", "short_side", "head")
 _OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_of", "inside", "in", "above")
 """Prepositions after which a plural means each of them."""
+SAME_LENGTH = 0.01
+"""How much two walls of the same length may differ [m]."""
+EMPTY, OVER_HEAD = 0.8, 1.9
+"""How far from an empty corner the nearest thing is at least, and from which height on nothing counts [m]."""
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
 
 
@@ -46,6 +53,9 @@ class Bound:
         of_room: it is turned into the room ("facing the room").
         part: on which part of the top of its anchor; empty where any will do.
         side: at which side of its anchor a seat is drawn up to it.
+        middle: at the middle of the walls that it stands against.
+        seat: before which seat of a table it lies.
+        upon: the thing that its anchor rests on, and it too, being small.
     """
 
     kind: RelationKind
@@ -54,6 +64,9 @@ class Bound:
     of_room: bool = False
     part: PartOfTop | Literal[""] = ""
     side: RelationKind | None = None
+    middle: bool = False
+    seat: str = ""
+    upon: str = ""
 
     def holds(self, scene: Scene, id: str) -> bool:
         """Whether an object has the relation, or has it not where it is negated."""
@@ -69,7 +82,17 @@ def bound(where: Where, category: str, finder: Finder, *, picks: Sequence[Picks]
     found = _bound(where, category, finder, picks)
     if found is None or found.kind not in _KINDS:
         raise InputError(f"'{_text(where)}' is no place that a thing can be put")
-    return found
+    return _upon(found, category, finder)
+
+
+def _upon(found: Bound, category: str, finder: Finder) -> Bound:
+    """A place beside what rests on a thing, for something small: it rests on the same thing."""
+    beside = found.kind in ("left_of", "right_of", "in_front_of", "behind", "next_to") and not found.negated
+    if not beside or not facts_of(category).is_in("small") or len(found.anchors) != 1:
+        return found
+    if found.anchors[0] not in finder.scene or finder.scene[found.anchors[0]].support not in finder.scene:
+        return found
+    return dataclasses.replace(found, upon=finder.scene[found.anchors[0]].support)
 
 
 def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
@@ -90,9 +113,33 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     return settled
 
 
+def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
+    """Where the thing stood before the instruction that a place names by it: "where the wardrobe was".
+
+    Raises:
+        InputError: it is not there, could be several, or stands there still, as does the thing itself.
+    """
+    noun, now = where.noun, finder.scene
+    old = dataclasses.replace(finder, scene=start)
+    ids = old.ids(NounPhrase(noun, id=noun.id)) if noun is not None else ()
+    says = f"where {noun.text if noun is not None else 'it'} is"
+    if len(ids) != 1:
+        raise InputError(f"'{says}' could be the place of {', '.join(ids)}; say of which")
+    if ids[0] in now and now[ids[0]] == start[ids[0]] and ids[0] != id:
+        raise InputError(
+            f"'{says}': {ids[0]} stands there still; say where that goes first, or let the two swap places"
+        )
+    return start[ids[0]]
+
+
 def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     """The places that a phrase names, one for each where it speaks of each: "in every corner", "on both sides of"."""
     noun = where.noun
+    whole = where.whole
+    if noun is not None and noun.kind == "part" and whole is not None and whole.each and whole.kind == "thing":
+        ids = finder.ids(NounPhrase(whole, id=whole.id))
+        each = [dataclasses.replace(where, whole=dataclasses.replace(whole, det="the", id=id)) for id in ids]
+        return [slot for one in each for slot in slots_of(one, category, finder)]
     if noun is None or where.negated or not _speaks_of_each(where, noun):
         return [bound(where, category, finder)]
     scene = finder.scene
@@ -103,13 +150,44 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
         names = {"corner": "corner", "window": "window", "door": "door"}.get(name, name)
         marks = [mark.name for mark in things(scene, names)]
-        if noun.count and noun.count != len(marks):
+        if noun.count and noun.count != len(marks) and name != "corner":
             raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
         if name == "corner":
-            return [Bound("in_corner", tuple(m.removeprefix("corner of ").split(" and "))) for m in marks]
+            return [Bound("in_corner", walls) for walls in _each_corner(finder, where, noun)]
         return [dataclasses.replace(one, anchors=(mark,)) for mark in marks]
     found = _thing(where, noun, category, finder, ())
-    return [dataclasses.replace(found, anchors=(anchor,)) for anchor in found.anchors]
+    singles = [dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", id=id)) for id in found.anchors]
+    if found.kind in ("in_front_of", "at") and facts_of(category).is_in("small"):
+        each = (_thing(w, w.noun, category, finder, ()) for w in singles if w.noun is not None)
+        return [_upon(one, category, finder) for one in each]
+    return [_upon(dataclasses.replace(found, anchors=(anchor,)), category, finder) for anchor in found.anchors]
+
+
+def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ...]]:
+    """The walls of every corner that is meant: of all, of those at a door's or window's wall, of those that are empty.
+
+    Raises:
+        InputError: there are not so many, or what is said of them is not known.
+    """
+    scene, found = (
+        finder.scene,
+        [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
+    )
+    spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
+    if where.whole is not None:
+        openings = [o for o in scene.room.openings if o.kind == where.whole.value]
+        found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
+    if noun.states == ["empty"]:
+        taken = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < OVER_HEAD]
+        away = {
+            walls: min((p.footprint.distance(Point(spots[walls])) for p in taken), default=EMPTY) for walls in found
+        }
+        found = [walls for walls in found if away[walls] >= EMPTY]
+    elif noun.states or noun.unshown or noun.degree:
+        raise InputError(f"'{noun.text}': which corners those are is not known; say 'the corner by the window'")
+    if not found or (noun.count and noun.count != len(found)):
+        raise InputError(f"'{_text(where)}': the room has {len(found)} of them")
+    return found
 
 
 def _speaks_of_each(where: Where, noun: Noun) -> bool:
@@ -167,20 +245,38 @@ def _bound(where: Where, category: str, finder: Finder, picks: Sequence[Picks]) 
 def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | None:
     """To the left of the sofa, at the foot of the bed, in the middle of the table or of the room."""
     whole = where.whole or (Noun("thing", noun.owner, 0, 0, noun.owner) if noun.owner else None)
+    if whole is None and noun.det == "my" and noun.text.lower().split()[:1] == ["its"]:
+        whole = Noun("pronoun", "it", 0, 0, "it")
     if whole is None or whole.kind in ("room", "place", "abstract"):
         if whole is not None and whole.kind == "place" and whole.value in _OPENINGS and noun.value in ("left", "right"):
             return Bound(cast(RelationKind, f"{noun.value}_of"), (whole.value,), where.negated)
+        if noun.value == "middle" and whole is not None and whole.kind == "place":
+            return _middle_of(where, whole, finder)
         if noun.value == "middle":
             return Bound("in_centre", ("centre",), where.negated)
         side = _SIDES.get(noun.value)
         return Bound("against_wall", (_walls_of(finder.scene, side),), where.negated) if side else None
-    anchors = finder.ids(NounPhrase(whole), picks=(usual_anchor(category),))
+    anchors = finder.ids(NounPhrase(whole, id=whole.id), picks=(usual_anchor(category),))
+    if noun.value == "side" and noun.count == 1 and where.word != "from":
+        raise InputError(f"'{_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
     if noun.value == "side" and noun.det == "other":
         return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
+
+
+def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
+    """The middle of a wall, or before the middle of a window or door.
+
+    Raises:
+        InputError: it is none of them.
+    """
+    found = _place(Where("against", whole, text="against"), whole, finder) if "wall" in whole.value else None
+    if found is None or where.negated:
+        raise InputError(f"'{_text(where)}' is no place that a thing can be put")
+    return dataclasses.replace(found, middle=True)
 
 
 def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
@@ -211,6 +307,12 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     name, *walls = noun.value.split()
+    if (noun.states or noun.unshown) and not where.negated:
+        raise InputError(
+            f"'{_text(where)}': which that is is not known; name the wall, the corner or what is beside it"
+        )
+    if where.word == "between" and where.second is not None:
+        return _between_places(where, name, where.second, finder)
     if name == "centre":
         whole = where.whole
         anchors = finder.ids(NounPhrase(whole)) if whole is not None and whole.kind in ("thing", "pronoun") else (name,)
@@ -230,6 +332,19 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
         return None
     anchors = tuple(_walls_of(finder.scene, str(anchor)) for anchor in meaning.anchors)
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
+
+
+def _between_places(where: Where, name: str, second: Noun, finder: Finder) -> Bound:
+    """Between a part of the room and another, or a thing.
+
+    Raises:
+        InputError: the room has none of that.
+    """
+    other = (second.value.split()[0],) if second.kind == "place" else finder.ids(NounPhrase(second, id=second.id))
+    for place in (name, *other):
+        if not things(finder.scene, place):
+            raise InputError(f"the room has no {place.replace('_', ' ')}")
+    return Bound("between", (name, *other), where.negated)
 
 
 def _side_by_compass(where: Where, whole: Noun, name: str, finder: Finder) -> Bound:
@@ -254,10 +369,25 @@ def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None
     meaning = wall(where.word, noun, name, 0, each=noun.each)
     if meaning is None:
         return None
+    if noun.degree:
+        meaning = dataclasses.replace(meaning, anchors=_walls_by_length(finder.scene, noun))
     if meaning.anchors == ("opposite_wall",) or where.second or _is_beside(where, name):
         meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
     stands = noun.word == "side" or _stands(finder)
     return dataclasses.replace(meaning, kind="against_wall") if meaning.kind == "on" and stands else meaning
+
+
+def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:
+    """The longest or the shortest walls.
+
+    Raises:
+        InputError: they are compared by something else.
+    """
+    rank, along = rank_of(noun.degree)
+    if not rank or along == "height" or noun.value != "wall":
+        raise InputError(f"'{noun.text}': which wall that is is not known; say 'the north wall'")
+    most = max(rank * wall.length for wall in scene.room.walls)
+    return tuple(wall.name for wall in scene.room.walls if abs(rank * wall.length - most) < SAME_LENGTH)
 
 
 def _stands(finder: Finder) -> bool:
@@ -274,6 +404,7 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     """The walls of "the corner by the window", "the corner opposite the door", "the other corner"."""
     other = noun.det == "other" or "opposite" in noun.text.lower().split()
     mark = where.whole or where.second
+    mark = None if mark is not None and mark.kind == "room" else mark
     if not other and (mark is None or mark.kind not in ("place", "thing")):
         return None
     found = list(corners(finder.scene.room, noun.value.split()[1:]))
@@ -290,7 +421,9 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     elif other and len(found) > 1 and "opposite" in noun.text.lower().split():
         found.sort(key=lambda c: -math.dist(c.centre, here.position[:2]))
     elif len(found) > 1:
-        return tuple(dict.fromkeys(n for c in found[:1] for n in c.name.removeprefix("corner of ").split(" and ")))
+        others = [p for p in finder.scene.placements if p.id != finder.about and finder.scene.asset_of(p).collides]
+        room = {c.name: min((p.footprint.distance(c.footprint) for p in others), default=EMPTY) for c in found}
+        found.sort(key=lambda c: (-min(round(room[c.name], 1), EMPTY), math.dist(c.centre, here.position[:2])))
     if not found:
         raise InputError(f"the room has no such corner: '{_text(where)}'")
     return tuple(found[0].name.removeprefix("corner of ").split(" and "))
@@ -316,6 +449,9 @@ def _opposite_wall(finder: Finder, where: Where) -> str:
         if not marks:
             raise InputError(f"the room has no {name.replace('_', ' ')}")
         spot = marks[0].centre
+        if where.second is not None and name in scene and scene.asset_of(scene[name]).front == "one":
+            x, y = scene[name].front
+            return max(scene.room.walls, key=lambda w: (round(-w.inward[0] * x - w.inward[1] * y, 3), w.length)).name
     else:
         spot = _here(finder, _text(where)).position[:2]
     walls = scene.room.walls
@@ -387,7 +523,19 @@ def _thing(where: Where, noun: Noun, category: str, finder: Finder, picks: Seque
         second = where.second
         more = (second.value,) if second.kind == "place" else finder.ids(NounPhrase(second))
         anchors = (*anchors, *more)
-    return Bound(_fitting(kind, where, category, anchors[0], finder), anchors)
+    kind = _fitting(kind, where, category, anchors[0], finder)
+    if kind in ("in_front_of", "at") and facts_of(category).is_in("small") and len(anchors) == 1:
+        table = _table_of(finder.scene, anchors[0])
+        return Bound("on", (table,), seat=anchors[0]) if table else Bound(kind, anchors)
+    return Bound(kind, anchors)
+
+
+def _table_of(scene: Scene, seat: str) -> str:
+    """The table that a seat is drawn up to; empty where it is none, or at none."""
+    if not facts_of(scene[seat].category).is_in("seating"):
+        return ""
+    tables = [p.id for p in scene.placements if facts_of(p.category).is_in("tables", "desks", "counters")]
+    return next((table for table in tables if measure(scene, "at", seat, (table,)).holds), "")
 
 
 def _own(finder: Finder, noun: Noun) -> str:
@@ -429,6 +577,7 @@ BELONGING = 0.8
 """How far from a thing what belongs to it stands at most [m]."""
 _NEAREST = ("nearest", "closest")
 _FARTHEST = ("farthest", "furthest")
+_SUPERLATIVES = tuple([word] for word in (*_NEAREST, *_FARTHEST))
 NEARNESS = (
     "next_to",
     "near",
@@ -482,6 +631,16 @@ def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
         raise finder.nothing(noun.text)
     if not owners:
         raise InputError(f"'{noun.text}': nothing was named before whose they are; name them by place or id")
+    return _at_owners(finder, noun, owners, found)
+
+
+def _at_owners(finder: Finder, noun: Noun, owners: Sequence[str], found: Sequence[Placement]) -> tuple[str, ...]:
+    """What rests on some things, is drawn up to them or stands by them.
+
+    Raises:
+        InputError: nothing of it does.
+    """
+    found = [p for p in found if p.id not in owners]
     marks = {id: things(finder.scene, id)[0] for id in owners}
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks.values()) for p in found}
     seated = {p.id: any(measure(finder.scene, "at", p.id, (id,)).holds for id in owners) for p in found}
@@ -496,7 +655,7 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
     """Objects without those that are excepted: "except two" is the first two of them, "the one" one of `of`."""
     for phrase in spared:
         one = phrase.noun.kind == "pronoun" and phrase.noun.value == "one"
-        if (one or phrase.noun.kind == "number") and not phrase.places:
+        if (one or phrase.noun.kind == "number") and not phrase.places and not phrase.noun.rows:
             ids = ids[1 if one else phrase.noun.count or 0 :]
         else:
             if phrase.noun.kind == "number" and of is not None:
@@ -510,10 +669,17 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
-    found = finder.matching(phrase.noun)
+    said = anchored(finder, said) if len(said) > 1 else said
+    by_distance = any(where.text.lower().split()[:1] in (*_SUPERLATIVES,) for where in said)
+    found = finder.matching(phrase.noun, wide=by_distance)
     if not found:
         raise finder.nothing(phrase.noun.text)
     for where in said:
+        if where.word == "of" and where.noun is not None and where.noun.kind in ("thing", "pronoun"):
+            found = [
+                finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(where.noun)), found)
+            ]
+            continue
         superlative = where.text.lower().split()[:1]
         if superlative and superlative[0] in (*_NEAREST, *_FARTHEST):
             found = _by_distance(finder, phrase, where, found, far=superlative[0] in _FARTHEST)
@@ -525,7 +691,7 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
             held = [p for p in found if there.holds(finder.scene, p.id)]
             there = dataclasses.replace(there, kind="near")
         if there.kind in NEARNESS and not there.negated and len(held) < (phrase.noun.count or 1):
-            held = _nearest(finder.scene, found, there.anchors, phrase.noun.count or 1)
+            held = _nearly(finder.scene, phrase.noun, found, there)
         if not held:
             says = ", ".join(finder.described(p) for p in found)
             raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
@@ -547,6 +713,30 @@ def _by_distance(
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks) for p in found}
     ordered = sorted((p for p in found if p.id not in names), key=lambda p: -away[p.id] if far else away[p.id])
     return ordered[: 2 if phrase.noun.det == "both" else phrase.noun.count or 1]
+
+
+def _nearly(scene: Scene, noun: Noun, found: Sequence[Placement], there: Bound) -> list[Placement]:
+    """Those that are nearly where they are said to be: on that side of a thing, or not far from it."""
+    if there.kind in _SIDE_OF and len(there.anchors) == 1 and there.anchors[0] in scene:
+        found = [p for p in found if _is_on_side(scene[there.anchors[0]], p, there.kind)]
+    several = noun.many and not noun.count
+    near = _nearest(scene, found, there.anchors, len(found) if several else noun.count or 1)
+    if not several:
+        return near
+    marks = [mark for name in there.anchors for mark in things(scene, name)]
+    return [p for p in near if min(ground_gap(things(scene, p.id)[0], mark) for mark in marks) <= CLOSE / 2]
+
+
+_SIDE_OF = {"in_front_of": (1, 0), "behind": (-1, 0), "left_of": (0, 1), "right_of": (0, -1)}
+
+
+def _is_on_side(thing: Placement, placement: Placement, kind: str) -> bool:
+    """Whether something is further out on one side of a thing than on another, by that thing's outline."""
+    ahead, left = (
+        at / max(side, 1e-6) for at, side in zip(thing.to_local(placement.position[:2]), thing.size[:2], strict=True)
+    )
+    x, y = _SIDE_OF[kind]
+    return ahead * x + left * y > 0.0 and (abs(ahead) >= abs(left)) == bool(x)
 
 
 def _nearest(scene: Scene, found: Sequence[Placement], anchors: Sequence[str], count: int) -> list[Placement]:

@@ -1,6 +1,6 @@
 """The state of a room while it is edited, and what a policy is told of what is to be done."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -8,6 +8,7 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource
 from thinkblox.brief import Brief
+from thinkblox.editing.goals import Goal, overruled
 from thinkblox.episode import Round
 from thinkblox.observe import Kind
 from thinkblox.placing import Effort
@@ -19,6 +20,23 @@ from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict.world import World
 
 _PLAIN_ID = "abcdefghijklmnopqrstuvwxyz0123456789_"
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What an order asks of one object, which is held against the finished room.
+
+    Attributes:
+        order: which order of the instruction, from 0.
+        text: the order as it was written.
+        before: the room before it.
+    """
+
+    order: int
+    text: str
+    id: str
+    goal: Goal
+    before: Scene
 
 
 @dataclass
@@ -37,6 +55,8 @@ class Work:
         notes: what else there is to say.
         freed: Places that are kept free.
         kept: ids that must not be touched.
+        wishes: what was asked of each object and done.
+        order: number and text of the order that is being done.
     """
 
     world: World
@@ -54,6 +74,8 @@ class Work:
     notes: list[str] = field(default_factory=list)
     freed: tuple[str, ...] = ()
     kept: frozenset[str] = frozenset()
+    wishes: list[Wish] = field(default_factory=list)
+    order: tuple[int, str] = (0, "")
 
     def __post_init__(self) -> None:
         self.start = self.before = self.world.scene
@@ -75,14 +97,41 @@ class Work:
             self.failed.append(f"{', '.join(ids)} was not touched: it is to stay as it is")
         return left
 
-    def saved(self) -> tuple[World, int]:
+    def saved(self) -> tuple[World, int, int]:
         """What `restore` needs to take back what was done since."""
-        return self.world, len(self.done)
+        return self.world, len(self.done), len(self.wishes)
 
-    def restore(self, saved: tuple[World, int]) -> None:
+    def restore(self, saved: tuple[World, int, int]) -> None:
         """Take back what was done since; what was tried stays noted."""
         self.world = saved[0]
-        del self.done[saved[1] :]
+        del self.done[saved[1] :], self.wishes[saved[2] :]
+
+    def wish(self, id: str, goals: Iterable[Goal]) -> None:
+        """Note what was asked of an object and is so now."""
+        number, text = self.order
+        self.wishes += [Wish(number, text, id, goal, self.before) for goal in goals]
+
+    def standing(self, id: str, goals: Sequence[Goal]) -> list[Goal]:
+        """What earlier orders asked of an object and new goals do not ask otherwise."""
+        return [
+            wish.goal
+            for wish in self.wishes
+            if wish.id == id
+            and wish.order < self.order[0]
+            and wish.goal not in goals
+            and not overruled(wish.goal, goals)
+        ]
+
+    def unkept(self) -> Iterator[str]:
+        """What was asked and done and is not so any more, by what came after it in the same instruction."""
+        for wish in self.wishes:
+            later = [w.goal for w in self.wishes if w.id == wish.id and w.order > wish.order]
+            anchors = getattr(wish.goal, "anchors", ())
+            there = wish.id in self.scene and not any(is_object(a) and a not in self.scene for a in anchors)
+            if there and not overruled(wish.goal, later):
+                held, says = wish.goal.check(wish.before, self.scene, wish.id)
+                if not held:
+                    yield f"'{wish.text}' is not so any more after what was done then: {says}"
 
     def plan(self, target: Target) -> Plan:
         """What is there and what is to be placed, as a policy is told it."""

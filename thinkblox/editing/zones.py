@@ -84,7 +84,9 @@ class Area:
         """What takes any of it."""
         solid = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < HEAD_HEIGHT]
         found = [p.id for p in solid if p.footprint.intersection(self.outline).area > TAKEN]
-        mine = {*self.besides, *(rider.id for id in self.besides for rider in scene.riders(id))}
+        there = [id for id in self.besides if id in scene]
+        mine = {*there, *(rider.id for id in there for rider in scene.riders(id))}
+        mine |= {carrier for id in there for carrier in scene.carriers(id)}
         return [id for id in _roots(scene, found) if id not in mine]
 
     def measure(self, scene: Scene) -> tuple[bool, str]:

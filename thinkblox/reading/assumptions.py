@@ -205,9 +205,9 @@ def _place(anchors: str, made: Mapping[str, Mention]) -> str:
 
 
 def _serves(noun: str, usual: Usual) -> bool:
-    """Whether a <noun> will do instead of what is expected: not an island for the cabinets along a wall."""
+    """Whether a <noun> will do instead of what is expected: no island and no bar for the cabinets along a wall."""
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
-    amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around")
+    amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
 
 

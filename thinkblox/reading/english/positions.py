@@ -285,6 +285,7 @@ class Positions(Subjects):
                 self._lose(where.start, noun.end)
             elif where.word == "in" and not self.draft.room:
                 self._room(noun)
+                self._go_on_with_room()
             return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
             self._spend(noun)

@@ -44,6 +44,11 @@ class Rooms(Memberships):
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
 
+    def _go_on_with_room(self) -> None:
+        """Let the room have what is told next: "a piano in a living room with a sofa"."""
+        if self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with"):
+            self.frontier, self.subject, self.of_room = [], None, True
+
     def _several_spots(self, noun: Noun) -> None:
         """Read "four reading spots" as groups, of which each is told later; several rooms are not understood."""
         if noun.word in grammar().lists["groups"]:

@@ -1,0 +1,101 @@
+"""Orders that share one verb: "make the wardrobe white and the desk black", "20 cm to the left and 10 cm forward"."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from thinkblox.editing.clauses import Clause
+from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.reading.english.chunks import Noun
+
+_SHARING = ("move", "put", "make", "turn", "swap")
+_LINKS = (",", "and", "then", "but", "also")
+_TO = ("to", "into", "onto", "against", "over to")
+ReadClause = Callable[[Clause], Order]
+
+
+def each_order(clause: Clause, read: ReadClause) -> Iterator[Order]:
+    """The orders of a clause: more than one where parts of it say each what and how, or how each way.
+
+    Args:
+        clause: with one verb.
+        read: reads a clause as one order.
+    """
+    whole = read(clause)
+    if clause.doing not in _SHARING or whole.doing not in _SHARING:
+        yield whole
+        return
+    for end, begin in _joints(clause):
+        parts = [replace(clause, tokens=clause.tokens[:end]), replace(clause, tokens=clause.tokens[begin:])]
+        first, second = (read(part) for part in parts)
+        if len(first.lost) + len(second.lost) > len(whole.lost):
+            continue
+        if _is_step(first) and _is_step(second) and first.things and not second.things and not second.places:
+            second.things = [_again(first)]
+            yield from (first, second)
+            return
+        if (first.things or first.room) and _is_change(first) and _is_change(second) and not second.looks:
+            if second.things or second.room:
+                continue
+            second.things, second.room = [_again(first)] if first.things else [], first.room
+            yield from (first, second)
+            return
+        if _are_two(first, second):
+            yield first
+            yield from each_order(parts[1], read)
+            return
+    yield whole
+
+
+def _joints(clause: Clause) -> Iterator[tuple[int, int]]:
+    """Where one part ends, and where the next begins."""
+    tokens = clause.tokens
+    for end in range(1, len(tokens) - 1):
+        if tokens[end].text in _LINKS and tokens[end - 1].text not in _LINKS:
+            begin = end + 1
+            while begin < len(tokens) and tokens[begin].text in _LINKS:
+                begin += 1
+            if begin < len(tokens):
+                yield end, begin
+
+
+def _are_two(first: Order, second: Order) -> bool:
+    """Whether both parts say what they are about, and how that is to be."""
+    named = bool(first.things and second.things)
+    if not named or second.things[0].noun.kind not in ("thing", "pronoun", "number") or _is_of_before(second):
+        return False
+    if first.doing == "swap":
+        return first.split == second.split == 1 and len(first.things) == len(second.things) == 2
+    if _at_spot(first) and any(phrase.places for phrase in second.things):
+        return True
+    placed = any(where.text.lower() in _TO for phrase in second.things for where in phrase.places)
+    return _says_how(first) and (_says_how(second) or (placed and not first.closer))
+
+
+def _is_of_before(order: Order) -> bool:
+    noun = order.things[0].noun
+    return noun.kind == "number" and not noun.definite
+
+
+def _says_how(order: Order) -> bool:
+    looks = order.looks or (order.change and order.doing in ("make", "put")) or order.lengths
+    return bool(looks or order.direction or order.turn is not None or order.closer or order.apart or order.facing)
+
+
+def _at_spot(order: Order) -> bool:
+    return any(where.word == "spot" for phrase in order.things for where in phrase.places)
+
+
+def _is_change(order: Order) -> bool:
+    """Whether it says how the size of a thing or the room changes."""
+    return order.doing == "make" and bool(order.change) and not order.change.endswith("=")
+
+
+def _is_step(order: Order) -> bool:
+    """Whether it says by how much, or a bit, which way."""
+    return order.doing in ("move", "put") and bool(order.direction)
+
+
+def _again(order: Order) -> NounPhrase:
+    """What the part before was about."""
+    word = "them" if len(order.things) > 1 or order.things[0].noun.many else "it"
+    return NounPhrase(Noun("pronoun", word, 0, 0, word))
