@@ -15,6 +15,8 @@ _BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind")
 """Relations that say nothing of what something lies on."""
 _SHARED = ("on", "inside", "at")
 """Relations to one thing, so that fewer subjects than anchors leave open to which."""
+_SOFT = ("beds", "lounges", "seats")
+"""What nothing is built into."""
 _PLATFORMS = ("covers",)
 """What furniture can stand on."""
 _PLAIN_SIDES = 2
@@ -114,6 +116,8 @@ class Doubts(Corrections):
             return f"{thing.text} {bond.kind.replace('_', ' ')} {anchor.text} (on what?)"
         if bond.kind in ("on", "inside") and last_word(thing) in grammar().lists["sticking"]:
             return f"{thing.text} on {anchor.text} (stuck to it?)"
+        if bond.kind == "on" and self.habits.is_in(thing.noun, "built_in") and self.habits.is_in(anchor.noun, *_SOFT):
+            return f"{thing.text} {bond.kind} {anchor.text} (hardly)"
         if bond.told and bond.kind == "on" and self._stands(thing) and not self._is_floor(anchor):
             return f"{thing.text} {bond.kind} {anchor.text} (hardly)"
         return ""
@@ -122,7 +126,7 @@ class Doubts(Corrections):
         """What is said of a relation to one, or to several, that its kind or number does not allow."""
         thing, anchor = bond.subject, anchors[0]
         lone = len(anchors) == 1 and self.referents.total(anchor) == 1 and not anchor.per
-        if bond.each and lone and not anchor.many:
+        if bond.each and lone and not anchor.many and len(self.referents.clan(anchor)) < _PLAIN_SIDES:
             return f"each {anchor.text} (only one named)"
         if bond.kind == "around" and not (bond.each or self._is_floor(thing) or self._are_many(bond)):
             return f"{thing.text} around {anchor.text} (only one)"

@@ -345,9 +345,11 @@ def _is_cut_in_two(one: Chunk, other: Chunk) -> bool:
 
 def _is_side_of_either(place: SaidPosition) -> bool:
     """Whether a side may be the room's, and several that something has there: "a bar with six stools on the left"."""
-    side = place.to is not None and place.to.kind == "part" and place.to.value in ("left", "right")
-    told = place.whole is None and place.to is not None and place.to.det == "the"
-    return side and told and place.held and place.of[0].many
+    part = place.to if place.to is not None and place.to.kind == "part" and place.whole is None else None
+    if part is None or part.det != "the":
+        return False
+    loose = part.value == "side" and place.link.value in ("along", "at")
+    return loose or (part.value in ("left", "right") and place.held and place.of[0].many)
 
 
 def _is_at_wall(bonds: Sequence[Bond]) -> bool:
