@@ -1,5 +1,9 @@
 """Small things for tables and floors: books, papers, cushions, toys, trays and tools."""
 
+from itertools import pairwise
+
+import numpy as np
+
 from thinkblox.assets.palette import (
     BRASS,
     BRIGHT,
@@ -61,6 +65,23 @@ def book_stack(spec: Spec) -> Build:
             (k * z / count, (k + 1) * z / count),
         )
     return Build(body=body, surfaces=[top_surface("top", around(0, 0.7 * x), around(0, 0.7 * y), z)])
+
+
+def book_row(spec: Spec) -> Build:
+    """Return books that stand side by side, some a little lower or further back; they are one block to the touch."""
+    x, y, z = spec.size
+    count = max(3, round(y / 0.055))
+    thick = np.array([spec.between(0.035, 0.075) for _ in range(count)])
+    ends = -y / 2 + np.cumsum([0.0, *(thick * y / thick.sum())])
+    body = [box(PAPER, (-x / 2, x / 2 - 0.003), (-y / 2, y / 2), (0, 0.78 * z))]
+    for k, (low, high) in enumerate(pairwise(ends.tolist())):
+        tall = z if k == count // 2 else z * spec.between(0.8, 1.0)
+        front = x / 2 - 0.02 * spec.between(0.0, 1.0)
+        whole = k == count // 2
+        body.append(
+            box(spec.choice(SPINES), (-x / 2, x / 2 if whole else front), (low, high), (0, tall), collide=whole)
+        )
+    return Build(body=body)
 
 
 def magazine(spec: Spec) -> Build:

@@ -8,9 +8,10 @@ from thinkblox.errors import InputError
 from thinkblox.exporters.folder import check_folder, made_parents, whole_folder
 from thinkblox.exporters.formats import DEFAULT, flavored, format_for, formats_named
 from thinkblox.exporters.saving import THUMBS, FolderWriting, thumbnail
+from thinkblox.given import names_given
 from thinkblox.holding import note_placed, signals_held
 from thinkblox.scene.asset_files import asset_files
-from thinkblox.scene.scene import Scene
+from thinkblox.scene.scene import Scene, scene_given
 from thinkblox.value import to_json
 from thinkblox.whole_file import check_name, check_writable
 from thinkblox.workplace import workplace
@@ -104,7 +105,7 @@ def export_scene(
     Raises:
         InputError: as of `save_scene`, or a flavor that none of the formats has.
     """
-    chosen = formats_named(flavored(formats, flavor))
+    scene, chosen = scene_given(scene), formats_named(flavored(names_given(formats, "formats"), flavor))
     check_folder(out, overwrite=overwrite)
     beside = asset_files(scene.assets.values())
     with whole_folder(out, overwrite=overwrite) as room:

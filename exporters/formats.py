@@ -7,12 +7,13 @@ thinkblox.save_scene(scene, "out/room", formats=("mjcf", "list"))  # writes scen
 """
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from thinkblox.errors import InputError
+from thinkblox.given import names_given
 
 if TYPE_CHECKING:
     from thinkblox.exporters.inventory import Inventory
@@ -161,7 +162,7 @@ def format_for(path: Path) -> ExportFormat:
     if not found:
         if name.endswith(".usd"):
             return ExportFormat("usd", ".usd", _write_usd, _FORMATS["usd"].says)
-        endings = ", ".join(dict.fromkeys(known.suffix for known in _FORMATS.values()))
+        endings = ", ".join(dict.fromkeys((*(known.suffix for known in _FORMATS.values()), ".usd")))
         raise InputError(f"{path}: no format's file ends so; the endings are {endings}")
     return max(found, key=lambda known: len(known.suffix))
 
@@ -181,14 +182,14 @@ def flavored(names: Iterable[str], flavor: str | None) -> tuple[str, ...]:
     return found
 
 
-def formats_named(names: Iterable[str]) -> tuple[ExportFormat, ...]:
+def formats_named(names: Sequence[str]) -> tuple[ExportFormat, ...]:
     """The formats of some names, each once.
 
     Raises:
         InputError: a name that no format has, or two formats that would write the same file.
     """
     chosen: dict[str, ExportFormat] = {}
-    for name in dict.fromkeys(names):
+    for name in dict.fromkeys(names_given(names, "formats")):
         if name not in _FORMATS:
             raise InputError(f"no format {name!r}; there are {', '.join(_FORMATS)}")
         known = _FORMATS[name]

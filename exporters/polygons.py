@@ -19,12 +19,13 @@ _SIDES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), 
 
 @dataclass(frozen=True)
 class Polygons:
-    """Flat or curved polygons with a normal a vertex, in the frame of their prim [m]."""
+    """Flat or curved polygons with a normal a vertex, in the frame of their prim [m], and places in a texture."""
 
     points: NDArray[Any]
     normals: NDArray[Any]
     counts: list[int]
     indices: list[int]
+    uv: NDArray[Any] | None = None
 
     @property
     def triangles(self) -> NDArray[np.int64]:

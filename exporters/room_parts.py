@@ -42,12 +42,15 @@ class RoomPart:
         name: what it is called: "floor", a wall, "ceiling", an opening, or a wall's trim; several may share it.
         label: what it is: "floor", "wall", "ceiling", "door", "window" or "trim".
         look: name of its look.
+        mesh: all of it.
+        pieces: how many of the mesh's vertices are of each box that it is made of, one after another.
     """
 
     name: str
     label: str
     look: str
     mesh: TexturedMesh
+    pieces: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -92,7 +95,7 @@ class _Drawn:
                 if len(seen.faces):
                     self._add(seen, patch, material, areas)
         self._put("ceiling", "ceiling", covering_look(Covering(laying="paint", colour=CEILING)), _ceiling(self._room))
-        parts = tuple(RoomPart(*key, _joined(meshes)) for key, meshes in self._meshes.items())
+        parts = tuple(RoomPart(*key, *_joined(meshes)) for key, meshes in self._meshes.items())
         return RoomParts(parts, self._looks, self._pictures)
 
     def _areas(self) -> dict[tuple[Covering, bool], tuple[NDArray[Any], NDArray[Any]]]:
@@ -257,13 +260,14 @@ def _halved(mesh: Mesh) -> Mesh:
     return Mesh(np.vstack([mesh.vertices, middle[0]]), np.vstack([mesh.normals, middle[1]]), faces, uv)
 
 
-def _joined(meshes: list[Mesh]) -> TexturedMesh:
+def _joined(meshes: list[Mesh]) -> tuple[TexturedMesh, tuple[int, ...]]:
     if sum(len(mesh.vertices) for mesh in meshes) == 3:
         meshes = [_halved(meshes[0])]
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
-    return TexturedMesh.of(
+    joined = TexturedMesh.of(
         vertices=np.concatenate([mesh.vertices for mesh in meshes]),
         normals=np.concatenate([mesh.normals for mesh in meshes]),
         uv=np.concatenate([np.zeros((len(mesh.vertices), 2)) if mesh.uv is None else mesh.uv for mesh in meshes]),
         faces=np.concatenate([mesh.faces + int(start) for mesh, start in zip(meshes, starts, strict=True)]),
     )
+    return joined, tuple(len(mesh.vertices) for mesh in meshes)

@@ -13,7 +13,7 @@ from thinkblox.exporters.formats import DEFAULT, ExportFormat, formats_named
 from thinkblox.exporters.manifest import MANIFEST, PICTURES, FileKind, Manifest, ManifestFile
 from thinkblox.holding import note_placed, signals_held
 from thinkblox.scene.asset_files import asset_files
-from thinkblox.scene.scene import Scene
+from thinkblox.scene.scene import Scene, scene_given
 from thinkblox.value import to_json
 from thinkblox.verdict import Report
 from thinkblox.whole_file import write_whole
@@ -55,7 +55,7 @@ def save_scene(
             `overwrite`; a format that does not exist; a report on other objects; an extra file whose name is taken;
             a mesh or texture that nobody has loaded.
     """
-    chosen, extra = formats_named(formats), dict(extra or {})
+    scene, chosen, extra = scene_given(scene), formats_named(formats), dict(extra or {})
     _check_report(scene, report)
     for name in extra:
         _check_extra(name, chosen)

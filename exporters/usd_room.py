@@ -54,7 +54,7 @@ def _add_seen(made: Mapping[str, Prim], parts: RoomParts, looks: Callable[[Prim]
             scope = made[part.name].child("Visual", "Scope")
             scopes[part.name] = (scope, looks(scope))
         scope, materials = scopes[part.name]
-        add_textured(scope, part.label, part.mesh, materials, part.look)
+        add_textured(scope, part.label, part.mesh, materials, part.look, pieces=part.pieces)
 
 
 def _seen_layer(inventory: Inventory, parts: RoomParts) -> Any:

@@ -1,6 +1,7 @@
 """Shapes as USD prims: colliders one by one as they are, looks merged into one mesh for each material."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from thinkblox.exporters.usd_prims import Prim, T, vectors
 from thinkblox.scene.asset import Shape
 from thinkblox.scene.textured_mesh import TexturedMesh, mesh_of
 from thinkblox.sim.geometry.collider import collider
+from thinkblox.value import Vec3
 
 _COLLIDER = "PhysicsCollisionAPI"
 _NO_AREA = 1e-11
@@ -61,26 +63,68 @@ def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> N
         if geom.look is not None and geom.shape is not None:
             groups.setdefault(geom.look, []).append(placed(geom.shape))
     for look, parts in groups.items():
-        add_mesh(parent, look, parts, looks, look)
+        for together in _apart(parts):
+            _add_mesh(parent, look, together, looks, look)
     for geom in geoms:
         if geom.look is not None and geom.mesh is not None:
-            add_textured(parent, geom.look, mesh_of(geom.mesh), looks, geom.look).place(geom.offset)
+            add_textured(parent, geom.look, mesh_of(geom.mesh), looks, geom.look, offset=geom.offset)
 
 
-def add_textured(parent: Prim, name: str, mesh: TexturedMesh, looks: Looks, look: str) -> Prim:
-    """Add one visible mesh, with the places of its vertices in a texture where they have any."""
-    parts = [Polygons(mesh.vertices, mesh.normals, [3] * len(mesh.faces), mesh.faces.ravel().tolist())]
-    return add_mesh(parent, name, parts, looks, look, uv=mesh.uv if mesh.uv.any() else None)
+def add_textured(
+    parent: Prim,
+    name: str,
+    mesh: TexturedMesh,
+    looks: Looks,
+    look: str,
+    *,
+    pieces: Sequence[int] = (),
+    offset: Vec3 = (0.0, 0.0, 0.0),
+) -> None:
+    """Add what is seen of a mesh, with the places of its vertices in a texture where they have any.
+
+    `pieces` are how many vertices each closed piece of it has, where there are several, and `offset` is where its
+    origin is [m].
+    """
+    uv = mesh.uv if mesh.uv.any() else None
+    ends = np.cumsum(pieces or (len(mesh.vertices),))
+    of = np.searchsorted(ends, mesh.faces[:, 0], side="right")
+    parts = []
+    for number, (first, end) in enumerate(pairwise([0, *ends.tolist()])):
+        faces = mesh.faces[of == number] - first
+        if len(faces):
+            seen = None if uv is None else uv[first:end]
+            points, normals = mesh.vertices[first:end], mesh.normals[first:end]
+            parts.append(Polygons(points, normals, [3] * len(faces), faces.ravel().tolist(), seen))
+    for together in _apart(parts):
+        _add_mesh(parent, name, together, looks, look).place(offset)
 
 
-def add_mesh(
-    parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str, *, uv: NDArray[Any] | None = None
-) -> Prim:
+def _apart(parts: Sequence[Polygons]) -> list[list[Polygons]]:
+    """Parts sorted so that those that are together share no point: what touches is no surface with an inside."""
+    groups: list[tuple[list[Polygons], set[bytes]]] = []
+    for part in parts:
+        points = {row.tobytes() for row in _rounded(part.points)}
+        group = next((group for group in groups if not group[1] & points), None)
+        if group is None:
+            groups.append(([part], points))
+        else:
+            group[0].append(part)
+            group[1].update(points)
+    return [group for group, _ in groups]
+
+
+def _rounded(points: NDArray[Any]) -> NDArray[np.float64]:
+    """Points by which two are the same [m]."""
+    rounded: NDArray[np.float64] = np.round(np.asarray(points, np.float64), 6) + 0.0
+    return rounded
+
+
+def _add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:
     """Add one visible mesh made of all parts: each point once, with a normal a corner, and no face without an area."""
     prim = parent.child(name, "Mesh", apis=[BINDING])
     starts = np.cumsum([0] + [len(part.points) for part in parts])
     corners = np.concatenate([np.asarray(part.indices) + start for part, start in zip(parts, starts, strict=False)])
-    points, same = np.unique(np.round(np.vstack([part.points for part in parts]), 6) + 0.0, axis=0, return_inverse=True)
+    points, same = np.unique(_rounded(np.vstack([part.points for part in parts])), axis=0, return_inverse=True)
     counts = np.concatenate([np.asarray(part.counts) for part in parts])
     kept = np.repeat(_with_area(points, same.reshape(-1)[corners], counts), counts)
     counts, corners = counts[_first_of(kept, counts)], corners[kept]
@@ -88,8 +132,9 @@ def add_mesh(
     _put_mesh(prim, points[used], counts.tolist(), index.reshape(-1).tolist())
     normals = np.vstack([part.normals for part in parts])[corners]
     prim.put("normals", T.Normal3fArray, vectors(normals, 4), interpolation="faceVarying")
-    if uv is not None:
-        _put_uv(prim, np.asarray(uv, np.float32)[corners])
+    places = [part.uv for part in parts if part.uv is not None]
+    if places:
+        _put_uv(prim, np.vstack(places).astype(np.float32)[corners])
     looks.bind(prim, look)
     return prim
 

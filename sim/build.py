@@ -13,7 +13,7 @@ from thinkblox.scene.asset import Asset, Joint, Link, Shape
 from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
-from thinkblox.scene.scene import Scene
+from thinkblox.scene.scene import Scene, scene_given
 from thinkblox.sim.geometry.collider import collider
 from thinkblox.sim.geometry.solid import solid_of, weighing
 from thinkblox.sim.geometry.walls import wall_slabs
@@ -62,7 +62,7 @@ def build_spec(
         sleeping: every body starts asleep and sleep is enabled: for checks of one object against a still room.
         only: ids of the objects that are built; the others are left out.
     """
-    physics = physics or Physics()
+    scene, physics = scene_given(scene), physics or Physics()
     spec = new_spec(physics)
     add_room(spec, scene.room, physics)
     for placement in scene.placements:

@@ -40,6 +40,23 @@ def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
     assert counts(prompt)[seat] == number
 
 
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A server room with two rows of five racks", "server_rack"),
+        ("A storage room with three racks along the wall", "shelving_unit"),
+        ("A server room with a shelving unit", "shelving_unit"),
+        ("A hair salon with two dryers behind the chairs", "hair_dryer_chair"),
+        ("A laundry room with a washer and a dryer", "dryer"),
+        ("A sauna with a stove in the corner", "sauna_heater"),
+        ("A kitchen with a stove", "stove"),
+        ("A patio room with a picnic table and a cooler under it", "cooler"),
+    ],
+)
+def test_a_word_means_what_such_a_room_has(prompt, category):
+    assert category in counts(prompt)
+
+
 def test_pupils_that_are_listed_have_desks():
     assert counts("A classroom with a teacher's desk, 24 pupils and a whiteboard")["school_desk"] == 24
 

@@ -314,17 +314,35 @@ def test_rooms_side_by_side(tmp_path: Path) -> None:
     told, reward, *_ = side_by_side.step(side_by_side.action_space.sample())
     assert told["robot_pose"].shape == (3, 4)
     assert reward.shape == (3,)
+    assert side_by_side.skipped == {}
     side_by_side.close()
+    side_by_side = vector_environment([ROOM, tmp_path / "room1"], "open", target="wardrobe_1", render_mode="rgb_array")
+    assert side_by_side.num_envs == 2
+    side_by_side.close()
+    without = ROOM.without("wardrobe_1")
+    side_by_side = vector_environment([ROOM, without], "open")
+    assert side_by_side.num_envs == 1
+    assert side_by_side.skipped == {"room": "room: the room has no doors or drawers"}
+    with pytest.raises(InputError, match="in none of the rooms: room: the room has no doors"):
+        vector_environment([without, without], "open")
 
 
 BAD: list[tuple[dict[str, Any], str]] = [
     ({"target": "wardrob_1"}, "no objects called 'wardrob_1'; the nearest are wardrobe_1"),
-    ({"task": "open", "target": "desk_1"}, "no doors or drawers called 'desk_1'; the nearest are"),
+    ({"task": "open", "target": "desk_1"}, "desk_1 has no doors or drawers; wardrobe_1 would do"),
     ({"task": "open", "room": ROOM.without("wardrobe_1")}, "the room has no doors or drawers"),
-    ({"task": "carry", "target": "table_1"}, "no small objects called 'table_1'"),
+    ({"task": "carry", "target": "table_1"}, "table_1 is more than 2 kg or 35 cm, or fixed; vase_1 would do"),
     ({"task": "carry", "destination": "dask_1"}, "no surfaces called 'dask_1'; the nearest are desk_1"),
     ({"task": "carry", "destination": "table_1"}, "vase_1 stand on table_1 already"),
     ({"task": "reach", "robot": "base"}, "has no tool to reach with; take 'picker'"),
+    ({"task": "carry", "destination": "vase_1"}, "vase_1 has no surface that is open to above"),
+    ({"task": "carry", "target": "mug"}, "no small objects, of at most 2 kg and 35 cm, called 'mug'"),
+    ({"destination": "desk_1"}, "only 'carry' has a destination, not 'drive'"),
+    ({"mount": "ceiling"}, "no mount 'ceiling'; there are any, floor, furniture"),
+    ({"time_limit": 0}, "time_limit is 0; it must be a time above 0"),
+    ({"seed": -1}, "the seed is -1; it must be a whole number"),
+    ({"room": None}, "a NoneType is given for a Scene"),
+    ({"robot": "mine.xml"}, "mine.xml: there is no such file"),
     ({"robot": "jaco"}, "is mounted and cannot drive"),
     ({"robot": "bass"}, "no robot 'bass'; there are base, picker, jaco, or give the path"),
     ({"task": "fly"}, "no task 'fly'; there are"),

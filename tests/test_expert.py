@@ -20,6 +20,8 @@ from thinkblox.plan import Plan, Target, Tie
 from thinkblox.planning import plan_brief
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.policies.expert.ground import ground_costs, used_costs
+from thinkblox.policies.expert.imagine import from_ties
+from thinkblox.policies.expert.judge import ranked
 from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.row_layout import layouts
 from thinkblox.policies.expert.situation import Situation
@@ -244,3 +246,23 @@ def test_the_same_generator_gives_the_same_texts():
     one, two = (ExpertPolicy().propose(observation, 8, np.random.default_rng(5)) for _ in range(2))
     assert one == two
     assert len(set(one)) == 8
+
+
+def test_what_comes_onto_a_shelf_keeps_clear_of_what_is_there():
+    scene = Scene(prompt="", seed=0, room=rectangle(6.0, 5.0))
+    case, row = make_asset("bookcase", seed=1), make_asset("book_row", seed=1)
+    scene = scene.with_placement(placed_at(scene, case, id="bookcase_1", position=(3.0, 0.2, 0.0), yaw=90.0), case)
+    shelves = [s for s in case.surfaces if s.headroom is not None]
+    for number, shelf in enumerate(shelves, 1):
+        at = (3.0 - shelf.position[1], 0.2, shelf.position[2])
+        scene = scene.with_placement(placed_at(scene, row, id=f"book_row_{number}", position=at, yaw=90.0), row)
+    assert {p.support for p in scene.placements} == {"floor", "bookcase_1"}
+    target = Target(
+        id="vase_1", category="vase", request="vase", asked=False, ties=(Tie(kind="on", anchors=("bookcase_1",)),)
+    )
+    plan = Plan(brief=read_brief("A room with a chair."), targets=(target,))
+    s = Situation(seen(scene, plan, target, seed=1))
+    (_, best), *_ = ranked(s, from_ties(s), np.random.default_rng(0))
+    own = Rects.of([(best.position[:2], s.size[:2], best.yaw, best.position[2], best.position[2] + s.size[2])])
+    assert float(overlap_depth(own, Rects.of_placements(scene.placements[1:])).max()) == 0.0
+    assert best.position[2] < case.size[2] - 0.1

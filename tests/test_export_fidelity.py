@@ -98,7 +98,7 @@ def test_verify_reads_usd(ending: str, tmp_path: Path) -> None:
         ('def PhysicsScene "PhysicsScene"', 'def Scope "PhysicsScene"', "0 physics scenes"),
         ("float physics:upperLimit = 110", "float physics:upperLimit = -5", "lower limit 0 above its upper one"),
         ("physics:localPos0 = (0.28", "physics:localPos0 = (1.28", "two frames 1 m apart"),
-        ("upAxis = \"Z\"", "upAxis = \"Y\"", "other units"),
+        ("upAxis = \"Z\"", "upAxis = \"Y\"", "this stage has Y up and 1 metres a unit"),
         ("#usda 1.0", "not usd", "no USD that can be read"),
     ],
 )  # fmt: skip

@@ -1,6 +1,7 @@
 """scene.usda as OpenUSD reads it, held against the compiled model and against faults that validators miss."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -299,6 +300,17 @@ def _lowest(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
     return float(data.geom_xpos[geom][2] + turn[2] @ centre - np.abs(turn[2]) @ half)
 
 
+def edges_of(mesh: Any) -> Counter[frozenset[int]]:
+    """How many faces of a mesh have each edge."""
+    edges: Counter[frozenset[int]] = Counter()
+    indices, first = list(mesh.GetFaceVertexIndicesAttr().Get()), 0
+    for count in mesh.GetFaceVertexCountsAttr().Get():
+        face = indices[first : first + count]
+        edges.update(frozenset(edge) for edge in zip(face, [*face[1:], face[0]], strict=True))
+        first += count
+    return edges
+
+
 def test_visible_meshes_are_complete(stage: Any) -> None:
     every = everything(stage.GetPseudoRoot())
     meshes = [prim for prim in every if prim.IsA(UsdGeom.Mesh) and not prim.HasAPI(UsdPhysics.CollisionAPI)]
@@ -311,6 +323,7 @@ def test_visible_meshes_are_complete(stage: Any) -> None:
         assert mesh.GetNormalsInterpolation() == "faceVarying"
         assert len(index) == len(normals)
         assert len(np.unique(points, axis=0)) == len(points)
+        assert max(edges_of(mesh).values()) <= 2, "more than two faces at an edge are no surface with an inside"
         assert sum(counts) == len(index)
         assert (index.min(), index.max()) == (0, len(points) - 1)
         np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-3)

@@ -29,7 +29,7 @@ def lived_in() -> Generation:
 
 
 def test_a_lived_in_room_is_full_and_valid(lived_in: Generation) -> None:
-    assert 45 <= len(lived_in.scene.placements) <= 120
+    assert 60 <= len(lived_in.scene.placements) <= 120
     assert lived_in.report.valid
     assert lived_in.report.complete
 
@@ -46,6 +46,14 @@ def test_small_things_lie_on_what_they_are_kept_on(lived_in: Generation) -> None
     there = [p for p in lived_in.scene.placements if p.id in dressed]
     assert there
     assert {p.id: p.support for p in there} == {p.id: dressed[p.id] for p in there}
+
+
+def test_few_of_what_one_has_few_of_and_hardly_anything_finds_no_place(lived_in: Generation) -> None:
+    there = Counter(p.category for p in lived_in.scene.placements)
+    ones = {u.category for u in dressing().on("shelving_unit", "bathroom") if u.count == 1}
+    assert {name: there[name] for name in ones if there[name] > 2} == {}
+    crowded = [a for a in lived_in.report.absent if "collides" in a.reason]
+    assert len(crowded) < 0.1 * len(lived_in.scene.placements)
 
 
 def test_the_trace_of_a_lived_in_room_leads_to_it(lived_in: Generation) -> None:
@@ -82,9 +90,10 @@ def added_to(prompt: str) -> set[str]:
 
 
 def test_nothing_excluded_is_added() -> None:
-    without = {"towels", "potted_plant"}
-    assert added_to("A bathroom with a shelving unit") >= without
-    assert not {*without, "plant"} & added_to("A bathroom with a shelving unit but without towels and without plants")
+    assert "towels" in added_to("A bathroom with a shelving unit")
+    assert not {"towels", "potted_plant", "plant"} & added_to(
+        "A bathroom with a shelving unit but without towels and without plants"
+    )
 
 
 def test_another_filling_is_refused() -> None:

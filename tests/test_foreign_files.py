@@ -147,7 +147,7 @@ def test_the_height_of_a_floor_that_a_model_lacks(tmp_path: Path) -> None:
     table = '<body name="table" pos="3 0 .5"><geom type="box" size=".5 .5 .5"/></body>'
     text = mjcf(table + crate("box", "0 0 .3"), floor="", head='<default><geom contype="2" conaffinity="0"/></default>')
     subject = opened(tmp_path, text)
-    assert subject.notes == ("The model has no floor: one was put under its lowest point, at z = 0.000 m.",)
+    assert subject.notes == ("The model has no floor: a floor was put under the model's lowest point, at z = 0.000 m.",)
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.foreign_models import FLOOR, MODELS, crate, mjcf, opened
+from thinkblox.errors import InputError
 from thinkblox.sim.foreign.opening import open_model
 
 
@@ -83,6 +84,30 @@ def test_the_start_is_the_keyframe_settled_or_the_only_one(
     assert subject.start[2] == height
     assert subject.keyframe == keyframe
     assert subject.data().qpos[2] == height
+
+
+def test_what_was_moved_in_a_file_since_its_keyframes_is_measured_where_it_stands_now(tmp_path: Path) -> None:
+    keys = (
+        '<keyframe><key name="settled" qpos="0 0 .099 -1 0 0 0 2 0 .098 1 0 0 0"/>'
+        '<key name="home" qpos="0 0 .1 -1 0 0 0 2 0 .1 1 0 0 0"/></keyframe>'
+    )
+    for second, height, told in (("2 0 .1", 0.098, ()), ("2 0 .7", 0.7, ("b",))):
+        text = mjcf(crate("a", "0 0 .1") + crate("b", second)).replace("</mujoco>", keys + "</mujoco>")
+        subject = opened(tmp_path, text)
+        assert subject.start[[2, 9]].tolist() == [0.099, height]
+        assert subject.data().qpos[9] == height
+        assert [note.rpartition(": ")[2].rstrip(".") for note in subject.notes] == list(told)
+    alone = mjcf(crate("a", "0 0 .1")).replace("</mujoco>", KEYS.format("") + "</mujoco>")
+    assert opened(tmp_path, alone).notes == (
+        "Measured from the keyframe 'other', which has elsewhere than the bodies stand: a.",
+    )
+
+
+def test_keyframes_of_another_number_of_bodies_are_refused_with_what_to_do(tmp_path: Path) -> None:
+    keys = '<keyframe><key name="settled" qpos="0 0 .1 1 0 0 0 2 0 .1 1 0 0 0"/></keyframe>'
+    text = mjcf(crate("a", "0 0 .1")).replace("</mujoco>", keys + "</mujoco>")
+    with pytest.raises(InputError, match="take the <key> elements out"):
+        opened(tmp_path, text)
 
 
 def test_a_keyframe_brings_its_controls_and_no_speed(tmp_path: Path) -> None:

@@ -46,7 +46,7 @@ def test_a_table_stands_on_a_floor_at_its_feet() -> None:
     assert subject.source == "urdf"
     assert names(subject) == ["top", "leg_0", "leg_1", "leg_2", "leg_3", "drawer"]
     assert [(t.id, t.free, len(t.bodies)) for t in subject.things] == [("top", True, 6)]
-    assert "under its lowest point, at z = -0.720 m" in subject.notes[1]
+    assert "lowest point, at z = -0.720 m" in subject.notes[1]
     report = model_report(subject)
     assert report.valid, report
     assert report.source == "urdf"

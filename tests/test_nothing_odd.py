@@ -390,3 +390,39 @@ def test_the_table_of_a_sofa_round_a_corner_stands_before_its_seats():
     ahead, _ = sofa.to_local((table.position[0], table.position[1]))
     assert room.report.valid
     assert ahead - table.size[0] / 2 < sofa.size[0] / 2
+
+
+def test_each_of_two_has_what_one_works_at_and_a_kitchen_with_a_bar_its_worktop():
+    office = counts("A home office for two")
+    assert (office["desk"], office["office_chair"]) == (2, 2)
+    assert counts("A room for two students")["bed"] == 2
+    assert {"base_cabinet", "sink", "bar_stool"} <= counts("A kitchen-diner with a breakfast bar").keys()
+    assert counts("A small living room with a table for four")["dining_table"] == 1
+
+
+def test_in_a_small_room_all_sit_at_the_table_and_curtains_hang_at_windows():
+    room = made("A small living room, 13 m2, with a table for four")
+    (table,) = placed(room, "dining_table")
+    assert all(measure(room.scene, "at", chair.id, [table.id]).holds for chair in placed(room, "chair"))
+    assert len(placed(room, "chair")) == 4
+    for curtain in placed(room, "curtain"):
+        walls = [(o, room.scene.room.walls[o.wall]) for o in room.scene.room.openings if o.kind == "window"]
+        along = [(o, *wall.coordinates((curtain.position[0], curtain.position[1]))) for o, wall in walls]
+        at = [o for o, x, inward in along if abs(inward) < 0.2 and o.offset <= x <= o.offset + o.width]
+        assert at
+        assert curtain.size[1] >= at[0].width
+
+
+def test_those_who_wait_sit_side_by_side():
+    room = made("A waiting room of 16 m2 with seven chairs against the walls")
+    chairs = placed(room, "chair")
+    assert len(chairs) == 7
+    assert all(min(apart(a, b) for b in chairs if b is not a) < 0.1 for a in chairs)
+
+
+def test_what_is_watched_stands_across_from_the_sofa():
+    brief = varied(read_brief("A living room"), 0)
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng((0, 0))))
+    across = [tie.anchors for tie in plan.target("tv_stand_1").ties if tie.kind == "opposite"]
+    assert across == [("sofa_1",)]
+    assert measure(made("A living room").scene, "opposite", "tv_stand_1", ["sofa_1"]).holds

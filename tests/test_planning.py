@@ -7,6 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests import sim_rooms as sims
 from tests.test_reading import OWN, SHARED
 from tests.test_reading_hostile import WORDS
 from thinkblox.brief import Brief, OpeningRequest, Relation, Request
@@ -14,6 +15,7 @@ from thinkblox.errors import InputError
 from thinkblox.plan import Plan
 from thinkblox.planning import plan_brief, plan_room
 from thinkblox.reading import read_brief
+from thinkblox.reporting import relations_of
 from thinkblox.scene.room import rectangle
 
 ROOM = rectangle(6.0, 5.0)
@@ -237,6 +239,28 @@ def test_small_things_stay_on_the_floor_where_they_are_said_to_be() -> None:
     plan = plan_of("A storage room with a shelving unit, a box on the floor and a basket next to the shelving unit.")
     assert ties_of(plan, "box_1") == [("on", "floor")]
     assert ties_of(plan, "basket_1") == [("next_to", "shelving_unit_1"), ("on", "floor")]
+
+
+def test_what_is_beside_a_thing_on_furniture_is_measured_by_that_thing() -> None:
+    plan = plan_of("A desk with a printer on it; a bin to the right of the printer and a stool facing the printer.")
+    assert ("right_of", "desk_1") in ties_of(plan, "waste_bin_1")
+    assert all(tie.means for tie in plan.target("waste_bin_1").ties if tie.kind == "right_of")
+    due = {(due.subject, due.tie.kind, *due.tie.anchors) for due in plan.target("printer_1").due}
+    assert {("waste_bin_1", "right_of", "printer_1"), ("stool_1", "facing", "printer_1")} <= due
+
+    desk, printer = sims.asset("desk", (0.7, 1.6, 0.75)), sims.asset("printer", (0.4, 0.4, 0.3))
+    rest = [(sims.put(sims.asset(name, (0.3, 0.3, 0.4)), x, y), sims.asset(name, (0.3, 0.3, 0.4)))
+            for name, x, y in (("waste_bin", 1.0, 1.0), ("stool", 2.0, 2.2))]  # fmt: skip
+    for along, so in ((2.4, True), (0.8, False)):
+        on_it = sims.put(printer, 1.0, along, 0.75, on="desk_1")
+        scene = sims.scene(ROOM, (sims.put(desk, 1.0, 2.0), desk), (on_it, printer), *rest)
+        found = {r.subject: r for r in relations_of(scene, plan) if r.anchors == ("printer_1",)}
+        assert found["waste_bin_1"].holds is so
+
+
+def test_what_has_a_place_of_its_own_is_not_presumed_to_be_carried() -> None:
+    plan = plan_of("A large aquarium is against the wall with an armchair to its left. A TV is on a sideboard.")
+    assert ("left_of", "aquarium_1") in ties_of(plan, "armchair_1")
 
 
 def test_counters_are_long_enough_for_who_sits_at_them() -> None:

@@ -260,7 +260,7 @@ PROMPTS = {
         "1 fireplace, 2 sofa, 1 rug, 1 coffee_table, 2 bookcase",
         (
             "sofa facing sofa, sofa in_front_of fireplace, rug between sofa, rug under coffee_table, bookcase"
-            " next_to fireplace"
+            " left_of fireplace, bookcase right_of fireplace"
         ),
         "",
     ),

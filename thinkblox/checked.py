@@ -13,6 +13,7 @@ import msgspec
 from msgspec import Meta
 
 from thinkblox.errors import InputError
+from thinkblox.json_faults import spelled
 from thinkblox.value import Value
 
 LARGEST = 1e12
@@ -100,7 +101,7 @@ def _field(value: CheckedValue, complaint: str) -> tuple[str, str]:
         if some:
             break
         found = getattr(found, name) if name else found[int(index)]
-    expected = match["expected"].replace("`", "")
+    expected = spelled(match["expected"]).replace("`", "")
     return match["path"].removeprefix("."), f"is {_shown(found)}; {expected[0].lower()}{expected[1:]}"
 
 

@@ -9,6 +9,7 @@ import msgspec
 from msgspec import structs
 
 from thinkblox.errors import InputError
+from thinkblox.given import names_given, seed_given
 from thinkblox.regular_file import opened_regular, read_regular
 from thinkblox.suite import SuiteResult
 from thinkblox.value import Value, read_json
@@ -31,7 +32,6 @@ RANGES = {"height": (1.5, 50.0), "short_side": (0.5, 100.0), "max_move": (0.0, 1
 """Between what a length of VerifyOptions must be [m]; above 0 in any case."""
 SIDES = (0.5, 100.0)
 """Between what each length of a room must be [m]."""
-MOST_SEED = 2**63 - 1
 LISTED = 5
 """So many of the files in a folder are named in a message."""
 TIMEOUT = 600.0
@@ -100,7 +100,10 @@ def verify_file(path: str | Path, reading: VerifyOptions | None = None, *, timeo
         InputError: an option that cannot be; it cannot be read, or takes too long; or `out` or `page` cannot be
             written, or is a file that we did not write; says what was wrong, where, and what to do.
     """
-    path, reading = Path(path), reading or VerifyOptions()
+    path, reading = Path(path), VerifyOptions() if reading is None else reading
+    if not isinstance(reading, VerifyOptions):
+        raise InputError(f"a {type(reading).__name__} does not say how to read a file; give VerifyOptions(...)")
+    reading = structs.replace(reading, seed=seed_given(reading.seed))
     _check_names(reading)
     _check_numbers(reading, timeout)
     _check_targets(reading)
@@ -155,6 +158,8 @@ def _check_names(reading: VerifyOptions) -> None:
     from thinkblox.importing import FORMATS
     from thinkblox.sim.suites import SUITES
 
+    for what in ("suites", "exclude", "robot"):
+        names_given(getattr(reading, what), what)
     for name in reading.suites:
         if name not in SUITES:
             raise InputError(f"there is no suite {name!r}; there are {', '.join(SUITES)}")
@@ -175,8 +180,6 @@ def _check_numbers(reading: VerifyOptions, timeout: object) -> None:
     ):
         said = " x ".join(map(str, size))
         raise InputError(f"a room of {said} m; give two or three lengths of {SIDES[0]:g} to {SIDES[1]:g} m")
-    if type(reading.seed) is not int or not 0 <= reading.seed <= MOST_SEED:
-        raise InputError(f"the seed is {reading.seed!r}; it must be a whole number from 0 to 2^63 - 1")
     if not _is_length(timeout):
         raise InputError(f"a timeout of {timeout!r} s is none; give seconds, more than 0")
 

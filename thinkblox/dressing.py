@@ -1,21 +1,24 @@
 """A furnished room becomes a lived-in one: what is added is placed and measured as everything else, or left out."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 from msgspec import structs
 
+from thinkblox.assets import facts_of
 from thinkblox.episode import Round
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
 from thinkblox.observe import kinds_of
 from thinkblox.placing import Loop, Placing
 from thinkblox.plan import Target
-from thinkblox.planning.dressing import LEAST, Dresser
+from thinkblox.planning.dressing import LEAST, Dresser, Stage
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
+from thinkblox.scene.windows import hangs_at_window
 from thinkblox.sim.settings import Tolerances
 from thinkblox.sim.verdict.requirement import Requirement
 from thinkblox.sim.verdict.world import World
@@ -23,6 +26,10 @@ from thinkblox.verdict import Absence
 
 _CANDIDATES = 4
 """Poses proposed for one of the many things that nobody asked for; where none will do, it is left out."""
+_FULL = 4
+"""After so many in a row that found no place on a thing it is taken for full."""
+_STAGES: tuple[Stage, ...] = ("furniture", "things", "things", "spare", "things", "things")
+"""What is added, one after the other; the later ones only as long as there is too little."""
 _BY_WALL = 0.4
 """What is no further from a wall is not amid the room [m]."""
 _SALT = 1_000_003
@@ -59,15 +66,20 @@ def dress(world: World, loop: Loop, *, attempt: int, on_object: Callable[[Target
     dresser = Dresser(loop.plan, np.random.default_rng((seed, _SALT)))
     done = Dressed(world, replace(loop, effort=effort, tells=False))
     planned = 0
-    for number, stage in enumerate((dresser.furniture, dresser.things, dresser.things, dresser.spare, dresser.things)):
+    crowded: Counter[str] = Counter()
+    for number, stage in enumerate(_STAGES):
         if number > 1 and len(done.world.scene.placements) >= LEAST:
             break
-        targets = stage(done.world.scene)
+        full = [id for id, failures in crowded.items() if failures >= _FULL]
+        targets = dresser.add(stage, done.world.scene, full)
         done.loop = replace(done.loop, plan=dresser.plan)
         makeable = _makeable(done, targets)
         planned += len(makeable)
         for target in makeable:
-            why = done.loop.over or _place(done, target, attempt)
+            on = next((tie.anchors[0] for tie in target.ties if tie.kind == "on"), "")
+            why = done.loop.over or (_no_room(on) if crowded[on] >= _FULL else _place(done, target, attempt))
+            if on:
+                crowded[on] = crowded[on] + 1 if why else 0
             if why:
                 done.absent.append(_absence(target, why))
             on_object(target, not why, planned)
@@ -124,15 +136,29 @@ def _astray(scene: Scene, target: Target) -> str:
 
     What belongs to a wall does not stand amid the room because the walls are full.
     """
+    if dresses_nothing(scene, target):
+        return "there was no room left for it at a window"
     for tie in target.ties:
         if tie.kind == "on":
             if scene[target.id].support != tie.anchors[0]:
-                return f"there was no room left for it on {tie.anchors[0]}"
+                return _no_room(tie.anchors[0])
         elif tie.kind == "against_wall" and not measure(scene, tie.kind, target.id, tie.anchors).holds:
             return "there was no room left for it at a wall"
         elif tie.kind == "in_corner" and _amid(scene, target.id):
             return "there was no room left for it in a corner or at a wall"
     return ""
+
+
+def _no_room(carrier: str) -> str:
+    """Why something does not lie on a thing that is full."""
+    return f"there was no room left for it on {carrier}"
+
+
+def dresses_nothing(scene: Scene, target: Target) -> bool:
+    """Whether curtains hang where there is no window."""
+    by_window = any(tie.kind == "near" and tie.anchors == ("window",) for tie in target.ties)
+    drapes = facts_of(target.category).hanging.windows != "no"
+    return by_window and drapes and not hangs_at_window(scene, target.id)
 
 
 def _amid(scene: Scene, id: str) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 from msgspec import structs
 
 from thinkblox.assets.source import AssetSource
-from thinkblox.dressing import dress, undress
+from thinkblox.dressing import dress, dresses_nothing, undress
 from thinkblox.episode import Episode, Round
 from thinkblox.errors import InputError, UnavailableError
 from thinkblox.headline import UNKNOWN, in_short, relation_words, shortfall
@@ -273,6 +273,8 @@ def _misplaced(scene: Scene, plan: Plan, target: Target) -> str:
 
     What every such room has, and what something else is to stand by, stays wherever it is.
     """
+    if not target.asked and dresses_nothing(scene, target):
+        return "there was no room left for it at a window"
     tie = next((tie for tie in target.ties if tie.kind in BELONGING), None)
     needed = any(target.id in other.depends_on for other in plan.targets)
     if target.asked or tie is None or needed or is_essential(target.category, plan.brief.room_type):

@@ -12,6 +12,7 @@ from thinkblox.brief import Brief
 from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.furnishing import BrokenOffError, Furnished, Generation, Judged, Progress, furnish
+from thinkblox.given import seed_given
 from thinkblox.modes import Mode
 from thinkblox.observe import Sight
 from thinkblox.orders import ORDERS, Order
@@ -106,7 +107,8 @@ def generate_room(
             can be used.
         BrokenOffError: a room was begun, and a model or a trace could not go on; it has what was tried until then.
     """
-    _check_arguments(prompt, seed, room)
+    _check_arguments(prompt, room)
+    seed = seed_given(seed)
     if order not in ORDERS:
         raise InputError(f"order is {order!r}; it must be one of {', '.join(ORDERS)}")
     cast = players(
@@ -237,13 +239,11 @@ def _made(role: str, made: object, kind: type[M]) -> M:
     return made
 
 
-def _check_arguments(prompt: object, seed: object, room: object) -> None:
+def _check_arguments(prompt: object, room: object) -> None:
     if not isinstance(prompt, str):
         raise InputError(f"the prompt is a {type(prompt).__name__}; it must be a text")
     if prompt.encode("utf-8", "ignore").decode() != prompt:
         raise InputError("the prompt is not valid text: it holds bytes that are not UTF-8")
-    if type(seed) is not int or not 0 <= seed < 2**63:
-        raise InputError(f"the seed is {seed!r}; it must be a whole number from 0 to 2^63 - 1")
     if room is not None and not isinstance(room, Room):
         raise InputError(f"the room is a {type(room).__name__}; it must be a Room")
 

@@ -7,6 +7,11 @@ from thinkblox.plain_text import escaped
 
 _MALFORMED = re.compile(r"JSON is malformed: (?P<what>.+) \(byte (?P<byte>\d+)\)")
 _UNKNOWN = re.compile(r"Object contains unknown field `(?P<field>.*?)`(?: - at `\$(?P<path>[^`]*)`)?", re.DOTALL)
+_PATTERNS = {
+    r"^[A-Za-z][A-Za-z0-9_.-]*\Z": "a letter, then letters, digits, underscores, dots and dashes",
+    r"^[a-z][a-z0-9_]*\Z": "a small letter, then small letters, digits and underscores",
+    r"^[a-z][a-z0-9_]*_[0-9]+\Z": "small letters, digits and underscores, with a number at the end, such as chair_1",
+}
 _STEP = re.compile(r"\.(?P<field>\w+)|\[(?:\d+|\.\.\.)\]")
 
 
@@ -29,7 +34,14 @@ def json_fault(error: Exception, data: bytes | str, kind: Any) -> str:
     if malformed := _MALFORMED.fullmatch(said):
         return f"is not JSON: {malformed['what']}, {place_in(text, int(malformed['byte']))}"
     # A key that is not known stands in the message as it was read.
-    return escaped(said) + known_fields(said, kind)
+    return escaped(spelled(said)) + known_fields(said, kind)
+
+
+def spelled(said: str) -> str:
+    """A complaint of msgspec's with the patterns that names must match in words."""
+    for pattern, words in _PATTERNS.items():
+        said = said.replace(f"matching regex {pattern!r}", f"of {words}")
+    return said
 
 
 def place_in(data: bytes, byte: int) -> str:

@@ -222,8 +222,7 @@ def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -
 def size_range(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:
     """The least and greatest extents that an asset may be given [m]; None where there is one size.
 
-    They are those of its category; what is called large is not made smaller than an ordinary one, nor what is called
-    small larger.
+    They are those of its category; what is called large or small keeps at least half of what the word makes of it.
     """
     least, most = source.size_range(asset.category)
     if least == most:
@@ -234,9 +233,10 @@ def size_range(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:
 
 
 def _as_called(scale: float, usual: float, low: float, high: float) -> tuple[float, float]:
+    halfway = usual * (1.0 + scale) / 2.0
     if scale > 1.0:
-        return min(max(low, usual), high), high
-    return low, max(min(high, usual), low) if scale < 1.0 else high
+        return min(max(low, halfway), high), high
+    return low, max(min(high, halfway), low) if scale < 1.0 else high
 
 
 def style_seed(scene: Scene) -> int:

@@ -220,7 +220,7 @@ class Observation(Value, frozen=True, kw_only=True, dict=True):
             said["opens"] = asset.opens
         if asset.surfaces:
             said["surface_heights"] = [shortened(surface.position[2]) for surface in asset.surfaces]
-        said["wanted"] = [describe_tie(tie) for tie in self.target.ties]
+        said["wanted"] = [describe_tie(tie) for tie in self.target.wanted]
         if self.target.denied:
             said["unwanted"] = [describe_tie(tie) for tie in self.target.denied]
         return said

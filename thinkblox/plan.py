@@ -20,6 +20,8 @@ class Tie(CheckedValue, frozen=True, kw_only=True):
         rows: for "in_rows", the number of rows.
         asked: the prompt names it.
         spread: over how many walls or corners those that share it are; 0 for any number.
+        means: it only serves a relation between other things than these, which is some target's `due`: beside the
+            table, for what is asked beside the lamp that is to come on it.
     """
 
     kind: RelationKind
@@ -29,6 +31,14 @@ class Tie(CheckedValue, frozen=True, kw_only=True):
     rows: Ordinal = 0
     asked: bool = True
     spread: Ordinal = 0
+    means: bool = False
+
+
+class Due(CheckedValue, frozen=True, kw_only=True):
+    """A relation asked for of `subject`, which stands before the thing comes that the relation is to."""
+
+    subject: ObjectId
+    tie: Tie
 
 
 def is_object(anchor: str) -> bool:
@@ -51,6 +61,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
         index, count: which of how many of its request.
         ties: its relations, the one that decides where it goes first.
         denied: relations that it must not have.
+        due: relations asked for of others that can be measured once it stands, as the last of those concerned.
         size: what its asset must measure, where that is not left open.
     """
 
@@ -63,12 +74,18 @@ class Target(CheckedValue, frozen=True, kw_only=True):
     count: OfSome = 1
     ties: tuple[Tie, ...] = ()
     denied: tuple[Tie, ...] = ()
+    due: tuple[Due, ...] = ()
     size: Measures = (None, None, None)
 
     @property
     def depends_on(self) -> tuple[str, ...]:
         """Ids of the objects that must be placed before it (places of the room are left out)."""
         return tuple(dict.fromkeys(a for tie in self.ties for a in tie.anchors if is_object(a)))
+
+    @property
+    def wanted(self) -> tuple[Tie | Due, ...]:
+        """All that its place is to bring about."""
+        return (*self.ties, *self.due)
 
 
 class Plan(CheckedValue, frozen=True, kw_only=True):

@@ -103,15 +103,23 @@ def _spared(scene: Scene, plan: Plan) -> frozenset[str]:
 def _companies(plan: Plan) -> dict[tuple[str, Tie], list[str]]:
     """Who shares a relation: all of a request where it is one of the whole, else each object by itself."""
     groups: dict[tuple[str, Tie], list[str]] = {}
-    for target in plan.targets:
-        for tie in target.ties:
-            if tie.asked:
-                alike = structs.replace(tie, index=0, count=1)
-                groups.setdefault((_company(target, tie), alike), []).append(target.id)
+    for target, tie in _asked(plan):
+        alike = structs.replace(tie, index=0, count=1)
+        groups.setdefault((_company(target, tie), alike), []).append(target.id)
     for (request, tie), members in groups.items():
         if not tie.anchors:
             members[:] = [target.id for target in plan.targets if target.request == request]
     return groups
+
+
+def _asked(plan: Plan) -> Iterator[tuple[Target, Tie]]:
+    """Every relation that the prompt names, with who has it; what only serves another is none."""
+    for target in plan.targets:
+        yield from ((target, tie) for tie in target.ties if tie.asked and not tie.means)
+    by_id = {target.id: target for target in plan.targets}
+    for due in (due for target in plan.targets for due in target.due):
+        if due.subject in by_id:
+            yield by_id[due.subject], due.tie
 
 
 def _company(target: Target, tie: Tie) -> str:

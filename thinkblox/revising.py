@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from thinkblox.judging import Proposal, Try, measured
 from thinkblox.phrases import phrase
-from thinkblox.plan import Plan, Target, Tie, is_object
+from thinkblox.plan import Due, Plan, Target, Tie, is_object
 from thinkblox.scene.actions import Move
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
@@ -43,16 +43,17 @@ class Revision(NamedTuple):
     asset: Asset
 
 
-def unmet(scene: Scene, target: Target) -> list[Tie]:
-    """The relations asked for of an object that do not hold, of those that can be measured for it alone by now."""
-    ties = [tie for tie in target.ties if tie.asked and tie.kind not in ("around", "in_rows")]
-    return [
-        tie
-        for tie in ties
-        if tie.anchors
-        and all(anchor in scene or not is_object(anchor) for anchor in tie.anchors)
-        and not measure(scene, tie.kind, target.id, tie.anchors, rows=tie.rows).holds
-    ]
+def unmet(scene: Scene, target: Target) -> list[Tie | Due]:
+    """The relations asked for of an object, and those due, that do not hold, of those that can be measured by now."""
+    asked = [tie for tie in target.ties if tie.asked and _misses(scene, target.id, tie)]
+    return [*asked, *(due for due in target.due if due.subject in scene and _misses(scene, due.subject, due.tie))]
+
+
+def _misses(scene: Scene, id: str, tie: Tie) -> bool:
+    """Whether one object can be measured by now and does not have the relation."""
+    there = bool(tie.anchors) and all(anchor in scene or not is_object(anchor) for anchor in tie.anchors)
+    alone = there and tie.kind not in ("around", "in_rows")
+    return alone and not measure(scene, tie.kind, id, tie.anchors, rows=tie.rows).holds
 
 
 def revisions(

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from thinkblox.errors import InputError
 from thinkblox.exporters.formats import DEFAULT
 from thinkblox.exporters.saving import save_scene
 
@@ -31,6 +32,10 @@ def save_room(
     Raises:
         InputError: as for `thinkblox.save_scene`.
     """
+    if not hasattr(result, "scene") or not hasattr(result, "episode"):
+        raise InputError(
+            f"a {type(result).__name__} is no result of generate_room or edit_room; save_scene saves a Scene"
+        )
     return save_scene(
         result.scene,
         out,

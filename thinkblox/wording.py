@@ -8,7 +8,7 @@ import msgspec
 from shapely import Polygon
 
 from thinkblox.brief import Relation
-from thinkblox.plan import Target, Tie, carries
+from thinkblox.plan import Due, Target, Tie, carries
 from thinkblox.scene.arrangement import Arrangement
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.free_spots import free_spots
@@ -29,8 +29,13 @@ def compact(value: object) -> str:
     return msgspec.json.encode(value).decode()
 
 
-def describe_tie(tie: Tie | Relation) -> str:
-    """A relation as a term, "next_to(bed_1)": no phrase of the step language, for it says what is wanted, not where."""
+def describe_tie(tie: Tie | Due | Relation) -> str:
+    """A relation as a term, "next_to(bed_1)": no phrase of the step language, for it says what is wanted, not where.
+
+    What is due of another thing begins with that: "chair_1 next_to(bed_1)".
+    """
+    if isinstance(tie, Due):
+        return f"{tie.subject} {describe_tie(tie.tie)}"
     return f"{tie.kind}({', '.join(tie.anchors)})" if tie.anchors else tie.kind
 
 
@@ -65,7 +70,7 @@ def planned_line(target: Target, size: Vec3 | None, mount: Mount | None) -> str:
     if mount not in (None, "floor"):
         planned["mount"] = mount
     if target.ties:
-        planned["wanted"] = [describe_tie(tie) for tie in target.ties]
+        planned["wanted"] = [describe_tie(tie) for tie in target.wanted]
     return compact(planned)
 
 

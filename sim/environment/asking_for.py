@@ -1,7 +1,7 @@
 """What of a room can be asked for by name: things, doors and drawers, and surfaces that carry."""
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
 
 from thinkblox.errors import InputError
@@ -74,6 +74,28 @@ def surfaces(room: OpenRoom) -> dict[str, Carrying]:
                 name = f"{item.id}/{surface.name}"
                 found[name] = Carrying(name, item, surface)
     return found
+
+
+def check_fit(asked: str | None, room: OpenRoom, fit: Container[str], why: str) -> None:
+    """Raise InputError when someone asks for what is in the room, but is nothing of the kind that is wanted.
+
+    Args:
+        asked: an id, as in the scene or in the files, a part of one, a category, or None.
+        room: whose things these are.
+        fit: ids of what is wanted.
+        why: the others are not, as what follows their name: "has no doors or drawers".
+    """
+    if asked is None:
+        return
+    named = [
+        p.id
+        for p in room.scene.placements
+        if asked in (p.id, p.category, safe_name(p.id)) or asked.startswith(f"{p.id}/")
+    ]
+    if named and not any(id in fit for id in named):
+        others = sorted(p.id for p in room.scene.placements if p.id in fit)
+        does = f"; {', '.join(others[:4])} would do" if others else ""
+        raise InputError(f"{room.name}: {', '.join(named[:4])} {why}{does}")
 
 
 def meant(asked: str | None, there: Sequence[str], categories: Iterable[str], *, what: str, room: str) -> list[str]:

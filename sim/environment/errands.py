@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from thinkblox.errors import InputError
-from thinkblox.sim.environment.asking_for import meant, moving, small_things, surfaces, things
+from thinkblox.sim.environment.asking_for import LIGHT, SMALL, check_fit, meant, moving, small_things, surfaces, things
 from thinkblox.sim.environment.goals import AT_HAND, CarryGoal, DriveGoal, OpenGoal, ReachGoal, RobotGoal
 from thinkblox.sim.environment.model_index import ModelIndex
 from thinkblox.sim.environment.places import FreePlaces, RobotPlace
@@ -16,6 +16,8 @@ from thinkblox.sim.environment.room_source import OpenRoom
 TaskName = Literal["reach", "drive", "open", "carry"]
 TASKS: tuple[TaskName, ...] = ("reach", "drive", "open", "carry")
 Mount = Literal["any", "floor", "furniture"]
+MOUNTS: tuple[Mount, ...] = ("any", "floor", "furniture")
+SMALL_ONES = f"small objects, of at most {LIGHT:g} kg and {SMALL * 100:g} cm,"
 ARM = 0.75
 """How far from a robot's middle its arm works, seen from above [m]."""
 START = 1.5
@@ -36,17 +38,21 @@ def goals_for(
     """
     if task == "open":
         parts = moving(room)
+        check_fit(target, room, {part.item.id for part in parts.values()}, "has no doors or drawers")
         names = meant(
             target, list(parts), [p.item.category for p in parts.values()], what="doors or drawers", room=room.name
         )
         return [(parts[name].item.id, _opening(parts[name])) for name in names]
-    known, what = (small_things(room), "small objects") if task == "carry" else (things(room), "objects")
+    known, what = (small_things(room), SMALL_ONES) if task == "carry" else (things(room), "objects")
+    unfit = f"is more than {LIGHT:g} kg or {SMALL * 100:g} cm, or fixed" if task == "carry" else "cannot be touched"
+    check_fit(target, room, set(known), unfit)
     names = meant(target, list(known), [item.category for item in known.values()], what=what, room=room.name)
     if task != "carry":
         kind = ReachGoal if task == "reach" else DriveGoal
         return [(name, _at(kind, name)) for name in names]
     tops = surfaces(room)
     kinds = [top.item.category for top in tops.values()]
+    check_fit(destination, room, {top.item.id for top in tops.values()}, "has no surface that is open to above")
     chosen = meant(destination, list(tops), kinds, what="surfaces", room=room.name)
     pairs = [(name, top) for name in names for top in chosen if room.scene[name].support != tops[top].item.id]
     if not pairs:

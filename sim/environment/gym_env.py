@@ -13,7 +13,7 @@ from thinkblox.sim.environment.extra import needed
 from thinkblox.sim.environment.making import make_environment
 from thinkblox.sim.environment.pictures import FARTHEST, NOTHING_SEEN, Pictures, Picturing
 from thinkblox.sim.environment.registration import NAMES, register_environments
-from thinkblox.sim.environment.room_source import RoomLike, rooms_of
+from thinkblox.sim.environment.room_source import RoomLike, RoomSource, rooms_of
 
 FULL = 1000.0
 """No number that is told is larger, in metres, radians and seconds."""
@@ -47,7 +47,8 @@ def vector_environment(
     Args:
         rooms: a folder of rooms, or several rooms; they are dealt out in turn.
         task: of all of them.
-        count: how many environments; one for each room, when None.
+        count: how many environments; when None, one for each room in which the task can be done, and `skipped` of what
+            is returned says why it cannot in the others.
         parallel: each in a process of its own.
         options: as of `make_environment`.
 
@@ -57,13 +58,44 @@ def vector_environment(
     vector = needed("gymnasium.vector")
     if task not in NAMES:
         raise InputError(f"no task {task!r}; there are {', '.join(NAMES)}")
-    sources = rooms_of(rooms)
-    count = count or len(sources)
+    sources, tried, skipped = rooms_of(rooms), list[Any](), dict[str, str]()
+    if count is None and len(sources) > 1:
+        sources, tried, skipped = _doable(sources, task, options)
+    count = len(sources) if count is None else count
+    if count < 1:
+        raise InputError(f"{count} environments are none; give at least 1")
     if count > len(sources):
         raise InputError(f"{count} environments need as many rooms; there are {len(sources)}")
     shares = [[source.home for source in sources[i::count]] for i in range(count)]
     makers = [_maker(share, task, options) for share in shares]
-    return vector.AsyncVectorEnv(makers) if parallel else vector.SyncVectorEnv(makers)
+    if parallel:
+        for env in tried:
+            env.close()
+        made = vector.AsyncVectorEnv(makers)
+    else:
+        made = vector.SyncVectorEnv([lambda env=env: env for env in tried] or makers)
+    made.skipped = skipped
+    return made
+
+
+def _doable(
+    sources: Sequence[RoomSource], task: str, options: dict[str, Any]
+) -> tuple[tuple[RoomSource, ...], list[Any], dict[str, str]]:
+    """The rooms in which the task can be done, an environment of each, and why not in the others.
+
+    Raises:
+        InputError: it can be done in none of them.
+    """
+    found: list[tuple[RoomSource, Any]] = []
+    skipped: dict[str, str] = {}
+    for source in sources:
+        try:
+            found.append((source, _maker([source.home], task, options)()))
+        except InputError as error:
+            skipped[source.name] = str(error)
+    if not found:
+        raise InputError(f"the task can be done in none of the rooms: {'; '.join(dict.fromkeys(skipped.values()))}")
+    return tuple(source for source, _ in found), [env for _, env in found], skipped
 
 
 def _maker(rooms: Sequence[RoomLike], task: str, options: dict[str, Any]) -> Any:

@@ -1,13 +1,16 @@
 """A room, or a different one each episode, as a dm_control environment."""
 
+import math
 from collections.abc import Iterable
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from thinkblox.errors import InputError
-from thinkblox.sim.environment.errands import Mount, TaskName
+from thinkblox.given import seed_given
+from thinkblox.sim.environment.errands import MOUNTS, Mount, TaskName
 from thinkblox.sim.environment.extra import needed
 from thinkblox.sim.environment.pictures import Pictures
 from thinkblox.sim.environment.robot import load_robot
@@ -62,7 +65,13 @@ def make_environment(
         raise InputError("no room is given")
     if task not in SECONDS:
         raise InputError(f"no task {task!r}; there are {', '.join(SECONDS)}")
-    random_state = np.random.RandomState(seed)
+    if destination is not None and task != "carry":
+        raise InputError(f"only 'carry' has a destination, not {task!r}; say where to by its target")
+    if mount not in MOUNTS:
+        raise InputError(f"no mount {mount!r}; there are {', '.join(MOUNTS)}")
+    limit = SECONDS[task] if time_limit is None else _seconds(time_limit, "time_limit")
+    _seconds(control_timestep, "control_timestep")
+    random_state = _random_state(seed)
 
     def make(source: RoomSource) -> Any:
         composer = needed("dm_control.composer")
@@ -72,10 +81,24 @@ def make_environment(
         )  # fmt: skip
         return composer.Environment(
             made,
-            time_limit=time_limit or SECONDS[task],
+            time_limit=limit,
             random_state=random_state,
             recompile_mjcf_every_episode=False,
             strip_singleton_obs_buffer_dim=True,
         )
 
     return make(sources[0]) if len(sources) == 1 else rotating(sources, make, random_state)
+
+
+def _seconds(value: object, name: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, Real) or not 0.0 < float(value) < math.inf:
+        raise InputError(f"{name} is {value!r}; it must be a time above 0 [s]")
+    return float(value)
+
+
+def _random_state(seed: object) -> np.random.RandomState:
+    if seed is None:
+        return np.random.RandomState()
+    whole = seed_given(seed)
+    # The engine of random numbers takes 32 bits at a time.
+    return np.random.RandomState(whole if whole < 2**32 else [whole % 2**32, whole >> 32])

@@ -69,6 +69,8 @@ def load_robot(robot: str | Path, *, tool: str | None = None) -> Robot:
         return _jaco()
     file = HOME / f"{robot}.xml" if robot in OURS else Path(robot)
     if not file.is_file():
+        if Path(robot).suffix:
+            raise InputError(f"{robot}: there is no such file to read a robot from")
         raise InputError(
             f"no robot {str(robot)!r}; there are {', '.join((*OURS, JACO))}, or give the path of an MJCF file"
         )

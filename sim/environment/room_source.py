@@ -15,13 +15,14 @@ from thinkblox.errors import InputError
 from thinkblox.exporters.inventory import Inventory
 from thinkblox.exporters.mjcf import write_mjcf
 from thinkblox.exporters.stocktaking import inventory_of
-from thinkblox.scene.scene import Scene, load_scene
+from thinkblox.scene.scene import Scene, load_scene, scene_given
 from thinkblox.sim.build import FREE_SUFFIX
 from thinkblox.sim.environment.extra import needed
 from thinkblox.value import to_json
 
 RoomLike = str | Path | Scene
 SCENE_FILE = "scene.json"
+EXPORTED = (".xml", ".usd", ".usda", ".usdc", ".usdz", ".glb", ".urdf", ".sdf")
 KEPT = 8
 """Most rooms that are kept open at a time."""
 TIMESTEP = 0.004
@@ -55,9 +56,13 @@ def rooms_of(room: RoomLike | Iterable[RoomLike]) -> tuple[RoomSource, ...]:
     """
     if isinstance(room, Scene):
         return (RoomSource("room", room),)
+    if not isinstance(room, str | Path | Iterable):
+        return (RoomSource("room", scene_given(room)),)
     if not isinstance(room, str | Path):
         return tuple(source for each in room for source in rooms_of(each))
     path = Path(room)
+    if path.is_file() and path.suffix.lower() in EXPORTED:
+        raise InputError(f"{path}: an environment is made of a scene.json, which stands beside what was exported of it")
     if path.is_file():
         return (RoomSource(path.parent.name or "room", path),)
     if (path / SCENE_FILE).is_file():

@@ -169,7 +169,8 @@ def make_task(
         raise InputError(f"no task {task!r}; there are {', '.join(TASKS)}")
     if robot.tool is None and task != "drive":
         raise InputError(
-            f"the robot {robot.name!r} has no tool to {task} with; take 'picker', 'jaco' or one of your own"
+            f"the robot {robot.name!r} has no tool to {task} with; take 'picker', 'jaco' or one of your own, of which"
+            " tool= names a site"
         )
     if not robot.mobile and task == "drive":
         raise InputError(

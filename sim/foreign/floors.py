@@ -1,11 +1,14 @@
 """A floor for models that have none under what would fall for ever."""
 
+from dataclasses import dataclass
+
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from thinkblox.sim.build import GROUND
 from thinkblox.sim.foreign.geom_volumes import lowest_point
+from thinkblox.sim.foreign.names import listed
 from thinkblox.sim.foreign.triangles import colliding
 from thinkblox.sim.subject import Thing
 
@@ -15,8 +18,21 @@ MARGIN, DEPTH = 5.0, 0.5
 _OPEN = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
 
 
-def floor_height(model: mujoco.MjModel, data: mujoco.MjData, things: tuple[Thing, ...]) -> float | None:
-    """Where a floor is needed [m]: at the lowest point of all that can be touched.
+@dataclass(frozen=True)
+class NeededFloor:
+    """A floor that a model lacks.
+
+    Attributes:
+        height: of its top, the lowest point of all that can be touched [m].
+        note: that it was put there and why, in a sentence.
+    """
+
+    height: float
+    note: str
+
+
+def needed_floor(model: mujoco.MjModel, data: mujoco.MjData, things: tuple[Thing, ...]) -> NeededFloor | None:
+    """The floor that a model needs, None where it needs none.
 
     It is where a free thing has nothing under it that reaches lower than itself does; planes and height fields are
     taken to be under everything.
@@ -25,18 +41,18 @@ def floor_height(model: mujoco.MjModel, data: mujoco.MjData, things: tuple[Thing
         model: compiled.
         data: at its start.
         things: of the model.
-
-    Returns:
-        None where none is needed.
     """
     geoms = np.flatnonzero(colliding(model))
     free = [thing for thing in things if thing.free]
     if not free or not len(geoms) or np.isin(model.geom_type[geoms], _OPEN).any():
         return None
     low, high, bodies = *_bounds(model, data, geoms), model.geom_bodyid[geoms]
-    if not any(_over_nothing(np.isin(bodies, thing.bodies), low, high) for thing in free):
+    falling = [thing.id for thing in free if _over_nothing(np.isin(bodies, thing.bodies), low, high)]
+    if not falling:
         return None
-    return float(low[:, 2].min())
+    height = float(low[:, 2].min())
+    lacks = "The model has no floor" if len(falling) == len(free) else f"Nothing is under {listed(falling)}"
+    return NeededFloor(height, f"{lacks}: a floor was put under the model's lowest point, at z = {height:.3f} m.")
 
 
 def _over_nothing(mine: NDArray[np.bool_], low: Floats, high: Floats) -> bool:

@@ -165,4 +165,6 @@ def refusal(path: Path, error: BaseException, text: CheckedText, files: NamedFil
     engine = said(error)
     mesh = next((str(file) for name, file in files.meshes.items() if f"Element name '{name}'" in engine), "")
     told = files.named(text.placed(engine))
+    if "keyframe" in engine and "size" in engine:
+        told += " (bodies or joints came or went since the keyframes were written: take the <key> elements out)"
     return f"{path}: MuJoCo cannot read it: {told}" + (f" (mesh file {mesh})" if mesh and mesh not in told else "")

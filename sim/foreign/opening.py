@@ -8,14 +8,14 @@ from pathlib import Path
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from thinkblox.errors import InputError
 from thinkblox.sim.engine_errors import ENGINE_ERRORS, said
 from thinkblox.sim.foreign.aside import set_aside
-from thinkblox.sim.foreign.floors import add_floor, floor_height
+from thinkblox.sim.foreign.floors import add_floor, needed_floor
 from thinkblox.sim.foreign.mjcf import mjcf_spec, plain_note, refusal
 from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, too_many
+from thinkblox.sim.foreign.start import start_of
 from thinkblox.sim.foreign.things import things_of
 from thinkblox.sim.foreign.unusual import unusual_options
 from thinkblox.sim.foreign.urdf import urdf_spec
@@ -23,8 +23,6 @@ from thinkblox.sim.foreign.xml_elements import Element, walk
 from thinkblox.sim.quiet import quiet_engine
 from thinkblox.sim.subject import Subject
 
-SETTLED = "settled"
-"""The keyframe that our own exports start from."""
 LARGEST = 1e10
 """Numbers beyond this the engine takes for a simulation that blew up."""
 _BOUNDED = ("body_pos", "body_quat", "body_mass", "body_inertia", "geom_pos", "geom_size", "qpos0", "key_qpos")
@@ -64,8 +62,7 @@ def open_model(
 
     The model keeps its own options. Its things are the children of the world with all that hangs on them; a child
     without joint and geoms is looked through to its own children, and one with nothing in it is left out. It starts
-    from its keyframe "settled", or else its only keyframe, or else its reference pose, at rest in any case.
-    What is done to a URDF is said at `urdf_spec`.
+    as `start_of` says, at rest in any case. What is done to a URDF is said at `urdf_spec`.
 
     Where something free has nothing under it, a floor is put under the whole. Robots are not furniture: they are held
     where they start, and nothing is said of them but what else touches them.
@@ -102,20 +99,21 @@ def open_model(
     if not sorted_out.things:
         lacks = "nothing but what was set aside" if exclude or robots else "no bodies with joints or geoms in them"
         raise InputError(f"{path}: the model has {lacks}, so there is nothing to measure.")
-    start, keyframe = start_of(model)
+    start = start_of(model)
     return Subject(
         model=model,
-        start=start,
+        start=start.qpos,
         things=sorted_out.things,
         source=kind,
         unusual=unusual_options(model, sorted_out.things),
         notes=(
             *read.notes,
+            *start.notes,
             *floor,
             *sorted_out.notes,
             *dict.fromkeys(f"MuJoCo warns: {' '.join(str(w.message).split())}" for w in warned),
         ),
-        keyframe=keyframe,
+        keyframe=start.keyframe,
         robots=sorted_out.robots,
     )
 
@@ -137,18 +135,6 @@ def kind_of(path: Path) -> str:
         known = ", ".join(f"<{root}> ({name.upper()})" for root, name in NAMES.items())
         raise InputError(f"{roots[0]}: this is no model that can be read; those start with {known}.")
     return kind
-
-
-def start_of(model: mujoco.MjModel) -> tuple[NDArray[np.float64], int | None]:
-    """Where a model starts, and the keyframe that says so; None where it is the reference pose."""
-    names = [str(model.key(key).name) for key in range(model.nkey)]
-    if SETTLED in names:
-        key = names.index(SETTLED)
-    elif model.nkey == 1:
-        key = 0
-    else:
-        return np.array(model.qpos0), None
-    return np.array(model.key_qpos[key]), key
 
 
 def _usd(path: Path, folder: Path | None) -> _Read:
@@ -180,14 +166,14 @@ def _compiled(read: _Read) -> mujoco.MjModel:
 
 def _floored(path: Path, read: _Read, model: mujoco.MjModel) -> tuple[mujoco.MjModel, tuple[str, ...]]:
     """The model with a floor under it, and a note on that, where it has none and needs one."""
-    data = Subject(model, start_of(model)[0], ()).data()
-    height = floor_height(model, data, things_of(model))
-    if height is None:
+    data = Subject(model, start_of(model).qpos, ()).data()
+    floor = needed_floor(model, data, things_of(model))
+    if floor is None:
         return model, ()
-    add_floor(read.spec, model, data, height)
+    add_floor(read.spec, model, data, floor.height)
     model = _compiled(read)
     _check_model(path, model)
-    return model, (f"The model has no floor: one was put under its lowest point, at z = {height:.3f} m.",)
+    return model, (floor.note,)
 
 
 def _check_model(path: Path, model: mujoco.MjModel) -> None:
@@ -201,8 +187,8 @@ def _check_model(path: Path, model: mujoco.MjModel) -> None:
         usable = np.isfinite(values) & ((np.abs(values) <= LARGEST) | (field in _FINITE))
         if not usable.all():
             row = int(np.argwhere(~usable.reshape(len(values), -1).all(axis=1))[0, 0])
-            above = f", or more than {LARGEST:g}" if field in _BOUNDED else ""
-            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number{above}.")
+            above = f", or more than {LARGEST:g}; is the model in metres?" if field in _BOUNDED else "."
+            raise InputError(f"{path}: {_named(model, field, row)} is not a finite number{above}")
     if not np.all(np.isfinite(model.opt.gravity)):
         raise InputError(f"{path}: <option gravity> is not made of finite numbers.")
 

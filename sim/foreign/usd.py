@@ -1,6 +1,7 @@
 """A USD stage with UsdPhysics as an engine's spec: bodies, masses, colliders and joints as they are authored."""
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,8 @@ MAX_BYTES = 512_000_000
 _LISTED = 8
 """So many faults are told in a message."""
 _UNITS = "USD is read with z up, in metres and kilograms"
+_SAID = re.compile(r" : '(.*?)'(?= Error in |$)")
+"""What is wrong, in a message of OpenUSD's that also says where in its own code."""
 _ROOM = "room"
 """The label of what the colliders of the world itself are under."""
 
@@ -42,8 +45,15 @@ def usd_spec(path: Path, *, folder: Path | None = None) -> mujoco.MjSpec:
     faults = usd_faults(stage)
     if faults:
         more = f" and {len(faults) - _LISTED} more" if len(faults) > _LISTED else ""
-        raise InputError(f"{path}: the stage has {len(faults)} faults: {' '.join(faults[:_LISTED])}{more}")
+        count = "1 fault" if len(faults) == 1 else f"{len(faults)} faults"
+        raise InputError(f"{path}: the stage has {count}: {' '.join(faults[:_LISTED])}{more}")
     return _Reading(path, stage).spec()
+
+
+def _told(error: Exception) -> str:
+    """What OpenUSD says, without where in its own code it says so."""
+    said = " ".join(str(error).split())
+    return "; ".join(_SAID.findall(said)[:1] or [said])[:300]
 
 
 def _opened(path: Path, folder: Path) -> Any:
@@ -54,15 +64,17 @@ def _opened(path: Path, folder: Path) -> Any:
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
     except Tf.ErrorException as error:
-        raise InputError(f"{path}: is no USD that can be read: {' '.join(str(error).split())[:300]}") from error
+        raise InputError(f"{path}: is no USD that can be read: {_told(error)}") from error
     for layer in stage.GetUsedLayers():
         real = layer.realPath.partition("[")[0]
         if real and not Path(real).resolve().is_relative_to(folder):
             raise InputError(f"{path}: names {layer.identifier}, which is outside the folder; it is not read")
     if UsdGeom.GetStageUpAxis(stage) != "Z" or UsdGeom.GetStageMetersPerUnit(stage) != 1.0:
-        raise InputError(f"{path}: {_UNITS}; this stage has other units")
+        has = f"{UsdGeom.GetStageUpAxis(stage)} up and {UsdGeom.GetStageMetersPerUnit(stage):g} metres a unit"
+        raise InputError(f"{path}: {_UNITS}; this stage has {has}")
     if UsdPhysics.GetStageKilogramsPerUnit(stage) != 1.0:
-        raise InputError(f"{path}: {_UNITS}; this stage has other units")
+        weight = UsdPhysics.GetStageKilogramsPerUnit(stage)
+        raise InputError(f"{path}: {_UNITS}; this stage has {weight:g} kilograms a unit")
     return stage
 
 

@@ -257,7 +257,10 @@ def _motion_notes(state: SettledState, held: Hold, tolerances: Tolerances, physi
     )
     if state.rested:
         return (moved,)
-    return (moved, f"It still moved after {physics.rest_time:g} s; its keyframe is the state at that time.")
+    return (
+        moved,
+        f"It still moved after {physics.rest_time:g} s; what is said of it once settled is the state at that time.",
+    )
 
 
 def _way_notes(walkable: Access) -> tuple[str, ...]:

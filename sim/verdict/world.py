@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 from msgspec import structs
 
+from thinkblox.errors import InputError
 from thinkblox.scene.actions import Action, Add, Move, Remove, Replace, Swap, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import MAX_EXTENT, MAX_HEIGHT, rectangle
-from thinkblox.scene.scene import Scene
+from thinkblox.scene.scene import Scene, scene_given
 from thinkblox.scene.support import ON_FLOOR, placed_at
 from thinkblox.sim.build import add_placement, build_spec
 from thinkblox.sim.geometry.access import FreeFloor
@@ -94,7 +95,7 @@ class World:
         walking: Walking | None = None,
         requirements: Sequence[Requirement] = (),
     ) -> None:
-        self.scene = scene
+        self.scene = scene_given(scene)
         self._tolerances = tolerances or Tolerances()
         self._physics = physics or Physics()
         self._walking = walking or Walking()
@@ -115,6 +116,8 @@ class World:
         Raises:
             InputError: the engine cannot build the asset; says what it said.
         """
+        if isinstance(candidates, Placement | Asset):
+            raise InputError("World.check takes a list of placements, and then the asset that they all place")
         verdicts: dict[int, Verdict] = {}
         grouped = [number for number, candidate in enumerate(candidates) if self._takes_along(candidate)]
         for number in grouped:

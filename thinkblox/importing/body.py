@@ -122,7 +122,9 @@ def _own_pieces(document: Document, item: Item) -> tuple[list[Array], bool, tupl
         if item.size is None:
             hint = f"its mesh {plain(item.sought)!r} was not found" if item.sought else "it names no mesh"
             document.fail(
-                item.at, f"{plain(item.name)!r} has no size, and {hint}; name the folder of assets that has its mesh"
+                item.at,
+                f"{plain(item.name)!r} has no size, and {hint}; name the folder of assets that has its mesh (--assets),"
+                " or a table of sizes (--sizes)",
             )
         return [BOX_CORNERS * item.size], True, ()
     try:

@@ -1,6 +1,7 @@
 """A foreign JSON file, read with limits: every fault is an InputError that names the file and the place in it."""
 
 import json
+import re
 from codecs import BOM_UTF8
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -50,15 +51,35 @@ class Document:
         try:
             return msgspec.convert(raw, type=kind)
         except (msgspec.ValidationError, OverflowError, RecursionError) as error:
-            raise InputError(f"{self.path}: {_placed(str(error), at)}") from error
+            raise InputError(f"{self.path}: {_told(str(error), raw, at)}") from error
 
     def fail(self, at: str, what: str) -> NoReturn:
         """Raise the InputError that names the file and the JSON path `at`."""
         raise InputError(f"{self.path}: {what} - at `{at}`")
 
 
-def _placed(message: str, at: str) -> str:
-    return message.replace("`$", f"`{at}", 1) if "`$" in message else f"{message} - at `{at}`"
+def _told(message: str, raw: Any, at: str) -> str:
+    """A complaint about a part that stands at a JSON path, with what is found there."""
+    what, _, path = message.partition(" - at `$")
+    path = path.removesuffix("`")
+    found = _at(raw, path)
+    if isinstance(found, int | float) and not isinstance(found, bool):
+        what += f", not {found:g}"
+        if re.search(r"<= 1000?\.0$|>= -1000\.0$", message.partition(" - at ")[0]):
+            what += "; lengths are read in metres"
+    elif isinstance(found, dict) and what.startswith("Object missing"):
+        what += f"; there are {', '.join(f'`{plain(key)[:40]}`' for key in list(found)[:8]) or 'no fields'}"
+    return f"{what} - at `{at}{path}`"
+
+
+def _at(raw: Any, path: str) -> Any:
+    """What stands at a path such as ".boundary.floor_vertices[1][0]"; None where it cannot be followed."""
+    for step in re.finditer(r"\.(\w+)|\[(\d+)\]|(.)", path, re.DOTALL):
+        try:
+            raw = raw[step[1] if step[1] is not None else int(step[2])]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return raw
 
 
 def read_document(path: Path) -> Document:
@@ -87,11 +108,13 @@ def beside(document: Document, belongs: Callable[[Any], bool]) -> list[Document]
 
 def _parsed(path: Path, data: bytes) -> Any:
     try:
+        if not data.strip():
+            raise InputError("is not JSON: it is empty")
         return json.loads(
             data, object_pairs_hook=_distinct, parse_constant=_not_a_number, parse_int=_whole, parse_float=_finite
         )
     except InputError as error:
-        raise InputError(f"{path}: {error}") from error
+        raise InputError(f"{path}: {error}{_place_of(str(error), data)}") from error
     except RecursionError as error:
         raise InputError(f"{path}: is nested too deeply to be a layout") from error
     except UnicodeDecodeError as error:
@@ -109,8 +132,20 @@ def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
+_NOT_HELD = "is not a number that JSON or a layout can hold"
+
+
 def _not_a_number(token: str) -> NoReturn:
-    raise InputError(f"{token} is not a number that JSON or a layout can hold")
+    raise InputError(f"{token} {_NOT_HELD}")
+
+
+_NO_NUMBER = re.compile(rb"[\[:,\s](?P<token>NaN|-?Infinity)\s*[\],}]")
+
+
+def _place_of(message: str, data: bytes) -> str:
+    """Where the first value that is no number stands, as ", line 3, column 14"."""
+    found = _NO_NUMBER.search(data) if message.endswith(_NOT_HELD) else None
+    return f", {place_in(data, found.start('token'))}" if found else ""
 
 
 def _whole(token: str) -> int:

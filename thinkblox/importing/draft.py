@@ -51,6 +51,7 @@ class Item:
             of its mesh; before `linear`.
         size: (along the front, across, up) before `linear` [m]; None where the layout gives none.
         mesh: the file that shows it; None where there is none.
+        called: what a table of sizes may call it besides.
         sought: what was looked for, when no mesh was found.
         scale: of the mesh, along the axes of the object's own frame.
         fitted: the mesh is stretched to `size`.
@@ -65,6 +66,7 @@ class Item:
     anchor: Anchor = "centre"
     size: Vec3 | None = None
     mesh: Path | None = None
+    called: str = ""
     sought: str = ""
     scale: Vec3 = (1.0, 1.0, 1.0)
     fitted: bool = False

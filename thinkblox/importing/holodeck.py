@@ -133,7 +133,9 @@ def _chosen(document: Document, house: _House, room: str | None) -> int:
     if room is None and len(ids) == 1:
         return 0
     if room is None or room not in ids:
-        document.fail("$.rooms", f"a house of {len(ids)} rooms: say which to read; they are {', '.join(ids[:20])}")
+        document.fail(
+            "$.rooms", f"a house of {len(ids)} rooms: say which to read (--room); they are {', '.join(ids[:20])}"
+        )
     return ids.index(room)
 
 
@@ -179,6 +181,7 @@ class _Sizes:
             linear=_linear(thing.rotation),
             size=size,
             mesh=mesh,
+            called=thing.object_name,
             sought=thing.assetId,
             mount=self._mounts.get(thing.id),
         )

@@ -196,7 +196,7 @@ def _outline(
         document.fail(
             base,
             f"no {' and no '.join(missing)}: the room's size is read off its walls; save the graph after backtracking,"
-            " or give the room's size",
+            " or give the room's size (--room-size)",
         )
     if missing:
         x, y, *up = room_size or ()

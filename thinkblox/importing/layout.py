@@ -1,6 +1,7 @@
 """A layout of another generator as one of our scenes."""
 
 import re
+import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.importing.body import ItemBody, body_of
 from thinkblox.importing.ceiling import assumed_height, corded
 from thinkblox.importing.document import Document, plain, read_document
+from thinkblox.importing.doubts import doubts
 from thinkblox.importing.draft import Item, LayoutDraft
 from thinkblox.importing.formats import FORMATS
 from thinkblox.importing.holodeck import read_holodeck
@@ -19,6 +21,7 @@ from thinkblox.importing.layoutvlm import read_layoutvlm
 from thinkblox.importing.library import Library
 from thinkblox.importing.mounting import mounts_of
 from thinkblox.importing.outline import origin_of, room_of
+from thinkblox.importing.rugs import off_rugs
 from thinkblox.importing.sceneeval import read_sceneeval
 from thinkblox.importing.signatures import detect
 from thinkblox.importing.sizes import Sizes, read_sizes, size_in
@@ -33,6 +36,8 @@ FRONTS = (
     " the way its format wants."
 )
 
+RENAMED = 5
+"""How many ids that are not the layout's own names are told."""
 _MEANT_FOR = {
     "room": ("holodeck", "layoutgpt", "sceneeval"),
     "short_side": ("layoutgpt",),
@@ -155,7 +160,7 @@ def _given(item: Item, sizes: Sizes) -> Item:
 
 def _names(item: Item) -> tuple[str, ...]:
     """By which a table of sizes may speak of it."""
-    return (item.name, item.kind, item.sought)
+    return (item.name, item.called, item.kind, item.sought)
 
 
 def _draft(
@@ -193,12 +198,22 @@ def _layout(document: Document, draft: LayoutDraft, format: str, height: float |
     if "wall" in mounts:
         notes = (*notes, FRONTS)
     ids = _ids(room, draft.items)
+    bodies, lowered = off_rugs(bodies, mounts)
+    if lowered:
+        names = ", ".join(ids[k] for k in lowered[:RENAMED]) + (" and more" if len(lowered) > RENAMED else "")
+        notes = (*notes, f"On a rug, which nothing collides with, and so measured on the floor under it: {names}.")
     return ForeignLayout(
         scene=_scene(document, room, bodies, ids, mounts, plain(draft.prompt)),
         format=format,
         substituted=tuple(id for id, body in zip(ids, bodies, strict=True) if body.boxed),
         unplaced=tuple(plain(name) for name in draft.unplaced),
-        notes=(*draft.notes, *notes, *(note for body in bodies for note in body.notes)),
+        notes=(
+            *doubts(room, draft.items, bodies, shift),
+            *draft.notes,
+            *notes,
+            *_renamed(draft.items, ids),
+            *(note for body in bodies for note in body.notes),
+        ),
     )
 
 
@@ -222,7 +237,8 @@ def _ids(room: Room, items: Iterable[Item]) -> list[str]:
     taken = {"floor", "ceiling"} | {wall.name for wall in room.walls} | {opening.id for opening in room.openings}
     ids = []
     for item in items:
-        stem = re.sub(r"[^A-Za-z0-9_.-]+", "_", item.name[:100]).strip("_.-")
+        name = unicodedata.normalize("NFKD", item.name).encode("ascii", "ignore").decode() or item.name
+        stem = re.sub(r"[^A-Za-z0-9_.-]+", "_", name[:100]).strip("_.-")
         stem = stem if stem[:1].isalpha() else f"object_{stem}".rstrip("_")
         id, number = stem, 2
         while id in taken:
@@ -230,6 +246,19 @@ def _ids(room: Room, items: Iterable[Item]) -> list[str]:
         taken.add(id)
         ids.append(id)
     return ids
+
+
+def _renamed(items: Sequence[Item], ids: Sequence[str]) -> tuple[str, ...]:
+    """Which ids do not show by themselves whose they are, in a sentence."""
+    pairs = [
+        f"{plain(item.name)[:40]!r} is {id[:40]}"
+        for item, id in zip(items, ids, strict=True)
+        if [c for c in item.name if c.isalnum()] != [c for c in id if c.isalnum()]
+    ]
+    if not pairs:
+        return ()
+    more = f", and {len(pairs) - RENAMED} more" if len(pairs) > RENAMED else ""
+    return (f"Called otherwise here: {', '.join(pairs[:RENAMED])}{more}.",)
 
 
 def _scene(

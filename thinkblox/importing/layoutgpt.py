@@ -101,7 +101,9 @@ def _chosen(document: Document, room: str | None) -> tuple[str, _Prediction, Seq
     if room is None and len(ids) == 1:
         return "$[0]", predictions[0], predictions
     if room is None or room not in ids:
-        document.fail("$", f"{len(ids)} layouts: say which to read; they are {', '.join(map(plain, ids[:20]))}")
+        document.fail(
+            "$", f"{len(ids)} layouts: say which to read (--room); they are {', '.join(map(plain, ids[:20]))}"
+        )
     index = ids.index(room)
     return f"$[{index}]", predictions[index], predictions
 
@@ -131,7 +133,8 @@ def _scale(
     if not ratios:
         document.fail(
             f"{at}.prompt",
-            "lengths are in pixels, and nothing in the file is of a usual size; give the room's short side [m]",
+            "lengths are in pixels, and nothing in the file is of a usual size; give the room's short side [m]"
+            " (--short-side)",
         )
     scale = median(ratios)
     rooms = "1 room" if len(predictions) == 1 else f"{len(predictions)} rooms"

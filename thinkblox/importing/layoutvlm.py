@@ -179,8 +179,8 @@ def _with_records(both: _Both, library: Library) -> _Both:
     if missing:
         both.scene_file.fail(
             "$.assets",
-            f"only uids, and {len(missing)} of them, as {missing[0]!r}, have no data.json; name the folder of assets,"
-            " or a table of sizes",
+            f"only uids, and {len(missing)} of them, as {missing[0]!r}, have no data.json; name the folder of assets"
+            " (--assets), or a table of sizes (--sizes)",
         )
     return replace(both, assets=_named({uid: record for uid, record in records.items() if record is not None}, copies))
 

@@ -120,7 +120,9 @@ def _floor(document: Document, scene: _Scene, room: str | None) -> tuple[int, _E
         document.fail("$.scene.arch.elements", "there is no element of type 'Floor'")
     if len(chosen) != 1:
         names = ", ".join(str(e.roomId) for _, e in floors[:20])
-        document.fail("$.scene.arch.elements", f"{len(floors)} floors: say which room to read; they are {names}")
+        document.fail(
+            "$.scene.arch.elements", f"{len(floors)} floors: say which room to read (--room); they are {names}"
+        )
     return chosen[0]
 
 
@@ -192,6 +194,6 @@ def _check_meshes(document: Document, items: tuple[Item, ...]) -> None:
         document.fail(
             missing[0].at,
             f"{len(missing)} of {len(items)} meshes were not found ({names}); a scene state holds no sizes, so they"
-            " cannot be replaced by boxes: name the folder of assets that has <id>/<id>.glb or annotations, or a table"
-            " of sizes",
+            " cannot be replaced by boxes: name the folder of assets that has <id>/<id>.glb or annotations"
+            " (--assets), or a table of sizes (--sizes)",
         )

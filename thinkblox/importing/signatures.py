@@ -3,6 +3,7 @@
 from typing import Any
 
 from thinkblox.errors import InputError
+from thinkblox.importing.document import plain
 from thinkblox.importing.formats import FORMATS
 from thinkblox.importing.holodeck import is_holodeck
 from thinkblox.importing.idesign import is_idesign
@@ -20,6 +21,9 @@ _SIGNATURES = {
     "sceneeval": is_sceneeval,
 }
 
+SHOWN, SHORT = 6, 30
+"""How many keys of a file that nobody reads are told, and how much of each."""
+
 
 def detect(document: Any) -> str:
     """The format of a JSON value.
@@ -30,6 +34,19 @@ def detect(document: Any) -> str:
     found = [name for name, signature in _SIGNATURES.items() if signature(document)]
     if len(found) == 1:
         return found[0]
-    what = f"has the keys of {' and '.join(found)}" if found else "has the keys of no layout that is read"
+    what = (
+        f"has the keys of {' and '.join(found)}"
+        if found
+        else f"has the keys of no layout that is read{_keys(document)}"
+    )
     choices = ", ".join(found or FORMATS)
     raise InputError(f"{what}; say which it is with --format, one of {choices}")
+
+
+def _keys(document: Any) -> str:
+    """The keys that a value has, as an insertion; nothing where it has none."""
+    first = document[0] if isinstance(document, list) and document else document
+    if not isinstance(first, dict) or not first:
+        return ""
+    names = [repr(plain(key)[:SHORT]) for key in first]
+    return f" ({', '.join(names[:SHOWN])}{', ...' if len(names) > SHOWN else ''})"

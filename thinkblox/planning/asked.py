@@ -2,6 +2,8 @@
 
 import math
 
+from msgspec.structs import replace
+
 from thinkblox.assets import facts_of
 from thinkblox.brief import Brief, Relation, RelationKind
 from thinkblox.knowledge.habits import load_habits
@@ -15,6 +17,8 @@ _PAIRED = ("facing", "opposite", "back_to_back")
 """Relations among alike that pair them."""
 _SUPPORTED = ("between", "in_front_of", "opposite")
 """Relations of things on walls and ceilings to what carries their anchor."""
+_HELD = ("on", "inside")
+"""Relations to the very thing that was named, whatever carries that."""
 _DRAWN_UP = ("around", "at", "at_long_side", "at_short_side", "next_to")
 """Relations by which seats belong to a table."""
 _MIRRORED: dict[str, RelationKind] = {
@@ -144,11 +148,20 @@ def share(number: int, count: int, anchors: int) -> int:
 
 
 def _add(members: Members, subject: Member, anchors: list[Member], relation: Relation, index: int, count: int) -> None:
-    """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject."""
-    if subject.mount == "floor" or (relation.kind in _SUPPORTED and subject.mount != "surface"):
+    """Add a tie, or its mirror image to the anchor where the anchor already waits for the subject.
+
+    Where that is to other things than were named, or the other way round, what was asked for is due all the same.
+    """
+    named = [anchor for anchor in dict.fromkeys(anchors) if anchor is not subject]
+    if _stands_by_carriers(subject, relation):
         anchors = [_standing(members, anchor, subject, relation) for anchor in anchors]
     anchors = [anchor for anchor in dict.fromkeys(anchors) if anchor is not subject]
     free = [anchor for anchor in anchors if not members.depends(anchor, subject)]
+    kind = _meant(relation, subject, free, members, count) if free else relation.kind
+    means = free != named and kind == relation.kind
+    if means and named:
+        ids = tuple(anchor.id for anchor in named)
+        members.owe(subject, Tie(kind=kind, anchors=ids, index=index, count=count, asked=relation.asked))
     for anchor in anchors:
         mirrored = _MIRRORED.get(relation.kind)
         if (
@@ -156,13 +169,20 @@ def _add(members: Members, subject: Member, anchors: list[Member], relation: Rel
             and mirrored
             and not any(subject.id in tie.anchors and tie.kind == mirrored for tie in anchor.ties)
         ):
-            anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked))
+            anchor.ties.append(Tie(kind=mirrored, anchors=(subject.id,), asked=relation.asked, means=True))
     if free:
         ids = tuple(anchor.id for anchor in free)
-        kind = _meant(relation, subject, free, members, count)
-        subject.ties.append(Tie(kind=kind, anchors=ids, index=index, count=count, asked=relation.asked))
+        tie = Tie(kind=kind, anchors=ids, index=index, count=count, asked=relation.asked, means=means)
+        subject.ties.append(tie)
         if kind in ("at_long_side", "at_short_side") and load_habits().is_in(subject.category, "seating"):
-            subject.ties.append(Tie(kind="facing", anchors=ids, index=index, count=count, asked=relation.asked))
+            subject.ties.append(replace(tie, kind="facing"))
+
+
+def _stands_by_carriers(subject: Member, relation: Relation) -> bool:
+    """Whether it is placed by what carries a thing, where it is asked for by that thing."""
+    if relation.kind in _HELD:
+        return False
+    return subject.mount == "floor" or (relation.kind in _SUPPORTED and subject.mount != "surface")
 
 
 def _standing(members: Members, anchor: Member, subject: Member, relation: Relation) -> Member:

@@ -1,7 +1,8 @@
 """What makes a furnished room a lived-in one: more to stand and hang in it, and what lies on all that carries."""
 
-from collections.abc import Iterator, Sequence
-from typing import cast
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+from typing import Literal, cast
 
 import numpy as np
 from msgspec.structs import replace
@@ -23,10 +24,15 @@ _FULL, _PACKED = 0.35, 0.6
 """Share of a top that things may cover, as people still use it, and of a shelf."""
 _PASSES = 3
 """How often the things for a shelf are gone through, while it has room."""
+_FEW, _TIMES = 2, 2
+"""Of what lies about by ones or twos a room has at most so many times as many: no four alarm clocks."""
+_MANY = 6
+"""What there are so many of on a thing is what it is for, and comes first: books on a bookcase."""
 _REACH, _REACHED_SHELF = 1.5, 1.9
 """Nothing lies on an open top, or on that of a shelf, that is higher [m]."""
 _GAP = 0.03
 """Left about a thing on a surface [m]."""
+Stage = Literal["furniture", "things", "spare"]
 _PLACES = ("wall", "corner", "window", "door", "centre")
 _STAGE = {"floor": 0, "wall": 1, "ceiling": 2, "surface": 3}
 
@@ -39,9 +45,20 @@ class Dresser:
         self._rng = rng
         self._table = dressing()
         self._numbers: dict[str, int] = {}
+        self._laid_out: Counter[str] = Counter()
         for target in plan.targets:
             self._numbers[target.category] = self._numbers.get(target.category, 0) + 1
         self._wanted = int(rng.integers(LEAST, MOST + 1))
+
+    def add(self, stage: Stage, scene: Scene, full: Collection[str] = ()) -> tuple[Target, ...]:
+        """What is added next to a room; nothing is laid onto what is `full`."""
+        match stage:
+            case "furniture":
+                return self.furniture(scene)
+            case "spare":
+                return self.spare(scene)
+            case "things":
+                return self.things(scene, full)
 
     def furniture(self, scene: Scene) -> tuple[Target, ...]:
         """What else stands on the floor and hangs on the walls, largest first."""
@@ -65,9 +82,9 @@ class Dresser:
         targets.sort(key=_rank)
         return self._planned(targets)
 
-    def things(self, scene: Scene) -> tuple[Target, ...]:
-        """What lies on everything that carries, in turn, until the room has as many as it is to have."""
-        carriers = [self._on(scene, p) for p in scene.placements]
+    def things(self, scene: Scene, full: Collection[str] = ()) -> tuple[Target, ...]:
+        """What lies on everything that carries and is not `full`, in turn, until the room has as many as it is to."""
+        carriers = [self._on(scene, p) for p in scene.placements if p.id not in full]
         turns = [turn for turn in carriers if turn is not None]
         targets: list[Target] = []
         while turns and len(scene.placements) + len(targets) < self._wanted:
@@ -89,18 +106,26 @@ class Dresser:
         resting = scene.resting_on(carrier.id)
         free = sum(_share(s) * s.size[0] * s.size[1] for s in surfaces) - sum(p.size[0] * p.size[1] for p in resting)
         passes = _PASSES if any(s.headroom is not None for s in surfaces) else 1
-        for place in [place for _ in range(passes) for place in self._rng.permutation(len(things))]:
+        order = [place for _ in range(passes) for place in self._rng.permutation(len(things))]
+        first = [place for place in order[: len(things)] if things[place].count >= _MANY]
+        for place in [*first, *(place for place in order if place not in first)]:
             usual = things[place]
             kind = kind_of(usual.category)
             if not self._is_welcome(usual.category) or not any(_has_room(s, kind) for s in surfaces):
                 continue
-            if any(are_alike(p.category, usual.category) for p in resting):
+            if any(are_alike(p.category, usual.category) for p in resting) or self._is_plenty(scene, usual):
                 continue
             cover = (kind.size[0] + _GAP) * (kind.size[1] + _GAP)
             count = min(int(self._rng.integers((usual.count + 1) // 2, usual.count + 1)), int(free / cover))
             if count > 0:
                 free -= count * cover
+                self._laid_out[usual.category] += count
                 yield self._added(usual.category, count, (Tie(kind="on", anchors=(carrier.id,), asked=False),))
+
+    def _is_plenty(self, scene: Scene, usual: Usual) -> bool:
+        """Whether the room has as many of a thing as anybody would have lying about."""
+        there = self._laid_out[usual.category] or self._there(scene, usual.category)
+        return usual.count <= _FEW and there >= _TIMES * usual.count
 
     def _ties(self, scene: Scene, usual: Usual) -> tuple[Tie, ...] | None:
         """How it is to stand; None where what it belongs to is not there."""

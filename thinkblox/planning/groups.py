@@ -2,13 +2,16 @@
 
 from msgspec.structs import replace
 
-from thinkblox.plan import Tie
+from thinkblox.plan import Tie, carries
 from thinkblox.planning.members import Member, Members
 
 _COUNTED = ("around", "at_long_side", "at_short_side", "at", "in_front_of")
 """Relations whose members take places of their own about one anchor."""
 _CLOSE = ("next_to", "near", "left_of", "right_of")
 """Relations to a thing on a counter that are those to the counter, for what stands on the floor."""
+
+
+_PLACED = ("against_wall", "in_corner", "near")
 
 
 def lower(members: Members) -> None:
@@ -24,17 +27,24 @@ def _lower(members: Members, member: Member, place: int, tie: Tie) -> None:
     support = members.support(upper) if upper else None
     if tie.kind not in _CLOSE or upper is None or support is None or support is member or upper.mount != "surface":
         return
-    if members.depends(support, member):
+    if members.depends(support, member) or _may_stand_elsewhere(upper):
         return
-    member.ties[place] = replace(tie, anchors=(support.id,))
+    members.owe(member, tie)
+    member.ties[place] = replace(tie, anchors=(support.id,), means=True)
     if not members.depends(member, upper):
         bring_near(upper, member)
+
+
+def _may_stand_elsewhere(upper: Member) -> bool:
+    """Whether nobody asked for it to be on what usually carries it, but for a place of its own in the room."""
+    asked = [tie for tie in upper.ties if tie.asked]
+    return any(tie.kind in _PLACED for tie in asked) and not any(map(carries, asked))
 
 
 def bring_near(upper: Member, member: Member) -> None:
     """Have a thing on a counter put where `member`, that stands on the floor, is next to it."""
     if not any(member.id in tie.anchors for tie in upper.ties):
-        upper.ties.append(Tie(kind="next_to", anchors=(member.id,)))
+        upper.ties.append(Tie(kind="next_to", anchors=(member.id,), means=True))
 
 
 def count_off(members: Members) -> None:

@@ -21,8 +21,8 @@ _VISITORS = 3
 """So many are received at once across a desk."""
 _MANY_DESKS, _MANY_SEATS = 10, 12
 """From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
-_LINE = 3
-"""From so many on alike things stand in line."""
+_LINE, _BED_LINE = 2, 3
+"""From so many on alike things stand in line, and beds."""
 _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 """Relations of things that stand where an anchor with its back to a wall leaves no room."""
 _BESIDE = ("left_of", "right_of", "between")
@@ -41,7 +41,7 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         whole = len(waiting) == len(request)
         if len(waiting) > 1 and whole and _is_sat_about(members, waiting[0]):
             waiting = _in_rows(waiting)
-        if len(waiting) >= _LINE and whole and load_habits().is_in(request[0].category, "in_line"):
+        if whole and _is_lined_up(waiting):
             waiting = _in_rows(waiting)
         for habit in load_habits().of(request[0].category):
             if habit.kind == "against_wall" and len(waiting) >= _crowd(request[0].category):
@@ -50,6 +50,14 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _is_lined_up(waiting: list[Member]) -> bool:
+    """Whether they are what stands in line, and enough."""
+    habits, first = load_habits(), next(iter(waiting), None)
+    if first is None or not habits.is_in(first.category, "in_line"):
+        return False
+    return len(waiting) >= (_BED_LINE if habits.is_in(first.category, "beds") else _LINE)
 
 
 def _crowd(category: str) -> int:
@@ -152,6 +160,8 @@ def _join_neighbour(members: Members, member: Member) -> bool:
 def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: bool) -> list[Member]:
     """Tie as many as the habit has room for; returns the others."""
     if waiting[0].mount == "surface" and habit.kind != "on" and waiting[0].ties:
+        return waiting
+    if habit.kind in _WITHOUT_PLACE and any(tie.kind == habit.kind for tie in waiting[0].ties):
         return waiting
     if not _applies(members, waiting, habit):
         return waiting

@@ -6,7 +6,7 @@ from functools import cached_property
 from thinkblox.assets import kind_of
 from thinkblox.assets.mounting import mount_of
 from thinkblox.brief import Brief, Request
-from thinkblox.plan import Tie, carries
+from thinkblox.plan import Due, Tie, carries
 
 
 @dataclass(eq=False)
@@ -48,12 +48,17 @@ class Member:
 
 
 class Members:
-    """All objects of a brief, by request and by id."""
+    """All objects of a brief, by request and by id.
+
+    Attributes:
+        due: relations that were asked for and that other ties serve, as one of the two is placed by another thing.
+    """
 
     def __init__(self, brief: Brief) -> None:
         numbers: dict[str, int] = {}
         self.by_request: dict[str, list[Member]] = {}
         self.by_id: dict[str, Member] = {}
+        self.due: list[Due] = []
         for request in brief.requests:
             for index in range(request.count):
                 numbers[request.category] = numbers.get(request.category, 0) + 1
@@ -74,6 +79,12 @@ class Members:
         """What it stands on, if that is another object."""
         on = next((tie for tie in member.ties if carries(tie)), None)
         return self.by_id.get(on.anchors[0]) if on else None
+
+    def owe(self, subject: Member, tie: Tie) -> None:
+        """Remember that a relation is to be measured between the very things that it was asked for of."""
+        due = Due(subject=subject.id, tie=tie)
+        if tie.asked and due not in self.due:
+            self.due.append(due)
 
     def depends(self, member: Member, other: Member) -> bool:
         """Whether `member` has to wait for `other`, be it through others."""

@@ -1,6 +1,7 @@
 """Brief to Plan: anchors first, then what belongs to them, then small things."""
 
 import heapq
+from collections.abc import Sequence
 
 from msgspec.structs import replace
 
@@ -8,7 +9,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import counts_as
-from thinkblox.plan import Plan, Target, is_object
+from thinkblox.plan import Due, Plan, Target, is_object
 from thinkblox.planning.asked import tie_relation
 from thinkblox.planning.denied import deny
 from thinkblox.planning.groups import count_off, lower
@@ -44,7 +45,7 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
 
     Two ties may have no anchors: "in_rows", and "facing" or "next_to" of the first among its like.
     """
-    brief = without_excluded(brief)
+    brief = _dressed(without_excluded(brief), room)
     members = Members(brief)
     relations = list(relations_in(brief, room, chosen_walls(brief, room)))
     for relation in relations:
@@ -56,7 +57,9 @@ def plan_brief(brief: Brief, room: Room) -> Plan:
     keep_views(members)
     lower(members)
     count_off(members)
-    targets = tuple(_target(member, members, room.height) for member in _ordered(members))
+    ordered = _ordered(members)
+    due = _due(members, ordered)
+    targets = tuple(_target(member, members, room.height, due.get(member.id, ())) for member in ordered)
     sizes = (size_note(request) for request in brief.requests)
     notes = (*filter(None, sizes), *brief.left_out, *opening_notes(brief, room), *surface_notes(brief, room))
     return Plan(brief=brief, targets=targets, notes=notes, free=free_parts(brief, room))
@@ -75,7 +78,29 @@ def without_excluded(brief: Brief) -> Brief:
     return replace(brief, requests=tuple(r for r in brief.requests if r.key not in gone), relations=tuple(relations))
 
 
-def _target(member: Member, members: Members, room_height: float) -> Target:
+def _dressed(brief: Brief, room: Room) -> Brief:
+    """The brief with no more of the curtains that it only assumes than the room has windows."""
+    windows = sum(opening.kind == "window" for opening in room.openings)
+    drapes = {r.key for r in brief.requests if not r.asked and facts_of(r.category).hanging.windows != "no"}
+    if not drapes:
+        return brief
+    fewer = (replace(r, count=min(r.count, windows)) if r.key in drapes and windows else r for r in brief.requests)
+    kept = tuple(r for r in fewer if windows or r.key not in drapes)
+    keys = {r.key for r in kept}
+    relations = (r for r in brief.relations if r.subject in keys and (drapes - keys).isdisjoint(r.anchors))
+    return replace(brief, requests=kept, relations=tuple(relations))
+
+
+def _due(members: Members, ordered: Sequence[Member]) -> dict[str, list[Due]]:
+    """What is due, by the id of who is placed last of those it is about."""
+    number = {member.id: number for number, member in enumerate(ordered)}
+    found: dict[str, list[Due]] = {}
+    for due in members.due:
+        found.setdefault(max((due.subject, *due.tie.anchors), key=number.__getitem__), []).append(due)
+    return found
+
+
+def _target(member: Member, members: Members, room_height: float, due: Sequence[Due]) -> Target:
     request = member.request
     return Target(
         id=member.id,
@@ -87,6 +112,7 @@ def _target(member: Member, members: Members, room_height: float) -> Target:
         count=request.count,
         ties=tuple(dict.fromkeys(member.ties)),
         denied=tuple(dict.fromkeys(member.denied)),
+        due=tuple(due),
         size=size_of(member, members, room_height),
     )
 

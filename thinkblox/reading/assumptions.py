@@ -205,9 +205,9 @@ def _place(anchors: str, made: Mapping[str, Mention]) -> str:
 
 
 def _serves(noun: str, usual: Usual) -> bool:
-    """Whether a <noun> will do instead of what is expected: not an island for the cabinets along a wall."""
+    """Whether a <noun> will do instead of what is expected: no island and no bar for the cabinets along a wall."""
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
-    amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around")
+    amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
 
 
@@ -372,6 +372,8 @@ def _build_in(draft: Draft) -> None:
                 draft.hand_over(bond, cabinet)
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
+        if cabinet.many:
+            thing.count = 1
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
 
 

@@ -10,6 +10,8 @@ MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as beyond it."""
 _CORNERS = _WALLS = 4
 _PER_ROW, _ROWS = 3, 2
+_SEVERAL = 2
+"""So many of a plural are there at least where something is said to have them."""
 
 
 def limit_things(draft: Draft) -> None:
@@ -63,6 +65,7 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
         thing.count = (thing.count or 1) * _WALLS
     elif shares and any(isinstance(a, Mention) for a in anchors):
         each = thing.count if thing.count is not None else _each(thing, shares.anchors)
+        each = max(each, _SEVERAL) if thing.count is None and thing.plural and shares.distributed else each
         thing.count = each * sum((a.count or 1) for a in anchors if isinstance(a, Mention))
     elif thing.count is None and (one_each := _one_each(thing, bonds)):
         one_each.each = True

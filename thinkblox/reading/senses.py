@@ -75,7 +75,7 @@ def _relations(bond: Bond) -> tuple[str, ...]:
 
 
 def _holds(condition: str, facts: dict[str, set[str]], thing: Mention) -> bool:
-    if condition == "many":
-        return thing.many
+    if condition in ("many", "seated"):
+        return thing.many if condition == "many" else thing.seats > 0
     name, _, values = condition.partition(":")
     return not facts[name].isdisjoint(values.split("|"))

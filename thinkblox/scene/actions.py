@@ -123,10 +123,16 @@ def check_pose(id: str, position: Sequence[float], yaw: float | None) -> tuple[V
         x, y, z = (float(c) + 0.0 for c in position)
         turn = None if yaw is None else (float(yaw) % 360.0) % 360.0
     except (TypeError, ValueError) as error:
-        raise InputError(f"{id} cannot be put at {position!r} and turned to {yaw!r}: that is no pose") from error
+        raise InputError(_no_pose(id, position, yaw)) from error
     if not all(map(math.isfinite, (x, y, z, turn or 0.0))):
-        raise InputError(f"{id} cannot be moved to {position} and turned to {yaw}: that is not a pose")
+        raise InputError(_no_pose(id, position, yaw))
     return (x, y, z), turn
+
+
+def _no_pose(id: str, position: object, yaw: object) -> str:
+    turned = "" if yaw is None else f" and turned to {yaw!r}"
+    needs = "a position is three finite numbers [m]" + ("" if yaw is None else ", a yaw one [degrees]")
+    return f"{id} cannot be put at {position!r}{turned}: that is no pose; {needs}"
 
 
 def _moved(scene: "Scene", id: str, position: Vec3, yaw: float | None) -> Applied:

@@ -167,6 +167,19 @@ def load_scene(path: str | Path) -> Scene:
     return scene
 
 
+def scene_given(scene: object) -> Scene:
+    """What a caller gives for a scene; raises InputError, with what to give, when it is something else."""
+    if isinstance(scene, Scene):
+        return scene
+    what = type(scene).__name__
+    if isinstance(getattr(scene, "scene", None), Scene):
+        raise InputError(f"a {what} is given for a Scene; give its .scene")
+    hint = (
+        "load_scene reads one from a file or folder" if isinstance(scene, str | Path) else "give one, as of load_scene"
+    )
+    raise InputError(f"a {what} is given for a Scene; {hint}")
+
+
 class _WrittenPlacement(Struct):
     id: str
     support: str = ""

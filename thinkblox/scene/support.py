@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import structs
 
+from thinkblox.errors import InputError
 from thinkblox.scene.arrangement import Arrangement, Known
 from thinkblox.scene.placement import Placement
 from thinkblox.value import Vec2, Vec3
@@ -19,6 +20,8 @@ ON_FLOOR = 0.02
 
 def placed_at(scene: Arrangement, asset: Known, *, id: str, position: Vec3, yaw: float) -> Placement:
     """The asset at a pose, with the support that lies under it or the wall it hangs on."""
+    if len(position) != 3:
+        raise InputError(f"{id} cannot be put at {position!r}: a position is three numbers [m]")
     placement = Placement(
         id=id,
         category=asset.category,

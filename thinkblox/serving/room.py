@@ -18,7 +18,7 @@ from thinkblox.furnishing import makeable_part
 from thinkblox.judging import Proposal, Try, asset_for, measured, rejected, understand
 from thinkblox.observe import Observation, kinds_of
 from thinkblox.placing import Effort, Loop, Placing
-from thinkblox.plan import Plan, Target, Tie
+from thinkblox.plan import Due, Plan, Target, Tie
 from thinkblox.policies.expert import ExpertPolicy
 from thinkblox.prompts import prompts_version
 from thinkblox.reading.counts import MAX_OBJECTS
@@ -56,7 +56,7 @@ class AnswerOutcome:
     tried: Try
     line: str
     committed: tuple[Placement, ...] = ()
-    unmet: tuple[Tie, ...] = ()
+    unmet: tuple[Tie | Due, ...] = ()
 
     @property
     def done(self) -> bool:

@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,13 +12,16 @@ import numpy as np
 from msgspec import structs
 
 from thinkblox.exporters.exporting import export_scene
-from thinkblox.exporters.inventory import InventoryObject
+from thinkblox.exporters.inventory import Inventory, InventoryObject
 from thinkblox.exporters.naming import safe_name
 from thinkblox.exporters.stocktaking import inventory_of
+from thinkblox.exporters.usd import write_usd
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.room import rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.build import add_placement, new_spec
 from thinkblox.sim.settings import Physics
+from thinkblox.sim.verdict.settle import settle
 from thinkblox.value import Vec3
 
 SECONDS = 2.0
@@ -27,6 +31,9 @@ TIMES = (0.4, 0.8)
 TILTED = (2.0, 0.0, -9.6)
 """Gravity that draws doors and drawers open, in the frame of what they are part of [m/s2]."""
 
+_OBJECTS, _WIDE = "/World/Objects", 8.0
+"""Where things are in USD, and the sides of the room [m] in which one is alone."""
+
 
 def write_case(scene: Scene, folder: Path, dropped: Mapping[str, Vec3] | None = None) -> dict[str, Any]:
     """Export a room into a folder with `case.json`; returns that.
@@ -34,13 +41,14 @@ def write_case(scene: Scene, folder: Path, dropped: Mapping[str, Vec3] | None = 
     Things stand where they came to rest, but for those that are `dropped`, from where they are by id [m]; the room's
     doors and windows are things too. `swinging` are the assets with doors and drawers, each alone and held still, and
     `swings` how far these are open at the times in MuJoCo [rad, m], and `slipping` the same with nothing that rubs in
-    their joints.
+    their joints. `stage` is the room in USD, where each thing has a `prim`, and that of what swings is it alone.
     """
     inventory = inventory_of(scene, doors=True)
     export_scene(scene, folder, formats=("mjcf", "urdf", "sdf"), doors=True, overwrite=True)
     things = [_thing(item, folder) for item in inventory.objects]
     for thing in things:
         thing["position"] = (dropped or {}).get(thing["id"], thing["rests"])
+    write_usd(_dropped(inventory, dropped or {}), folder / "room.usdc")
     walls = [
         {"position": g.shape.position, "quat": g.shape.quat_wxyz, "size": g.shape.size, "friction": g.friction[0]}
         for wall in inventory.walls
@@ -48,8 +56,11 @@ def write_case(scene: Scene, folder: Path, dropped: Mapping[str, Vec3] | None = 
         if g.shape is not None
     ]
     swinging = {thing["asset"]: thing for thing in things if thing["joints"]}
+    for number, thing in enumerate(swinging.values()):
+        thing |= _alone(inventory.scene, inventory.scene[thing["id"]], folder / f"swinging_{number}.usdc")
     case = {
         "folder": str(folder),
+        "stage": str(folder / "room.usdc"),
         "timestep": inventory.physics.timestep,
         "gravity": inventory.physics.gravity,
         "tilted": TILTED,
@@ -75,6 +86,7 @@ def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
         "id": item.id,
         "asset": item.asset,
         "model": str(models[0]),
+        "prim": _prim(item),
         "free": item.free,
         "collides": any(geom.collides for body in item.bodies for geom in body.geoms),
         "rests": first.settled[0],
@@ -84,6 +96,36 @@ def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
         # As a model has them, whose links have plain names.
         "joints": {f"{safe_name(body.link)}_joint": body.source for body in item.bodies[1:]},
     }
+
+
+def _dropped(inventory: Inventory, dropped: Mapping[str, Vec3]) -> Inventory:
+    """An inventory in which some things are elsewhere [m]."""
+
+    def put(item: InventoryObject) -> InventoryObject:
+        if item.id not in dropped:
+            return item
+        first, *rest = item.bodies
+        return replace(item, bodies=(replace(first, settled=(dropped[item.id], first.settled[1])), *rest))
+
+    return replace(inventory, objects=tuple(put(item) for item in inventory.objects))
+
+
+def _alone(scene: Scene, placement: Placement, path: Path) -> dict[str, Any]:
+    """A stage of one thing, held where it is and under tilted gravity, and which prims its joints are."""
+    asset = structs.replace(scene.asset_of(placement), mount="wall")
+    alone = Scene(room=rectangle(_WIDE, _WIDE, height=_WIDE))
+    alone = alone.with_placement(structs.replace(placement, position=(_WIDE / 2, _WIDE / 2, 0.0), yaw=0.0), asset)
+    inventory = inventory_of(alone, settled=settle(alone), physics=Physics(gravity=TILTED))
+    write_usd(inventory, path)
+    (item,) = inventory.objects
+    joints = {f"{safe_name(body.link)}_joint": f"{_OBJECTS}/{item.name}/Joints/{body.name}" for body in item.bodies[1:]}
+    return {"stage": str(path), "joint_prims": joints}
+
+
+def _prim(item: InventoryObject) -> str:
+    """The prim of its first body in USD."""
+    whole = f"{_OBJECTS}/{item.name}"
+    return f"{whole}/{item.bodies[0].name}" if len(item.bodies) > 1 else whole
 
 
 def _swings(

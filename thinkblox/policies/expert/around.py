@@ -31,6 +31,8 @@ SIDES: dict[str, float] = {"front": 0.0, "left": 90.0, "back": 180.0, "right": 2
 """Outward direction of each side in the table's own frame [degrees]."""
 OTHERWISE = 1.0
 """Cost of sitting at other sides than at the tables alike."""
+SPOILT = 2.0
+"""Cost of seating people so that one of them finds no place."""
 SAME_SEAT = 0.15
 """A placed seat nearer than this to a place, seen along the edge, has taken it [m]."""
 
@@ -77,7 +79,7 @@ def around(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
         free, strays, tucks = free_places(situation, anchor, places)
         spoilt = _spoilt(situation, anchor, free)
         for place in free:
-            cost = 0.4 * order + other + 2.0 * strays + sum(spoilt) - _from_middle(place)
+            cost = 0.4 * order + other + 2.0 * strays + SPOILT * sum(spoilt) - _from_middle(place)
             yield from seats(situation, anchor, place, cost=cost, tucks=tucks)
 
 
@@ -214,7 +216,10 @@ def _outward(a: float, b: float, t: float) -> float:
 
 
 def _rectangles(anchor: Placement, count: int, *, place: float) -> list[list[Place]]:
-    """Ways to seat `count` people about a rectangle, the best first: pairs on the long sides, then heads."""
+    """Ways to seat `count` people about a rectangle, the best first: pairs on the long sides, then heads.
+
+    The last two leave one long side free, for a table that stands at a wall.
+    """
     depth, width = anchor.size[0], anchor.size[1]
     sides = ("front", "back", "left", "right") if width >= depth else ("left", "right", "front", "back")
     ranked: list[tuple[float, list[Place]]] = []
@@ -225,7 +230,12 @@ def _rectangles(anchor: Placement, count: int, *, place: float) -> list[list[Pla
         even = abs(heads - count / 2) * 0.3 if max(depth, width) < 1.2 * min(depth, width) else heads * 0.1
         places = [spot for side, n in counts.items() for spot in side_places(anchor, side, n)]
         ranked.append((3.0 * crowd + 0.2 * odd + even, places))
-    return [places for _, places in sorted(ranked, key=lambda r: r[0])][:4]
+    ways = [places for _, places in sorted(ranked, key=lambda r: r[0])][:4]
+    along = min(count, int((_width(anchor, sides[0]) + 0.05) / place))
+    if 2 <= along < count <= along + 2:
+        ends = [spot for side in sides[2:][: count - along] for spot in side_places(anchor, side, 1)]
+        ways += [[*side_places(anchor, side, along), *ends] for side in sides[:2]]
+    return ways
 
 
 def _halves(count: int) -> tuple[int, int]:

@@ -20,6 +20,8 @@ BEHIND_GAPS = (0.6, 0.3, 0.15, 0.05)
 """Free distance behind a thing to what stands there, the best first [m]."""
 SERVED_BEHIND = (0.65, 0.75, 0.9, 0.5)
 """The same behind a counter, where somebody serves [m]."""
+SEATED_BEHIND = (0.15, 0.3, 0.05, 0.6)
+"""The same of a chair, for who works there."""
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
@@ -131,6 +133,7 @@ def behind(situation: Situation, anchor: Placement, *, index: int = 0, count: in
     own = (index - (count - 1) / 2) * pitch
     room = max(0.0, anchor.size[1] - situation.size[1]) / 2
     gaps = SERVED_BEHIND if facts_of(anchor.category).is_in("counters") else BEHIND_GAPS
+    gaps = SEATED_BEHIND if situation.facts.is_in("chairs") else gaps
     for rank, gap in enumerate(gaps):
         for step, aside in enumerate(dict.fromkeys((own, 0.0, 0.5 * room, -0.5 * room, room, -room))):
             local = (-(anchor.size[0] / 2 + gap + situation.size[0] / 2), aside)

@@ -7,11 +7,14 @@ from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import BEFORE_BOARD, need, seat_need
 from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.scene.pairs import ACROSS
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 from thinkblox.scene.zones import beside, fewest
 
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""
+TOO_DEEP = 2.0
+"""Cost of looking across the room at a wall from which what stands there is too far away."""
 DARKENS = 0.85
 """What is higher than this does not stand before a window [m]."""
 HIDES, HIDDEN = 0.5, 2.0
@@ -30,7 +33,21 @@ def follower_costs(situation: Situation, rects: Rects) -> Array:
             if key not in done and (situation.target.id in tie.anchors or tie.kind in ("facing", "opposite")):
                 done.add(key)
                 costs += _room_for(situation, rects, follower, tie)
+                if tie.kind == "opposite" and situation.target.id in tie.anchors:
+                    costs += _too_deep(situation, rects, situation.kind(follower).size[0])
     return costs
+
+
+def _too_deep(situation: Situation, rects: Rects, depth: float) -> Array:
+    """The wall across the room is too far away for what is to stand there in sight."""
+    front = np.stack([np.cos(rects.yaw), np.sin(rects.yaw)], axis=-1)
+    ahead = np.full(len(rects), np.inf)
+    for wall in situation.room.walls:
+        inward = np.array(wall.inward)
+        away = (rects.centre - np.array(wall.start)) @ inward - rects.half[:, 0]
+        ahead = np.where((front @ inward < -0.9) & (away > 0.0), np.minimum(ahead, away), ahead)
+    beyond = np.where(np.isfinite(ahead), ahead - depth - ACROSS[1], 0.0)
+    return np.where(beyond > 0.0, TOO_DEEP + beyond, 0.0)
 
 
 def _room_beside(situation: Situation, rects: Rects) -> Array:

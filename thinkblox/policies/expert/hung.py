@@ -18,6 +18,8 @@ USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
 BETWEEN = 0.05
 """Between things that hang side by side [m]."""
+DRAPED = 0.2
+"""How far drapes reach past a window, on either side [m]."""
 BACK_GAP = 0.002
 """Between a hung thing and its wall [m]: touching, without cutting in."""
 
@@ -27,6 +29,8 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     z = _height(situation)
     if situation.facts.hanging.windows != "no":
         yield from at_windows(situation)
+        if not situation.target.asked:
+            return
     watched = is_watched(situation) or situation.facts.is_in("boards")
     for wall in named_walls(situation.room, place):
         short_view = 0.5 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
@@ -91,15 +95,25 @@ def hang(
 
 
 def at_windows(situation: Situation) -> Iterator[Idea]:
-    """Over each window, centred."""
+    """Over each window, centred; drapes as wide as the window and what hangs beside it, or as a share of it."""
     for opening in situation.room.openings:
         if opening.kind == "window":
             wall = situation.room.walls[opening.wall]
             top = opening.sill + opening.height
-            z = top + 0.05 if situation.size[2] < 0.3 else top + 0.1 - situation.size[2]
-            z = min(max(z, 0.0), situation.room.height - situation.size[2])
-            for rank, along in enumerate(_window_places(situation, wall, opening)):
-                yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=-1.0 + 0.1 * rank)
+            for rank, (along, size) in enumerate(_window_places(situation, wall, opening)):
+                for step, drop in enumerate(_drops(situation, opening, size)):
+                    z = top + 0.05 if drop < 0.3 else top + 0.1 - drop
+                    z = min(max(z, 0.0), situation.room.height - drop)
+                    cost = -1.0 + 0.1 * rank + 0.2 * step
+                    hung = None if size is None else (size[0], size[1], drop)
+                    yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=cost, size=hung)
+
+
+def _drops(situation: Situation, opening: Opening, size: Vec3 | None) -> tuple[float, ...]:
+    """How far down it hangs [m]: as it is, or to the sill, over what stands there."""
+    own, sizes = situation.size[2], situation.observation.sizes
+    to_sill = round(opening.height + 0.2, 3)
+    return (own, to_sill) if size is not None and sizes and sizes[0][2] <= to_sill < own else (own,)
 
 
 def at_openings(situation: Situation, kind: str, place: str) -> Iterator[Idea]:
@@ -123,14 +137,22 @@ def at_openings(situation: Situation, kind: str, place: str) -> Iterator[Idea]:
                 yield hang(situation, wall, along, z, why=f"it belongs to {opening.id}", cost=cost - 1.0)
 
 
-def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[float]:
-    half = situation.size[1] / 2
-    low, high = half + 0.01, wall.length - half - 0.01
-    centre = opening.offset + opening.width / 2
-    sides = [centre]
-    if situation.size[1] < opening.width and situation.facts.hanging.windows == "beside":
-        sides = [opening.offset - half + 0.1, opening.offset + opening.width + half - 0.1]
-    return [min(max(s, low), high) for s in sides] if high > low else []
+def _window_places(situation: Situation, wall: Wall, opening: Opening) -> list[tuple[float, Vec3 | None]]:
+    """Where along the wall it hangs, and at what size: where there are more than windows, they share them."""
+    windows = sum(o.kind == "window" for o in situation.room.openings)
+    shares = -(-situation.target.count // windows) if situation.target.asked else 1
+    sizes = situation.observation.sizes
+    if situation.facts.hanging.windows != "beside" or sizes is None or any(situation.target.size):
+        shares, sizes = 1, None
+    left = max(opening.offset - DRAPED, 0.01)
+    right = min(opening.offset + opening.width + DRAPED, wall.length - 0.01)
+    wide = situation.size[1] if sizes is None else (right - left) / shares - BETWEEN * (shares > 1)
+    if sizes is not None:
+        wide = round(min(max(wide, sizes[0][1]), sizes[1][1]), 3)
+    size = None if sizes is None else (situation.size[0], wide, situation.size[2])
+    low, high = wide / 2 + 0.01, wall.length - wide / 2 - 0.01
+    middles = [left + (right - left) * (share + 0.5) / shares for share in range(shares)]
+    return [(min(max(middle, low), high), size) for middle in middles] if high > low else []
 
 
 def above(situation: Situation, anchors: tuple[Placement, ...], *, index: int = 0, count: int = 1) -> Iterator[Idea]:

@@ -198,6 +198,9 @@ def _unmet(situation: Situation, idea: Idea) -> float:
             other = _holds_with_another(situation, scene, tie)
             cost += UNMET_HABIT * (tie.asked or not other) if other or not tie.asked else UNMET_ASKED
             cost += _away(scene, situation.target.id, tie)
+    for due in situation.target.due:
+        if all(id in scene for id in (due.subject, *due.tie.anchors)):
+            cost += UNMET_ASKED * (not measure(scene, due.tie.kind, due.subject, due.tie.anchors).holds)
     return cost
 
 

@@ -256,9 +256,14 @@ class Situation:
         return tuple(found)
 
     def enclosing(self, anchor: Placement) -> tuple[str, ...]:
-        """Ids of what the box of a placed thing reaches into: the bed above it, the shelf that it stands in."""
+        """Ids of what the box of a placed thing reaches into: the bed above it, the shelf that it stands in.
+
+        What it carries itself, as on its shelves, is none of that.
+        """
+        carried = {p.id for p in self.scene.riders(anchor.id)}
         depth = overlap_depth(Rects.of_placements((anchor,)), self.solids)[0]
-        return tuple(p.id for p, deep in zip(self.solid, depth, strict=True) if deep > WITHIN and p.id != anchor.id)
+        into = (p.id for p, deep in zip(self.solid, depth, strict=True) if deep > WITHIN and p.id != anchor.id)
+        return tuple(id for id in into if id not in carried)
 
     def inside(self, anchor: Placement) -> tuple[Placement, ...]:
         """What is within the box of a placed thing: its middle over the other's outline, its base below its top."""

@@ -27,6 +27,8 @@ APART = 0.02
 """Left between things side by side [m]."""
 CROWDED, CROWDED_BY_ONES = 0.3, 0.5
 """Share of a top that things take together, from which each kind of them keeps to its own stretch; one of a kind."""
+BESIDE_OTHERS = 0.5
+"""Cost of standing right beside what is on a shelf."""
 CLOSE = 0.004
 """Left between things in a ring, and to the wall around them [m]."""
 TIGHT = 2.0
@@ -38,7 +40,7 @@ OFF = 30.0
 ALIKE = 0.01
 """Lengths that differ by less are the same [m]."""
 LOWER = 3.0
-"""Cost of a shelf of what has a top, for what is to be on it."""
+"""Cost of a shelf of what has a top, for what is to be on it; and of the top of shelves, for what nobody asked for."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -50,9 +52,11 @@ def on_surfaces(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[I
     if tie.kind == "inside" or not tops or _is_of_boards(anchor, surfaces):
         yield from _on_those(situation, anchor, tie, surfaces)
         return
-    yield from _on_those(situation, anchor, tie, tops)
     below = tuple(s for s in surfaces if s.headroom is not None)
-    yield from (replace(idea, cost=idea.cost + LOWER) for idea in _on_those(situation, anchor, tie, below))
+    shelved = not situation.target.asked and bool(below) and facts_of(anchor.category).is_in("shelves")
+    first, then = (below, tops) if shelved else (tops, below)
+    yield from _on_those(situation, anchor, tie, first)
+    yield from (replace(idea, cost=idea.cost + LOWER) for idea in _on_those(situation, anchor, tie, then))
 
 
 def _is_of_boards(anchor: Placement, surfaces: tuple[Surface, ...]) -> bool:
@@ -222,7 +226,9 @@ def _spots(
     yield from _by_companion(situation, anchor, surface, free)
     yield from by_seats(situation, anchor, surface, free)
     marked = situation.facts.spots
-    if tie.count > 1:
+    if surface.headroom is not None and tie.kind == "on":
+        yield from _beside_others(situation, anchor, surface, free, plan)
+    if tie.count > 1 and not (marked and 1 < shelves >= tie.count):
         marked = _spread(tie, surface, free, shelves, plan)
         if _looks_ahead(situation) and marked[0][0] == 0.0:
             marked = ((situation.facts.spots[0][0], marked[0][1]),)
@@ -255,6 +261,21 @@ def _by_companion(
             v = y - surface.position[1] + dv * (p.size[1] / 2 + situation.size[1] / 2 + 0.06)
             if abs(u) <= free[0] + EDGE and abs(v) <= free[1] + EDGE:
                 yield (u, v), -0.2
+
+
+def _beside_others(
+    situation: Situation, anchor: Placement, surface: Surface, free: Vec2, plan: Vec2
+) -> Iterator[tuple[Vec2, float]]:
+    """Right beside what is on a shelf already, which leaves the largest gap for what comes."""
+    for p in situation.scene.resting_on(anchor.id):
+        if abs(p.position[2] - anchor.position[2] - surface.position[2]) > APART:
+            continue
+        _, y = anchor.to_local((p.position[0], p.position[1]))
+        across = round((p.yaw - anchor.yaw) / 90.0) % 2 == 1
+        reach = (p.size[0] if across else p.size[1]) / 2 + plan[1] / 2 + APART
+        for v in (y - surface.position[1] + reach, y - surface.position[1] - reach):
+            if abs(v) <= free[1] + EDGE:
+                yield (0.0, v), BESIDE_OTHERS
 
 
 def _leaving_room(situation: Situation, surface: Surface) -> float:

@@ -22,6 +22,8 @@ BEHIND = 1.1
 """Left between a counter and the wall for those who sit or serve behind it [m]."""
 ASIDE = 2.0
 """Cost per metre beside the axis of what is looked at across the room."""
+WAITING = 3
+"""From so many on, seats by the walls stand side by side."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""
 
@@ -74,6 +76,10 @@ def in_line(situation: Situation, place: str = "wall") -> Iterator[Idea]:
     for p in situation.solid:
         if situation.in_run(p):
             for idea in sides_of(situation, p, ("left", "right"), gaps=(0.002,), why=f"it continues the row of {p.id}"):
+                yield replace(idea, cost=idea.cost - 1.0)
+    if situation.target.count >= WAITING and situation.facts.is_in("chairs", "lounges"):
+        for p in situation.siblings:
+            for idea in sides_of(situation, p, ("left", "right"), gaps=(0.05,), why=f"it stands in a row with {p.id}"):
                 yield replace(idea, cost=idea.cost - 1.0)
     yield from along_walls(situation, named_walls(situation.room, place))
 

@@ -57,6 +57,10 @@ class Account:
         """Whether all of these tokens were said not to be understood."""
         return all(fate == "not_understood" for fate in self._fates[start:end])
 
+    def is_any_lost(self, start: int, end: int) -> bool:
+        """Whether any of these tokens was said not to be understood."""
+        return any(fate == "not_understood" for fate in self._fates[start:end])
+
     def text(self, start: int, end: int) -> str:
         """The tokens from `start` to before `end` as they were written."""
         return " ".join(token.shown for token in self._tokens[start:end])

@@ -4,7 +4,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 _OPPOSITE = ("opposite_wall",)
-_ACROSS = {
+ACROSS = {
     "left_wall": "right_wall", "right_wall": "left_wall", "far_wall": "near_wall", "near_wall": "far_wall",
     "north_wall": "south_wall", "south_wall": "north_wall", "east_wall": "west_wall", "west_wall": "east_wall",
 }  # fmt: skip
@@ -39,8 +39,8 @@ def _settle(draft: Draft, bond: Bond, before: Mention) -> None:
         place = told.anchors[0] if told.anchors else ""
         if not isinstance(place, str) or told.negated or told.spread:
             continue
-        if place in _ACROSS and told.kind in _AT_WALL:
-            bond.anchors = (_ACROSS[place],)
+        if place in ACROSS and told.kind in _AT_WALL:
+            bond.anchors = (ACROSS[place],)
             return
         if place == "wall" and told.kind in _AT_WALL:
             told.anchors = ("one_wall",)

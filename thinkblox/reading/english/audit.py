@@ -11,6 +11,7 @@ from thinkblox.reading.draft import MISSING, Mention
 from thinkblox.reading.english.across import settle_opposite_walls
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.doubts import Doubts
+from thinkblox.reading.english.second import SecondOpinion
 
 _SPELLED = 0.93
 """How alike two spellings of one name are at least."""
@@ -30,12 +31,22 @@ class Audit(Doubts):
                 self._lose(chunk.start, chunk.end)
         settle_opposite_walls(self.draft)
         self._doubts()
+        self._ask_again()
         for thing in list(self.draft.things):
             self._find_each(thing)
             self._contradicts(thing)
             noun = self.named_by.get(thing)
             if noun is not None and not _is_known(thing):
                 self._doubt(thing, noun)
+
+    def _ask_again(self) -> None:
+        """Say where a second look at the words disagrees with what was read, unless these are said already."""
+        for found in SecondOpinion(self.draft, self.referents, self.meant).disagreements(self.cut):
+            text = self.account.text(found.start, found.end)
+            told = self.account.is_any_lost(found.start, found.end)
+            if not told and not any(text in unknown or unknown in text for unknown in self.draft.unknown):
+                self.account.mark(found.doubtful.start, found.doubtful.stop, "not_understood")
+                self.draft.unknown.append(f"{text} ({found.question})")
 
     def _find_each(self, thing: Mention) -> None:
         """Say of "each basin" that no basins were named."""

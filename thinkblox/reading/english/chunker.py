@@ -262,7 +262,7 @@ class Cutter:
 
     def _two_walls(self) -> Noun | None:
         """Read "the left and right walls"."""
-        value, length = two_walls_at([token.text for token in self.tokens[self.at : self.at + 5]])
+        value, length = two_walls_at([token.text for token in self.tokens[self.at : self.at + 8]])
         if not length:
             return None
         text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])

@@ -142,7 +142,8 @@ class Doubts(Corrections):
         """Whether what has to lie on something is only said to be beside what carries nothing."""
         lies = is_small(thing) and not thing.per and not self._has_carrier(thing)
         above = any(b.kind == "above" for b in self.draft.bonds_of(thing))
-        return lies and not above and self.habits.is_in(anchor.noun, *_FURNITURE) and not is_small(anchor)
+        stands = self.habits.is_in(anchor.noun, *_FURNITURE) or last_word(anchor) in grammar().lists["sat_at"]
+        return lies and not above and (stands or last_word(anchor) == "bench") and not is_small(anchor)
 
     def _are_many(self, bond: Bond) -> bool:
         """Whether a bond is of several, of which some may have been told apart, or one of several that are so."""

@@ -16,6 +16,7 @@ class Having(Groups):
     def _open(self, kind: str) -> None:
         """Begin a list of what something has: "with", "surrounded by", "carrying"."""
         self.negating = False
+        self._turn_wall_round(kind)
         noun = self._next_noun()
         if noun is not None and noun.kind == "abstract" and kind == "with":
             self._hold_matter(noun)
@@ -49,8 +50,21 @@ class Having(Groups):
         several = head.frame is not None and head.frame.times > 1
         several |= thing in self.multiplied
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
-        several |= self._goes_on_with_each(head)
+        several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _is_at_each(self, thing: Mention) -> bool:
+        """Whether there is one for each of several: "a shelf above each sink"."""
+        said = (b for b in self.draft.bonds_of(thing) if b.each and not b.negated)
+        return any(isinstance(a, Mention) and a.many for bond in said for a in bond.anchors)
+
+    def _turn_wall_round(self, kind: str) -> None:
+        """Read "a wall full of clocks" as clocks on a wall."""
+        wall, what = self._before(), self.peek()
+        full = kind in ("inside", "on") and isinstance(wall, Noun) and wall.kind == "place" and "wall" in wall.value
+        if full and isinstance(wall, Noun) and isinstance(what, Noun) and what.kind == "thing" and not self.predicate:
+            self.chunks[self.at + 1 : self.at + 1] = [Connector("prepositions", "on", wall.start, wall.start), wall]
+            self.frontier, self.subject, self.separator = [], None, self.separator or "comma"
 
     def _turn_by_part(self, part: Noun) -> None:
         """Go on with "against the wall" after "its back"; a side that we turn to nothing is not understood."""
@@ -165,6 +179,8 @@ class Having(Groups):
         told = self._before(0)
         if isinstance(told, Connector) and told.text.lower().startswith(("which ", "that ")) and not self.separator:
             return nodes[0]
+        if self.separator == "comma" and noun is not None and self._lies_on_it(noun):
+            return nodes[0]
         covers = kind in ("hold", "carry") and self.habits.is_in(nodes[-1].things[-1].noun, "covers")
         if self.separator in ("comma", "comma_and", "and") and len(nodes) > 1 and not covers:
             outer = [n for n in nodes if n.frame is not None]
@@ -177,6 +193,13 @@ class Having(Groups):
                     continue
                 return node
         return nodes[0]
+
+    def _lies_on_it(self, noun: Noun) -> bool:
+        """Whether "on top" comes after a noun: "a monitor, with a camera on top, and a keyboard"."""
+        at = self.chunks.index(noun, self.at) + 1 - self.at
+        part = self.peek(at + 1)
+        top = self._is_link(self.peek(at), "prepositions", "on") and isinstance(part, Noun) and part.kind == "part"
+        return noun.kind == "thing" and (top or self._is_link(self.peek(at), "prepositions", "on_top"))
 
     def _open_of_subject(self, kind: str) -> None:
         if self.subject is None:

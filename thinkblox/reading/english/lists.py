@@ -55,7 +55,7 @@ class Memberships(Ties):
             thing.unshown += [a for a in noun.unshown if a not in thing.unshown]
             thing.states += [a for a in noun.states if a not in thing.states]
         frame = self._frame_for(known[0], noun) if self.separator and self.frontier else None
-        node = Node(list(known), frame or self.clause, known=True, each=noun.each)
+        node = Node(list(known), frame or self.clause, known=True, each=noun.each or noun.det == "both")
         pending, self.pending = self.pending, None
         if pending is not None and pending.head is not None:
             self._member(known[0], pending)

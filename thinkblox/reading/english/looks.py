@@ -96,7 +96,8 @@ class Descriptions(Rooms):
             things = self.subject.things
         if self.negating:
             self._not_mutual(link, things)
-        elif kind in ("in_rows", "in_row"):
+            return
+        if kind in ("in_rows", "in_row"):
             self._row(kind, list(things), nodes[0])
         elif len(things) > 1:
             for one, other in pairwise(things[-2:]):
@@ -105,6 +106,23 @@ class Descriptions(Rooms):
                 nodes[0].things = things[-2:]
         elif things and things[-1].many:
             self._mutual_within(link, things[-1])
+        self._faced_across(link, things[-2:] if len(things) > 1 else things)
+
+    def _faced_across(self, link: Connector, things: list[Mention]) -> None:
+        """Put between those who face each other what they do so across: "two sofas facing each other over a table"."""
+        ahead = self.peek()
+        over = (
+            isinstance(ahead, Connector) and ahead.sort == "prepositions" and ahead.text.lower() in ("across", "over")
+        )
+        said = link.text.lower().endswith("across")
+        noun = self._next_noun(1 if over and not said else 0) if over or said else None
+        if noun is None or noun.kind != "thing" or not things:
+            return
+        self._go_past(noun)
+        anchors, known = self.anchors(noun, things)
+        for thing in anchors:
+            bind(self.draft, Bond("between", thing, tuple(things)))
+        self.frontier.append(Node(list(anchors), None, known=known))
 
     def _joined_several(self, node: Node, frame: Listed) -> list[Mention]:
         """The washers and dryers of "two washers and two dryers side by side"."""

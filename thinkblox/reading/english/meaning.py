@@ -2,8 +2,10 @@
 
 from dataclasses import replace
 
+from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
+from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
@@ -250,7 +252,7 @@ class Meanings:
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
-        one_side = kind == "around" and said.value == "side" and _is_one(said)
+        one_side = kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other")
         kind, loose = ("at", True) if one_side else (kind, loose)
         if said.value == "in_shelf":
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
@@ -271,6 +273,10 @@ class Meanings:
             return Meaning(f"{side}_of", (self.sided[1],), told=True)
         if said.value == "side" and said.det == "other" and where.whole is not None and where.whole.kind == "thing":
             return self._beyond_other(where.whole, subjects)
+        if said.value == "end" and said.det == "other" and (where.whole is None or where.whole.kind == "room"):
+            wall = self.place.anchors[0] if self.place is not None and self.anchor is None else ""
+            if isinstance(wall, str) and wall.endswith("wall"):
+                return Meaning("against_wall", (ACROSS.get(wall, "opposite_wall"),))
         them = where.whole is not None and where.whole.kind == "pronoun" and where.whole.value == "them"
         if said.value == "middle" and them:
             return Meaning("between", self.referents.several(subjects, "between"), told=True)
@@ -396,7 +402,12 @@ class Meanings:
         if wall is None or (said.value == "front" and not subjects):
             return None
         hangs = self.place is not None and self.place.kind == "on" and str(self.place.anchors[0]).endswith("_wall")
-        return Meaning("on" if hangs else "against_wall", (wall,))
+        return Meaning("on" if hangs and self._may_hang(subjects) else "against_wall", (wall,))
+
+    def _may_hang(self, subjects: list[Mention]) -> bool:
+        """Whether things do not stand on the floor, or others of their kind were said to hang."""
+        hung = {b.subject.noun for b in self.referents.draft.bonds if b.kind == "on"}
+        return all(t.noun in hung or kind_of(t.noun).mount != "floor" for t in subjects)
 
     # --- places
 

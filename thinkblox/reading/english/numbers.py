@@ -304,4 +304,4 @@ class Numbers(Verbs):
             return 1
         if noun.kind == "part":
             return 2
-        return 4 if noun.value in ("wall", "corner") else 2
+        return 4 if noun.value in ("wall", "corner") and "side" not in noun.text.lower() else 2

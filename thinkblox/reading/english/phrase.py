@@ -194,7 +194,11 @@ class PhraseReader(Heads):
 
     def _is_shade(self, at: int, length: int) -> bool:
         """Whether a word for a thing is the colour or material of what follows: "orange cushions", "a glass table"."""
+        if length == 1 and self.tokens[at].text in grammar().lists["tints"] and self._is_colour(at + 1):
+            return True
         said = self._known(at, "attribute")
+        if said is not None and said.length > length and self._starts_noun(at + said.length):
+            return said.entry.value in LOOKS
         if said is None or said.length != length or not self._starts_noun(at + length):
             return False
         return said.entry.value in LOOKS

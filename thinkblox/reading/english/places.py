@@ -15,8 +15,15 @@ _WALLS = {
 }  # fmt: skip
 
 
+_OPPOSITE = ("opposite", "other side", "other end", "facing wall", "other wall")
+"""What is said of the wall across from one that was named."""
+
+
 def two_walls_at(words: Sequence[str]) -> tuple[str, int]:
     """The walls that "the left and right walls" are, and how many words that takes; "" and 0 where it is not that."""
+    if list(words[:2]) == ["the", "walls"] and list(words[3:6]) in (["the", "left", "and"], ["the", "right", "and"]):
+        length = 8 if list(words[6:7]) == ["the"] else 7
+        return ("left_wall right_wall", length) if words[2] in ("to", "on", "at") else ("", 0)
     start = 1 if words[:1] in (["the"], ["both"]) else 0
     said = list(words[start : start + 4])
     if len(said) < 4 or said[1] != "and" or said[3] not in ("wall", "walls") or not {said[0], said[2]} <= _WALLS.keys():
@@ -58,7 +65,7 @@ def wall(word: str, said: Noun, name: str, several: int, *, each: bool) -> Meani
     if name == "wall":
         if "opposite walls" in text or "facing walls" in text:
             several = several or 2
-        elif "opposite" in text or "other side" in text or "facing wall" in text or "other wall" in text:
+        elif any(words in text for words in _OPPOSITE):
             name = "opposite_wall"
         elif (said.count == 1 and text.startswith("one")) or "same" in text.split():
             name = "one_wall"

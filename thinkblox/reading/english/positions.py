@@ -47,6 +47,9 @@ class Positions(Subjects):
             where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
             return where
         self._as_seat(chunk)
+        if chunk.kind == "thing" and chunk.det == "my" and chunk.word in ("shelf", "drawer") and chunk.plural:
+            self._spend(chunk)
+            chunk = replace(chunk, kind="part", value="inside")
         where.noun = chunk
         self.at = index + 1
         if chunk.kind in ("part", "place", "abstract") and self._is_link(self.peek(), "prepositions", "of"):
@@ -282,6 +285,7 @@ class Positions(Subjects):
                 self._lose(where.start, noun.end)
             elif where.word == "in" and not self.draft.room:
                 self._room(noun)
+                self._go_on_with_room()
             return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
             self._spend(noun)

@@ -22,6 +22,7 @@ class Quantities(Words):
                 or self._quantity(noun, at)
                 or self._determiner(noun, at)
                 or self._measure(noun, at)
+                or self._shaped_measure(noun, at)
             )
             step = step or self._ordinal(noun, at) or self._partitive(noun, at) or self._size(noun, at)
             if not step:
@@ -200,6 +201,7 @@ class Quantities(Words):
         thing = self.thing_at(at)
         inner_thing = self.thing_at(at + found.length) if found is not None else None
         same = thing is not None and inner_thing is not None and inner_thing.entry.value == thing.entry.value
+        same |= found is not None and found.value == "row" and inner_thing is not None
         if found is None or (thing is not None and thing.length > found.length and not same):
             return 0
         word = self.tokens[at].text
@@ -234,6 +236,13 @@ class Quantities(Words):
             noun.count = inner[0] * (noun.rows or noun.groups)
             return found.length + inner[1]
         return found.length
+
+    def _shaped_measure(self, noun: Noun, at: int) -> int:
+        """Pass over the adjective of a measure: "two parallel rows of", "a long line of"."""
+        if self.tokens[at].text not in grammar().lists["lining"] or not (noun.det or noun.count is not None):
+            return 0
+        found = grammar().at(self.tokens, at + 1, "measures") if at + 1 < len(self.tokens) else None
+        return 1 if found is not None and found.value == "row" else 0
 
     def _partitive(self, noun: Noun, at: int) -> int:
         """Read the "of the" in "two of the towels", "three of them", "half of those"."""

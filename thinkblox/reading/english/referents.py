@@ -94,18 +94,23 @@ class Referents:
 
         `one` says that it was a word for a single thing.
         """
+        found = self._meant_by(subject, kind, likely, noun, one=one)
+        hangs = found is not None and load_habits().is_in(found.noun, "wallpieces")
+        if found is None or kind != "in_front_of" or not hangs or subject is None or is_small(subject):
+            return found
+        above = (a for b in self.draft.bonds_of(found) if b.kind == "above" for a in parts_of(b))
+        return next((a for a in above if a is not subject), found)
+
+    def _meant_by(
+        self, subject: Mention | None, kind: str, likely: Sequence[Mention], noun: str, *, one: bool
+    ) -> Mention | None:
         noun = noun or (subject.noun if subject is not None else "")
         habits = load_habits()
-        if kind == "opposite" and habits.is_in(noun, "screens"):
+        names = (noun, *(t.noun for t in self._carried(subject)))
+        if kind == "opposite" and any(habits.is_in(name, "screens") for name in names):
             noun = "tv_stand"
-        kept = set(self.draft.things)
-        centre = [self.centre] if self.centre is not None and kind in _AROUND else []
-        candidates = list(dict.fromkeys([*likely, *centre, *reversed(self.topics[-3:]), *self._recent()]))
-        others = self.family(subject) if subject is not None else []
-        candidates = [t for t in candidates if t not in others and t in kept]
-        if one:
-            candidates = [t for t in candidates if self._may_be_one(t, subject)] or candidates
-            likely = [t for t in likely if t in candidates]
+        candidates = self._candidates(subject, kind, likely, one=one)
+        likely = [t for t in likely if t in candidates]
         sound = [t for t in candidates if fits(t, kind, noun)]
         usual = [t for t in sound if kind in _BY_HABIT and noun and habits.tie(noun, t.noun) == kind]
         owner = subject.owner if subject is not None else None
@@ -126,8 +131,27 @@ class Referents:
         if kind == "under":
             sound = [t for t in sound if not habits.is_in(t.noun, "wallpieces")] or sound
         if kind != "on" and not (subject is not None and is_small(subject)):
-            sound = [t for t in sound if not is_small(t)] or sound
+            sound = [t for t in sound if not (is_small(t) or self._lies(t))] or sound
         return next(iter(sound or candidates), None)
+
+    def _candidates(self, subject: Mention | None, kind: str, likely: Sequence[Mention], *, one: bool) -> list[Mention]:
+        """What a pronoun can mean, the likeliest first."""
+        centre = [self.centre] if self.centre is not None and kind in _AROUND else []
+        found = list(dict.fromkeys([*likely, *centre, *reversed(self.topics[-3:]), *self._recent()]))
+        others, kept = self.family(subject) if subject is not None else [], set(self.draft.things)
+        found = [t for t in found if t not in others and t in kept]
+        if subject is not None and kind in _STANDING and not is_small(subject):
+            carried = self._carried(subject)
+            found = [t for t in found if t not in carried] or found
+        return [t for t in found if self._may_be_one(t, subject)] or found if one else found
+
+    def _carried(self, thing: Mention | None) -> list[Mention]:
+        """What was said to lie on a thing."""
+        return [b.subject for b in self.draft.bonds if b.kind == "on" and thing is not None and thing in b.anchors]
+
+    def _lies(self, thing: Mention) -> bool:
+        """Whether it was said to lie on another thing."""
+        return any(b.kind in ("on", "inside") and parts_of(b) for b in self.draft.bonds_of(thing))
 
     def _may_be_one(self, thing: Mention, subject: Mention | None) -> bool:
         """Whether "it" can be said of a thing: of a single one, or of each of several that are spoken of one by one."""
@@ -151,12 +175,17 @@ class Referents:
             )
             if pair and (kind == "between" or not thing.many):
                 return pair
-            if thing.many and not (is_small(thing) and kind in ("between", "around")):
+            if thing.many and not self._is_too_low(thing, subject, kind):
                 return (thing, *[p for p in self.parts.get(thing, ()) if p in self.draft.things])
         standing = [t for t in self._recent() if not is_small(t) and t not in subject]
         if kind == "between" and len(standing) > 1:
             return (standing[1], standing[0])
         return tuple(standing[:1])
+
+    def _is_too_low(self, thing: Mention, subject: Sequence[Mention], kind: str) -> bool:
+        """Whether it is small, and nothing stands so to it."""
+        stands = kind in _STANDING and bool(subject) and not is_small(subject[0])
+        return is_small(thing) and (kind in ("between", "around") or (stands and self._lies(thing)))
 
     def standing(self, besides: Sequence[Mention]) -> list[Mention]:
         """The furniture that was spoken of last, `besides` some."""

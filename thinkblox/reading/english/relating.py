@@ -32,6 +32,8 @@ class Relating(Naming):
             self._multiply(subject, meaning)
             if before == 1 and (subject.count or 1) > 1:
                 self._multiply_carried(subject)
+            if meaning.each and not negated and any(isinstance(a, Mention) and a.many for a in anchors):
+                self._share_held(subject, anchors)
             if self._is_laid(subject, meaning, anchors) and not negated:
                 self.laid = True
                 continue
@@ -144,7 +146,9 @@ class Relating(Naming):
 
     def _multiply(self, subject: Mention, meaning: Meaning) -> None:
         """One "on each side" are two; one "in each corner" four."""
-        if meaning.both and subject.count == 1 and meaning.times == 1:
+        alone = len(meaning.anchors) == 1 and not (isinstance(a := meaning.anchors[0], Mention) and a.many)
+        bare = subject.count is None and alone and not meaning.each
+        if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
             subject.count = 2
         if subject.count and meaning.times > 1 and subject not in self.counted:
             subject.count *= meaning.times
@@ -160,6 +164,13 @@ class Relating(Naming):
             on = bond.kind in ("on", "inside") and bond.anchors == (carrier,) and not bond.negated
             if on and bond.subject.count == 1 and bond.subject in self.clause.members:
                 bond.each = True
+
+    def _share_held(self, holder: Mention, besides: tuple[Mention | str, ...]) -> None:
+        """Take the jars of "a table with jars beside each sofa" for those of each table."""
+        for bond in self.draft.bonds:
+            held = bond.implied and bond.anchors == (holder,) and bond.kind in ("on", "inside")
+            if held and bond.subject not in besides and not self.draft.bonds_of(bond.subject)[1:]:
+                bond.each = bond.distributed = True
 
     def _share(self, bond: Bond) -> None:
         """Keep the number that "each" gave where the relation to it is told in other words."""

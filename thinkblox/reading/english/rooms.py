@@ -44,6 +44,11 @@ class Rooms(Memberships):
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
 
+    def _go_on_with_room(self) -> None:
+        """Let the room have what is told next: "a piano in a living room with a sofa"."""
+        if self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with"):
+            self.frontier, self.subject, self.of_room = [], None, True
+
     def _several_spots(self, noun: Noun) -> None:
         """Read "four reading spots" as groups, of which each is told later; several rooms are not understood."""
         if noun.word in grammar().lists["groups"]:
@@ -214,6 +219,7 @@ class Rooms(Memberships):
         """Say of "the third wall", "the adjacent wall" that we do not know which that is."""
         if noun.value in ("window", "door"):
             self._note_side(noun)
+            self._note_several(noun)
         strange = self._strange_word(noun)
         if strange and not self.account.is_lost(noun.start, noun.end):
             self._lose(noun.start, noun.end)
@@ -230,6 +236,12 @@ class Rooms(Memberships):
     def _is_plain_word(self, word: str, known: frozenset[str]) -> bool:
         said = word in known or word in LOOKS or word[:1].isdigit() or "'" in word or "\u2019" in word
         return said or grammar().knows(word, "determiners", "count", "evaluative", "fillers", "vague")
+
+    def _note_several(self, noun: Noun) -> None:
+        """Ask for the windows of "between two windows"."""
+        if (noun.count or 0) > sum(gap.count for gap in self.draft.openings if gap.kind == noun.value):
+            self.draft.openings = [gap for gap in self.draft.openings if gap.kind != noun.value]
+            self.draft.openings.append(Gap(noun.value, noun.count or 1))
 
     def _note_side(self, noun: Noun) -> None:
         """Ask for the window of "under the east window" in that wall."""

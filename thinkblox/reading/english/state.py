@@ -19,6 +19,7 @@ class State(Namer):
     """The chunks of one text, how far they are read, and what is open.
 
     Attributes:
+        cut: the chunks as they were before any was read.
         account: what becomes of every word.
         named_by: the phrases that things were first named by.
         spent: the phrases, as their first and last tokens, of which something was made.
@@ -65,6 +66,7 @@ class State(Namer):
 
     def __init__(self, tokens: Sequence[Token], chunks: Sequence[Chunk]) -> None:
         self.chunks = list(chunks)
+        self.cut = tuple(chunks)
         self.account = Account(tokens, chunks)
         self.named_by: dict[Mention, Noun] = {}
         self.at = 0

@@ -7,6 +7,7 @@ from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.referents import is_small
 
+_PAIR = 2
 _BONDS = 20
 """Most bonds of a thing that tell what a pronoun after it means."""
 _BY_OWNER = (
@@ -54,7 +55,7 @@ class Subjects(Having):
             return self._past_anchor(nodes, where)
         head = inner.frame.head
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
-            return Node([*head.things, *inner.things], head.frame)
+            return head if self._contains(head.things[-1]) else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return head
         return self._joined(inner, where)
@@ -62,9 +63,17 @@ class Subjects(Having):
     def _lie_together(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether both lie there: "a pitcher with glasses on a side table"."""
         noun, owner = where.noun, head.things[-1]
+        if noun is None or noun.kind != "thing" or where.word not in ("on", "on_top") or frame.each:
+            return False
+        small = is_small(owner) and is_small(inner.things[-1])
+        return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
+
+    def _is_of_container(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether a container stands there with what is in it: "a bowl with apples on the counter"."""
+        noun, owner = where.noun, head.things[-1]
         if noun is None or noun.kind != "thing" or where.word not in ("on", "on_top") or frame.each or noun.each:
             return False
-        small = is_small(owner) and is_small(inner.things[-1]) and not self._contains(owner)
+        small = is_small(owner) and is_small(thing) and self._contains(owner)
         return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
 
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
@@ -72,7 +81,7 @@ class Subjects(Having):
         thing, noun = inner.things[-1], where.noun
         if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
             return True
-        if frame.contents and len(frame.members) == 1:
+        if (frame.contents and len(frame.members) == 1) or self._is_of_container(thing, frame, head, where):
             return True
         if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
             return not frame.each and not self.habits.is_in(thing.noun, "seats")
@@ -107,7 +116,7 @@ class Subjects(Having):
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
         whole = where.whole
-        if whole is None or whole.kind != "thing" or where.noun is None or where.noun.kind != "part":
+        if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
         if where.noun.value in ("middle", "top", "inside", "in_shelf"):
             return False
@@ -175,6 +184,16 @@ class Subjects(Having):
             return where.whole is None or where.whole.kind == "pronoun"
         return False
 
+    def _is_first_named(self, anchor: Node, where: Where) -> bool:
+        """Whether a thing follows that was just named for the first time: "a sign above the shelves behind ..."."""
+        thing = where.noun is not None and where.noun.kind == "thing" and where.word not in ("facing", "opposite")
+        index = self._began - 1
+        while index > 1 and self._is_link(self.chunks[index - 1], "prepositions", "of"):
+            index -= 2
+        before = self.chunks[index] if index >= 0 else None
+        named = self.named_by.get(anchor.things[-1])
+        return thing and not self.separator and named is not None and named is before
+
     def _past_anchor(self, nodes: list[Node], where: Where) -> Node:
         """After an anchor: "a vase on a table by the window", "a chair next to the bed by the window"."""
         inner = nodes[0]
@@ -186,9 +205,12 @@ class Subjects(Having):
             for b in self.draft.bonds_of(subject.things[-1])
         )
         apart = self.separator == "comma" and inner.known and not self._is_pronominal(where)
-        if inner.told or where.negated or apart or (inner.known and not is_small(subject.things[-1]) and not carries):
+        known = inner.known and not (carries or is_small(subject.things[-1]) or self._is_first_named(inner, where))
+        if inner.told or where.negated or apart or known:
             return subject
         thing = inner.things[-1]
+        if carries and self._is_at_room_part(where):
+            return inner
         if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
             return subject
         if (
@@ -211,6 +233,8 @@ class Subjects(Having):
             return node
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
+        if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
+            return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
             "against_wall"
@@ -242,6 +266,9 @@ class Subjects(Having):
         """Two that are joined and of which nothing was told: "a scale and a chart next to the door"."""
         alone = self.separator != "and" and self._is_joined_before(self._began)
         other = frame.members[-2]
+        if alone and self._is_pronominal(where) and is_small(other) and is_small(node.things[-1]):
+            known = any(b for b in self.draft.bonds_of(other)) or any(other in b.anchors for b in self.draft.bonds)
+            return None if known or frame.head is not None or where.noun is None else Node([other, *node.things], frame)
         if not alone or where.word not in _SHARED or any(not b.implied for b in self.draft.bonds_of(other)):
             return None
         noun = where.noun

@@ -1,13 +1,18 @@
 """Which list a thing belongs to, and how its members stand to the head."""
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+_CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
+"""What things are beside rather than on."""
+_SMALL = 0.6
+"""So large at most is what lies with other things on something [m]."""
 _PAIR = 2
 """Of a longer list that was closed by "and", nothing more comes."""
 """How things stand to what they belong to more closely than to be beside it."""
@@ -52,6 +57,8 @@ class Ties(Relating):
         told = self._told_of(frame, thing)
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False
+        if told and frame.closing and frame.each and self.separator == "comma" and not self._is_told_by_pronoun():
+            return False
         if told is not None:
             return told
         inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
@@ -73,7 +80,7 @@ class Ties(Relating):
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
         alone = self.separator == "comma_and" and len(frame.members) == 1
-        if frame.each and tie == "next_to" and alone and not self.habits.tie(thing.noun, head.noun):
+        if frame.each and tie not in _CARRIED and alone:
             return False
         if frame.told and tie not in _CARRIED:
             return pair
@@ -103,12 +110,21 @@ class Ties(Relating):
             case "pronoun":
                 return not self._are_all(frame, noun, thing)
             case "thing" if noun.definite:
-                return self._is_of(frame, noun)
+                return self._is_beside_with(frame, thing, noun) or self._is_of(frame, noun)
             case "part":
                 return self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if self._may_share_place(frame, noun, thing) else False
         return None
+
+    def _is_beside_with(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
+        """Whether the owner is beside furniture: "a table with a jug and two glasses beside the swing"."""
+        head = frame.head.thing if frame.head is not None else None
+        pair = (
+            head is not None and self.separator == "and" and not frame.each and not self._belongs(noun.value, "small")
+        )
+        lies = pair and is_small(thing) and head is not None and self._carries_before(thing, head, frame)
+        return lies and self.referents.named(noun) not in frame.members
 
     def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
         """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
@@ -137,7 +153,7 @@ class Ties(Relating):
     def _is_of(self, frame: Listed, noun: Noun) -> bool | None:
         found = self.referents.named(noun)
         if frame.head is not None and found in frame.head.things:
-            return True
+            return not (noun.ordinal or noun.degree)
         outside = found is not None and not found.many and found not in frame.members
         carriers = [
             a for t in (frame.head.things if frame.head else ()) for b in self.draft.bonds_of(t) for a in b.anchors
@@ -158,6 +174,8 @@ class Ties(Relating):
             return False
         if thing.count is None:
             return tie in ("on", "at", "around")
+        if any(1 < (member.count or 0) < head.count for member in frame.members if member is not thing):
+            return False
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
 
@@ -205,11 +223,33 @@ class Ties(Relating):
         flat = last_word(head) in grammar().lists["flat"] or head in self.tables
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
         lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
+        lies |= self._ends_small_list(thing, head, frame)
+        carries |= lies and (
+            self._stands_there(head) if first or frame.each else self._carries_before(thing, head, frame)
+        )
         if lies and carries and thing.noun != "tv":
             return "inside" if contains else "on"
         if first and lies and is_small(head) and not head.many:
             return "next_to"
         return "next_to" if frame.each else None
+
+    def _ends_small_list(self, thing: Mention, head: Mention, frame: Listed) -> bool:
+        """Whether it is small and ends a list of what lies there: "a counter with a till and a ticket dispenser"."""
+        ends = self.separator == "and" and self._is_end(self.peek())
+        low = max(kind_of(thing.noun).size) <= _SMALL or self.habits.is_in(thing.noun, "plants")
+        return ends and low and self._carries_before(thing, head, frame)
+
+    def _carries_before(self, thing: Mention, head: Mention, frame: Listed) -> bool:
+        """Whether what was listed before lies on the head."""
+        lying = (b for m in frame.members if m is not thing for b in self.draft.bonds_of(m) if head in b.anchors)
+        return any(bond.kind in ("on", "inside") for bond in lying)
+
+    def _is_end(self, chunk: Chunk | None) -> bool:
+        return chunk is None or self._is_link(chunk, "mark")
+
+    def _stands_there(self, head: Mention) -> bool:
+        """Whether it stands, or hangs at a wall, and carries what it is said to have: "a pedestal with a bust"."""
+        return not (is_small(head) or self.habits.is_in(head.noun, *_CARRYING_NOTHING))
 
     def _seated(self, head: Mention) -> str:
         """How seats stand to what one sits at; "" where one does not."""

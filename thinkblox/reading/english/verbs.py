@@ -2,7 +2,7 @@
 
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
-from thinkblox.reading.english.nodes import Listed
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.prepositions import Prepositions
 
 _STANDS = {"face": "facing", "surround": "around", "flank": "next_to", "line": "along"}
@@ -38,7 +38,7 @@ class Verbs(Prepositions):
                     self._begin_again()
                 self.existential = True
             case _:
-                self._find_subject()
+                self._find_subject(link)
                 if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
                     self._predicate(link)
 
@@ -57,7 +57,7 @@ class Verbs(Prepositions):
             self.subject = self._whole_subject()
             self._open_of_subject("with")
 
-    def _find_subject(self) -> None:
+    def _find_subject(self, link: Connector) -> None:
         """Find what a verb is said of."""
         last = self._before()
         front_only = bool(self.front) and not self.clause.members
@@ -66,7 +66,27 @@ class Verbs(Prepositions):
         elif self.relative is not None:
             self.subject, self.relative = self.relative, None
         elif self.subject is None or (self.clause.members and not self.predicate):
-            self.subject = self._whole_subject()
+            self.subject = self._one_subject(link)
+
+    def _one_subject(self, link: Connector) -> Node | None:
+        """What a verb is said of: of a thing alone where it is singular, though others are joined to what it has."""
+        node = self._whole_subject()
+        said = self.chunks[self._clause_start() : self.at - 1]
+        having = next((n for n, chunk in enumerate(said) if self._is_link(chunk, "prepositions", "with")), None)
+        first = node.things[0] if node is not None else None
+        if node is None or first is None or len(node.things) < 2 or first.many or having is None:
+            return node
+        named = said[having - 1] if having else None
+        single = link.text.lower() in ("is", "stands", "sits", "hangs", "lies") and isinstance(named, Noun)
+        if not single or named is not self.named_by.get(first):
+            return node
+        self.clause.members = [first]
+        return Node([first], node.frame, known=node.known)
+
+    def _clause_start(self) -> int:
+        """The chunk after the last mark that ended a sentence."""
+        ends = (n for n in range(self.at - 2, -1, -1) if self._is_link(self.chunks[n], "mark", "stop", "semicolon"))
+        return next(ends, -1) + 1
 
     def _predicate(self, link: Connector) -> None:
         self.predicate = True

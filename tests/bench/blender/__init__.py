@@ -1,0 +1,1 @@
+"""What Blender makes of exported rooms."""
