@@ -201,3 +201,11 @@ def test_each_one_gets_its_own_beside_it_and_everything_but_spares() -> None:
     lower = done(living(), "Make the sideboard lower and wider").scene["sideboard_1"].size
     assert lower[2] < living()["sideboard_1"].size[2]
     assert lower[1] > living()["sideboard_1"].size[1]
+
+
+def test_a_turn_after_a_move_is_a_turn() -> None:
+    result = edit_room(living(), "Move the armchair 30 cm forward and turn it a little to the left")
+    assert turn_between(result.scene["armchair_1"].yaw, living()["armchair_1"].yaw + 15.0) < 2.0 or result.failed
+    with pytest.raises(InputError, match="name the one that is meant"):
+        read_instruction("Remove the taller of the wardrobe and the bookcase")
+    assert done(living(), "Put a lamp on the coffee table").scene["table_lamp_1"].support == "coffee_table_1"

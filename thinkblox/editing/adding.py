@@ -171,7 +171,7 @@ def category_of(work: Work, noun: Noun, wheres: Sequence[Bound]) -> str:
     _, mount = work.source.usual(thing.noun)
     general = f"any_{noun.word}"
     raised = [b for b in wheres if b.kind == "on" and b.anchors and b.anchors[0] in work.scene]
-    if raised and mount == "floor" and general in GENERAL_WORDS and thing.noun != general:
+    if raised and mount == "floor" and general in GENERAL_WORDS and noun.value != general:
         return category_of(work, replace(noun, value=general), wheres)
     return thing.noun
 

@@ -3,8 +3,10 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
 from thinkblox.editing.lengths import angle_at, is_number, lengths_at
+from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Chunk, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -97,6 +99,11 @@ class ClauseCutter:
             after += sum(is_number(t) for t in tokens[after : after + 1])
         if after >= len(tokens) or tokens[after].kind != "word":
             return 0
+        links = [token.text for token in tokens[after + 1 : after + 3]]
+        if tokens[at + 1].text == "of" and "and" in links and singular(tokens[after].text) == tokens[after].text:
+            raise InputError(
+                f"'{tokens[at].shown} of' two things of different kinds is not told; name the one that is meant"
+            )
         self._ranked[tokens[after].start] = rank
         return after - at
 

@@ -347,6 +347,12 @@ def _carry_out(work: Work, read: Instruction) -> None:
     work.failed += work.unkept()
 
 
+def _only_faces(order: Order) -> bool:
+    """Whether an order to turn things says what they are to face, and no more."""
+    way = order.turn is not None or order.sense or order.slight or order.direction or order.backs or order.mutual
+    return order.doing == "turn" and not way
+
+
 def _is_of_anything(order: Order) -> bool:
     """Whether it says "don't move anything", of nothing but what is added then."""
     words = order.text.lower().split()
@@ -375,7 +381,7 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
             joined[-1] = order
             continue
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
-        if joined and order.doing == "turn" and same and order.turn is None and joined[-1].doing in _ONTO_KNOWN[:3]:
+        if joined and same and _only_faces(order) and joined[-1].doing in _ONTO_KNOWN[:3]:
             facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
             joined[-1].facing += [*order.facing, *facing]
         else:

@@ -158,8 +158,8 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     found = _thing(where, noun, category, finder, ())
     singles = [dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", id=id)) for id in found.anchors]
     if found.kind in ("in_front_of", "at") and facts_of(category).is_in("small"):
-        each = (_thing(w, w.noun, category, finder, ()) for w in singles if w.noun is not None)
-        return [_upon(one, category, finder) for one in each]
+        found_each = [_thing(w, w.noun, category, finder, ()) for w in singles if w.noun is not None]
+        return [_upon(one, category, finder) for one in found_each]
     return [_upon(dataclasses.replace(found, anchors=(anchor,)), category, finder) for anchor in found.anchors]
 
 
