@@ -113,10 +113,9 @@ def _apart(parts: Sequence[Polygons]) -> list[list[Polygons]]:
     return [group for group, _ in groups]
 
 
-def _rounded(points: NDArray[Any]) -> NDArray[np.float64]:
+def _rounded(points: NDArray[Any]) -> NDArray[Any]:
     """Points by which two are the same [m]."""
-    rounded: NDArray[np.float64] = np.round(np.asarray(points, np.float64), 6) + 0.0
-    return rounded
+    return np.round(np.asarray(points, np.float64), 6) + 0.0
 
 
 def _add_mesh(parent: Prim, name: str, parts: Sequence[Polygons], looks: Looks, look: str) -> Prim:
