@@ -119,6 +119,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
 @pytest.mark.parametrize(
     ("prompt", "doubt"),
     [
+        ("A flat: bed and desk share the same wall.", "the same wall"),
         ("A sofa with its back to the door.", "its back to the door"),
         ("A desk with its short side against the wall.", "its short side"),
         ("Three tables and a vase on the tables.", "which of them"),

@@ -169,7 +169,8 @@ class Rooms(Memberships):
         self._lose_wall_of(noun)
         looks = [*noun.attributes, *noun.unshown]
         strange = name in ("floor", "wall") and self._strange_word(noun) != ""
-        if name in ("floor", "wall", "ceiling") and not noun.definite and (looks or strange):
+        shared = "same" in noun.text.lower().split()
+        if shared or (name in ("floor", "wall", "ceiling") and not noun.definite and (looks or strange)):
             self.draft.unknown.append(noun.text.lower())
             return
         if (name in ("window", "door") and noun.det == "no") or (self.excluding and name in ("window", "door")):
