@@ -72,9 +72,8 @@ def write_prop(inventory: Inventory, path: Path, described: Mapping[str, str]) -
     with Sdf.ChangeBlock():
         world = _stage(layer, inventory)
         layer.customLayerData = {**layer.customLayerData, **described, _SIMREADY: dict(described)}
-        looks = Looks(world.child("Looks", "Scope"), inventory.looks)
         _add_physics(world, inventory.physics)
-        _add_objects(world, inventory, Shelf(layer, inventory.looks, looks, layers))
+        _add_objects(world, inventory, Shelf(layer, inventory.looks, layers))
     path.write_text(layer.ExportToString(), encoding="utf-8")
     write_beside(path, layers.files | texture_files(inventory, {}))
     check_written(path, inventory)
@@ -115,7 +114,7 @@ def _layer(inventory: Inventory, layers: AssetLayers | None = None) -> Any:
         _add_lights(world, inventory.scene.room)
         _add_cameras(world, inventory)
         add_room(world, inventory, parts, looks, layers)
-        _add_objects(world, inventory, Shelf(layer, inventory.looks, looks, layers))
+        _add_objects(world, inventory, Shelf(layer, inventory.looks, layers))
     return layer
 
 

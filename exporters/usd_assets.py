@@ -8,7 +8,7 @@ from pxr import Sdf, Tf
 
 from thinkblox.exporters.inventory import Inventory, InventoryBody, InventoryLook, InventoryObject
 from thinkblox.exporters.naming import Names
-from thinkblox.exporters.usd_looks import BINDING, Looks
+from thinkblox.exporters.usd_looks import Looks
 from thinkblox.exporters.usd_prims import Prim, T, in_binary, put_units, said
 from thinkblox.exporters.usd_shapes import add_colliders, add_visuals
 from thinkblox.scene.blobs import FOLDER
@@ -49,14 +49,11 @@ class Shelf:
     Args:
         layer: the stage's own.
         looks: by name.
-        friction: the physics materials of the stage.
         layers: where they lie; None to keep them in the stage's own layer, each written when first asked for.
     """
 
-    def __init__(
-        self, layer: Any, looks: Mapping[str, InventoryLook], friction: Looks, layers: AssetLayers | None = None
-    ) -> None:
-        self._layer, self._looks, self._friction, self._layers = layer, looks, friction, layers
+    def __init__(self, layer: Any, looks: Mapping[str, InventoryLook], layers: AssetLayers | None = None) -> None:
+        self._layer, self._looks, self._layers = layer, looks, layers
         self._links: dict[tuple[str, str], Prim] = {}
         self._root: Prim | None = None
 
@@ -67,9 +64,7 @@ class Shelf:
         """
         self._take(prim.child("Visual", "Scope"), item, body, "Visual", instance=True)
         if any(geom.collides for geom in body.geoms):
-            scope = prim.child("Collision", "Scope", apis=[BINDING])
-            self._take(scope, item, body, "Collision")
-            self._friction.bind_friction(scope, next(geom.friction[0] for geom in body.geoms if geom.collides))
+            self._take(prim.child("Collision", "Scope"), item, body, "Collision")
 
     def _take(
         self, scope: Prim, item: InventoryObject, body: InventoryBody, what: str, *, instance: bool = False
@@ -117,5 +112,6 @@ def _asset_layer(item: InventoryObject, looks: Mapping[str, InventoryLook]) -> A
 def _add_link(prim: Prim, body: InventoryBody, looks: Mapping[str, InventoryLook], folder: str = f"./{FOLDER}") -> None:
     seen = prim.child("Visual", "Scope")
     add_visuals(seen, body.geoms, Looks(seen.child("Looks", "Scope"), looks, folder))
-    scope = prim.child("Collision", "Scope").put("purpose", T.Token, "guide", uniform=True)
-    add_colliders(scope, body.geoms)
+    if any(geom.collides for geom in body.geoms):
+        scope = prim.child("Collision", "Scope").put("purpose", T.Token, "guide", uniform=True)
+        add_colliders(scope, body.geoms, Looks(scope.child("Looks", "Scope"), looks, folder))

@@ -8,7 +8,9 @@ from pxr import Gf, Sdf
 from thinkblox.exporters.inventory import InventoryLook
 from thinkblox.exporters.usd_prims import Prim, T
 from thinkblox.scene.blobs import FOLDER
+from thinkblox.sim.build import ROLL, TORSION
 from thinkblox.sim.render.materials import linear
+from thinkblox.sim.settings import Physics
 
 BINDING = "MaterialBindingAPI"
 _LABELS = "SemanticsLabelsAPI:material"
@@ -79,11 +81,17 @@ def _texture(material: Prim, file: str, base: list[float]) -> Prim:
 
 
 def _physics(scope: Prim, name: str, friction: float) -> Any:
-    prim = scope.child(name, "Material", apis=["PhysicsMaterialAPI", "PhysxMaterialAPI", _LABELS])
+    apis = ["PhysicsMaterialAPI", "PhysxMaterialAPI", "NewtonMaterialAPI", _LABELS]
+    prim = scope.child(name, "Material", apis=apis)
     prim.put("semantics:labels:material", T.TokenArray, ["friction"])
     prim.put("physics:staticFriction", T.Float, friction).put("physics:dynamicFriction", T.Float, friction)
     prim.put("physics:restitution", T.Float, 0.0)
     # MuJoCo takes the larger friction of a pair, PhysX the mean unless told otherwise; where nothing can be told, the
     # inventory has made the two alike.
     prim.put("physxMaterial:frictionCombineMode", T.Token, "max", uniform=True)
+    # A stage has no solref: without these Newton's contacts are softer than MuJoCo's, and things sink and slide.
+    time, ratio = Physics().solref
+    prim.put("newton:contactStiffness", T.Float, 1.0 / (time * ratio) ** 2)
+    prim.put("newton:contactDamping", T.Float, 2.0 / time)
+    prim.put("newton:torsionalFriction", T.Float, TORSION).put("newton:rollingFriction", T.Float, ROLL)
     return prim.path

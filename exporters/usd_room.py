@@ -8,7 +8,7 @@ from pxr import Kind, Sdf
 from thinkblox.exporters.inventory import Inventory
 from thinkblox.exporters.room_parts import RoomParts
 from thinkblox.exporters.usd_assets import AssetLayers
-from thinkblox.exporters.usd_looks import BINDING, Looks
+from thinkblox.exporters.usd_looks import Looks
 from thinkblox.exporters.usd_objects import LABELS, add_label
 from thinkblox.exporters.usd_prims import Prim, T, put_units
 from thinkblox.exporters.usd_shapes import add_colliders, add_textured
@@ -40,10 +40,8 @@ def add_room(
         _add_seen(made, parts, lambda scope: looks)
     for wall in inventory.walls:
         if wall.geoms:
-            scope = made[wall.name].child("Collision", "Scope", apis=[BINDING])
-            scope.put("purpose", T.Token, "guide", uniform=True)
-            looks.bind_friction(scope, wall.geoms[0].friction[0])
-            add_colliders(scope, wall.geoms)
+            scope = made[wall.name].child("Collision", "Scope").put("purpose", T.Token, "guide", uniform=True)
+            add_colliders(scope, wall.geoms, looks)
 
 
 def _add_seen(made: Mapping[str, Prim], parts: RoomParts, looks: Callable[[Prim], Looks]) -> None:

@@ -23,37 +23,40 @@ _NO_AREA = 1e-11
 """Twice the area of a face that is left out [m2]."""
 
 
-def add_colliders(scope: Prim, geoms: Sequence[InventoryGeom]) -> None:
-    """Add one convex collider for each shape that can be touched."""
+def add_colliders(scope: Prim, geoms: Sequence[InventoryGeom], friction: Looks) -> None:
+    """Add one convex collider for each shape that can be touched, bound to its physics material.
+
+    Each is bound by itself: OpenUSD's own reader of physics passes over what is bound to the scope above.
+    """
     for geom in geoms:
         if geom.collides and geom.shape is not None:
-            _add_collider(scope, geom.shape)
+            friction.bind_friction(_add_collider(scope, geom.shape), geom.friction[0])
 
 
-def _add_collider(scope: Prim, shape: Shape) -> None:
+def _add_collider(scope: Prim, shape: Shape) -> Prim:
     (x, y, z), name = shape.size, shape.kind
+    apis = [_COLLIDER, BINDING]
     if shape.kind in ("hull", "ellipsoid"):
-        _add_hull(scope, shape)
-    elif shape.kind == "box":
-        prim = scope.child(name, "Cube", apis=[_COLLIDER]).put("size", T.Double, 1.0)
-        prim.extent((-0.5,) * 3, (0.5,) * 3).place(shape.position, shape.quat_wxyz, shape.size)
-    elif shape.kind == "sphere":
-        prim = scope.child(name, "Sphere", apis=[_COLLIDER]).put("radius", T.Double, x / 2)
-        prim.extent((-x / 2,) * 3, (x / 2,) * 3).place(shape.position, shape.quat_wxyz)
-    else:
-        prim = scope.child(name, shape.kind.capitalize(), apis=[_COLLIDER]).put("axis", T.Token, "Z", uniform=True)
-        prim.put("radius", T.Double, x / 2).put("height", T.Double, z if shape.kind == "cylinder" else z - x)
-        prim.extent((-x / 2, -y / 2, -z / 2), (x / 2, y / 2, z / 2)).place(shape.position, shape.quat_wxyz)
+        return _add_hull(scope, shape)
+    if shape.kind == "box":
+        prim = scope.child(name, "Cube", apis=apis).put("size", T.Double, 1.0)
+        return prim.extent((-0.5,) * 3, (0.5,) * 3).place(shape.position, shape.quat_wxyz, shape.size)
+    if shape.kind == "sphere":
+        prim = scope.child(name, "Sphere", apis=apis).put("radius", T.Double, x / 2)
+        return prim.extent((-x / 2,) * 3, (x / 2,) * 3).place(shape.position, shape.quat_wxyz)
+    prim = scope.child(name, shape.kind.capitalize(), apis=apis).put("axis", T.Token, "Z", uniform=True)
+    prim.put("radius", T.Double, x / 2).put("height", T.Double, z if shape.kind == "cylinder" else z - x)
+    return prim.extent((-x / 2, -y / 2, -z / 2), (x / 2, y / 2, z / 2)).place(shape.position, shape.quat_wxyz)
 
 
-def _add_hull(scope: Prim, shape: Shape) -> None:
+def _add_hull(scope: Prim, shape: Shape) -> Prim:
     solid = collider(shape if shape.kind == "hull" else hull_of(shape))
     mesh = hull_mesh(solid.points, smooth=solid.smooth)
-    prim = scope.child(shape.kind, "Mesh", apis=[_COLLIDER, "PhysicsMeshCollisionAPI"])
+    prim = scope.child(shape.kind, "Mesh", apis=[_COLLIDER, "PhysicsMeshCollisionAPI", BINDING])
     prim.put("physics:approximation", T.Token, "convexHull", uniform=True)
     _put_mesh(prim, mesh.points, [3] * len(mesh.faces), mesh.faces.ravel().tolist())
     prim.put("normals", T.Normal3fArray, vectors(mesh.normals.reshape(-1, 3), 4), interpolation="faceVarying")
-    prim.place(shape.position, shape.quat_wxyz)
+    return prim.place(shape.position, shape.quat_wxyz)
 
 
 def add_visuals(parent: Prim, geoms: Sequence[InventoryGeom], looks: Looks) -> None:

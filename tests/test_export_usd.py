@@ -280,6 +280,9 @@ def test_colliders_are_convex_and_have_friction(stage: Any) -> None:
         rubbing = UsdPhysics.MaterialAPI(material.GetPrim())
         assert rubbing.GetStaticFrictionAttr().Get() == rubbing.GetDynamicFrictionAttr().Get() > 0.0
         assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
+        # OpenUSD's reader of physics, and with it Newton's, knows direct bindings only.
+        bound = UsdShade.MaterialBindingAPI(prim).GetDirectBindingRel("physics").GetTargets()
+        assert bound == [material.GetPath()]
     assert kinds == {"Cube", "Cylinder", "Capsule", "Sphere", "Mesh"}
 
 
