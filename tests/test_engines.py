@@ -33,7 +33,7 @@ def test_a_case_has_the_room_in_usd_and_what_swings_alone(tmp_path: Path) -> Non
     case = marble_case(tmp_path / "mug")
     stage = Usd.Stage.Open(case["stage"])
     for thing in case["things"]:
-        place = UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath(thing["prim"]))
+        place = UsdGeom.XformCache().GetLocalToWorldTransform(stage.GetPrimAtPath(thing["prims"][0]))
         assert list(place.ExtractTranslation()) == pytest.approx(thing["position"])
     case = write_case(ROOM, tmp_path / "room")
     wardrobe = case["swinging"][0]

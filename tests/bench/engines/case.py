@@ -41,7 +41,7 @@ def write_case(scene: Scene, folder: Path, dropped: Mapping[str, Vec3] | None = 
     Things stand where they came to rest, but for those that are `dropped`, from where they are by id [m]; the room's
     doors and windows are things too. `swinging` are the assets with doors and drawers, each alone and held still, and
     `swings` how far these are open at the times in MuJoCo [rad, m], and `slipping` the same with nothing that rubs in
-    their joints. `stage` is the room in USD, where each thing has a `prim`, and that of what swings is it alone.
+    their joints. `stage` is the room in USD, where each thing has `prims`, and that of what swings is it alone.
     """
     inventory = inventory_of(scene, doors=True)
     export_scene(scene, folder, formats=("mjcf", "urdf", "sdf"), doors=True, overwrite=True)
@@ -86,7 +86,7 @@ def _thing(item: InventoryObject, folder: Path) -> dict[str, Any]:
         "id": item.id,
         "asset": item.asset,
         "model": str(models[0]),
-        "prim": _prim(item),
+        "prims": _prims(item),
         "free": item.free,
         "collides": any(geom.collides for body in item.bodies for geom in body.geoms),
         "rests": first.settled[0],
@@ -122,10 +122,10 @@ def _alone(scene: Scene, placement: Placement, path: Path) -> dict[str, Any]:
     return {"stage": str(path), "joint_prims": joints}
 
 
-def _prim(item: InventoryObject) -> str:
-    """The prim of its first body in USD."""
+def _prims(item: InventoryObject) -> list[str]:
+    """The prims of its bodies in USD, the first before the others."""
     whole = f"{_OBJECTS}/{item.name}"
-    return f"{whole}/{item.bodies[0].name}" if len(item.bodies) > 1 else whole
+    return [f"{whole}/{body.name}" for body in item.bodies] if len(item.bodies) > 1 else [whole]
 
 
 def _swings(

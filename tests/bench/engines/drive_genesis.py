@@ -36,7 +36,7 @@ def main() -> dict[str, Any]:
     took = time.perf_counter() - begun
     masses, poses = {}, {}
     for thing in case["things"]:
-        link = links.get(thing["prim"])
+        link = links.get(thing["prims"][0])
         if link is None or not thing["free"]:
             continue
         poses[thing["name"]] = [link.get_pos().tolist(), link.get_quat().tolist()]

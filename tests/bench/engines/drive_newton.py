@@ -60,13 +60,12 @@ def main() -> dict[str, Any]:
     weighs = dict(zip(run.model.body_label, run.model.body_mass.numpy().astype(float).tolist(), strict=True))
     masses, poses = {}, {}
     for thing in case["things"]:
-        prim = thing["prim"]
+        prim = thing["prims"][0]
         if prim not in where:
             continue
         px, py, pz, x, y, z, w = where[prim]
         poses[thing["name"]] = [[px, py, pz], [w, x, y, z]]
-        whole = prim.rsplit("/", 1)[0] + "/" if thing["joints"] else prim
-        masses[thing["name"]] = sum(mass for path, mass in weighs.items() if path == prim or path.startswith(whole))
+        masses[thing["name"]] = sum(weighs[part] for part in thing["prims"])
     swings: dict[str, dict[str, list[float]]] = {}
     for thing in case["swinging"]:
         seen, steps, run = dict[str, list[float]](), 0, Run(thing["stage"])

@@ -63,13 +63,12 @@ def main() -> None:
                 bodies.setdefault(name, {}).update(rows)
     masses, poses = {}, {}
     for thing in case["things"]:
-        prim = thing["prim"]
+        prim = thing["prims"][0]
         if prim not in bodies["position"]:
             continue
         x, y, z, w = bodies["orientation"][prim]
         poses[thing["name"]] = [bodies["position"][prim], [w, x, y, z]]
-        whole = prim.rsplit("/", 1)[0] + "/" if thing["joints"] else prim
-        masses[thing["name"]] = sum(mass[0] for path, mass in bodies["mass"].items() if path.startswith(whole))
+        masses[thing["name"]] = sum(bodies["mass"][part][0] for part in thing["prims"])
     swings: dict[str, dict[str, list[float]]] = {}
     for thing in case["swinging"]:
         seen, steps = dict[str, list[float]](), 0
