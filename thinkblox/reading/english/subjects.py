@@ -68,20 +68,12 @@ class Subjects(Having):
         small = is_small(owner) and is_small(inner.things[-1])
         return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
 
-    def _is_of_container(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
-        """Whether a container stands there with what is in it: "a bowl with apples on the counter"."""
-        noun, owner = where.noun, head.things[-1]
-        if noun is None or noun.kind != "thing" or where.word not in ("on", "on_top") or frame.each or noun.each:
-            return False
-        small = is_small(owner) and is_small(thing) and self._contains(owner)
-        return small and all(bond.implied for bond in self.draft.bonds_of(owner)) and not self._is_head(noun, head)
-
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
         if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
             return True
-        if (frame.contents and len(frame.members) == 1) or self._is_of_container(thing, frame, head, where):
+        if frame.contents and len(frame.members) == 1:
             return True
         if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
             return not frame.each and not self.habits.is_in(thing.noun, "seats")
