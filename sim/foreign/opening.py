@@ -140,7 +140,8 @@ def kind_of(path: Path) -> str:
 def _usd(path: Path, folder: Path | None) -> _Read:
     from thinkblox.sim.foreign.usd import usd_spec
 
-    return _Read(usd_spec(path, folder=folder), (), lambda error: f"{path}: MuJoCo cannot read it: {said(error)}")
+    spec, notes = usd_spec(path, folder=folder)
+    return _Read(spec, notes, lambda error: f"{path}: MuJoCo cannot read it: {said(error)}")
 
 
 def _xml(path: Path, kind: str, folder: Path | None, fixed_base: bool) -> _Read:
