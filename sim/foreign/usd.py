@@ -16,7 +16,7 @@ from thinkblox.sim.foreign.names import listed
 from thinkblox.sim.foreign.usd_frames import Frames
 from thinkblox.sim.foreign.usd_joints import Join, filtered_pairs, motion, tree_of
 from thinkblox.sim.foreign.usd_masses import Masses, friction_of
-from thinkblox.sim.foreign.usd_shapes import Reading, Solid, solids_of
+from thinkblox.sim.foreign.usd_shapes import ColliderGeom, ColliderNotes, solids_of
 from thinkblox.sim.settings import Physics
 
 Matrix = NDArray[np.float64]
@@ -97,7 +97,7 @@ class _Stage:
         self._made: dict[Any, mujoco.MjsBody] = {}
         self._qpos: list[float] = []
         self._parts: dict[str, int] = {}
-        self._shapes, self._masses = Reading(), Masses(self._frames)
+        self._shapes, self._masses = ColliderNotes(), Masses(self._frames)
         self._slack: list[str] = []
 
     def spec(self) -> mujoco.MjSpec:
@@ -250,7 +250,7 @@ class _Stage:
             for solid in solids_of(self._path, prim, frame, moves, self._shapes)
         ]
 
-    def _add_geom(self, body: mujoco.MjsBody, prim: Any, solid: Solid, *, named: bool) -> mujoco.MjsGeom:
+    def _add_geom(self, body: mujoco.MjsBody, prim: Any, solid: ColliderGeom, *, named: bool) -> mujoco.MjsGeom:
         geom = body.add_geom(self._spec.find_default(COLLISION), group=COLLISION_GROUP)
         if named:
             geom.name = self._part_name(prim)

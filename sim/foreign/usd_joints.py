@@ -72,7 +72,7 @@ class Join:
 
 
 @dataclass(frozen=True)
-class Tree:
+class Linkage:
     """Bodies in an order in which each comes after what it hangs on.
 
     Attributes:
@@ -84,7 +84,7 @@ class Tree:
     loops: tuple[Join, ...]
 
 
-def tree_of(path: object, stage: Any, bodies: dict[Any, Any], held: Iterable[Any], frames: Frames) -> Tree:
+def tree_of(path: object, stage: Any, bodies: dict[Any, Any], held: Iterable[Any], frames: Frames) -> Linkage:
     """How the bodies of a stage hang together.
 
     What is joined to the world, or held, comes first; of what is left, each connected part hangs on its first body
@@ -111,7 +111,9 @@ def tree_of(path: object, stage: Any, bodies: dict[Any, Any], held: Iterable[Any
         if body not in growth.found:
             growth.take({body: None})
     fixed = set(held) | {None}
-    return Tree(growth.found, tuple(join for join in growth.left() if not fixed.issuperset({join.parent, join.child})))
+    return Linkage(
+        growth.found, tuple(join for join in growth.left() if not fixed.issuperset({join.parent, join.child}))
+    )
 
 
 class _Growth:
@@ -273,7 +275,7 @@ def _angles(turn: Matrix, axes: list[int]) -> dict[int, float]:
     }
 
 
-def filtered_pairs(stage: Any, bodies: dict[Any, Any], tree: Tree) -> set[tuple[Any, Any]]:
+def filtered_pairs(stage: Any, bodies: dict[Any, Any], tree: Linkage) -> set[tuple[Any, Any]]:
     """Bodies that do not touch each other: what a stage filters, and what a joint holds unless it says otherwise."""
     pairs: set[tuple[Any, Any]] = set()
 

@@ -32,7 +32,7 @@ _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z i
 
 
 @dataclass(frozen=True)
-class Solid:
+class ColliderGeom:
     """One geom: its kind and half sizes, or the corners of its hull, and its frame on its body (4, 4)."""
 
     kind: Any
@@ -42,7 +42,7 @@ class Solid:
 
 
 @dataclass
-class Reading:
+class ColliderNotes:
     """How colliders were read: paths of those that are not what the stage has them as."""
 
     hulled: list[str] = field(default_factory=list)
@@ -50,7 +50,7 @@ class Reading:
     left_out: list[str] = field(default_factory=list)
 
 
-def solids_of(path: object, prim: Any, frame: Matrix, moves: bool, reading: Reading) -> list[Solid]:
+def solids_of(path: object, prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list[ColliderGeom]:
     """The geoms of a collider; none of what is no shape, which is said in `reading`.
 
     Meshes are what their approximation says: hull, box, ball, or convex pieces. Triangles are a hull on what moves,
@@ -74,7 +74,9 @@ def solids_of(path: object, prim: Any, frame: Matrix, moves: bool, reading: Read
         if prim.IsA(UsdGeom.Mesh):
             found = _mesh(path, prim, frame, moves, reading)
         elif prim.IsA(UsdGeom.Plane) and not moves:
-            found = [Solid(_KINDS.mjGEOM_PLANE, rigid(frame @ _turned(UsdGeom.Plane(prim).GetAxisAttr())), (0, 0, 1))]
+            found = [
+                ColliderGeom(_KINDS.mjGEOM_PLANE, rigid(frame @ _turned(UsdGeom.Plane(prim).GetAxisAttr())), (0, 0, 1))
+            ]
         else:
             # What is only above shapes that collide says nothing of its own.
             if not any(below.HasAPI(UsdPhysics.CollisionAPI) for below in _below(prim)):
@@ -92,35 +94,35 @@ def _below(prim: Any) -> Iterable[Any]:
     return (below for below in Usd.PrimRange(prim, Usd.TraverseInstanceProxies()) if below != prim)
 
 
-def _empty(solid: Solid) -> bool:
+def _empty(solid: ColliderGeom) -> bool:
     if solid.points is not None:
         return not np.isfinite(solid.points).all() or len(solid.points) < 4
     needed = {_KINDS.mjGEOM_SPHERE: 1, _KINDS.mjGEOM_CYLINDER: 2, _KINDS.mjGEOM_BOX: 3, _KINDS.mjGEOM_ELLIPSOID: 3}
     return any(size <= 0.0 for size in solid.size[: needed.get(solid.kind, 0)])
 
 
-def _box(prim: Any, frame: Matrix) -> Solid:
+def _box(prim: Any, frame: Matrix) -> ColliderGeom:
     side = float(UsdGeom.Cube(prim).GetSizeAttr().Get())
     turn, sizes = _split(frame)
     if sizes is None:
-        return Solid(_KINDS.mjGEOM_MESH, turn, points=_mapped(frame, _CORNERS * side, turn))
-    return Solid(_KINDS.mjGEOM_BOX, turn, tuple((side / 2 * sizes).tolist()))
+        return ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=_mapped(frame, _CORNERS * side, turn))
+    return ColliderGeom(_KINDS.mjGEOM_BOX, turn, tuple((side / 2 * sizes).tolist()))
 
 
-def _sphere(prim: Any, frame: Matrix) -> Solid:
+def _sphere(prim: Any, frame: Matrix) -> ColliderGeom:
     radius = float(UsdGeom.Sphere(prim).GetRadiusAttr().Get())
     turn, sizes = _split(frame)
     if sizes is None:
         return _hull(frame, _ball(radius))
     if np.ptp(sizes) <= _EVEN * sizes.max():
-        return Solid(_KINDS.mjGEOM_SPHERE, turn, (radius * float(sizes.mean()), 0.0, 0.0))
-    return Solid(_KINDS.mjGEOM_ELLIPSOID, turn, tuple((radius * sizes).tolist()))
+        return ColliderGeom(_KINDS.mjGEOM_SPHERE, turn, (radius * float(sizes.mean()), 0.0, 0.0))
+    return ColliderGeom(_KINDS.mjGEOM_ELLIPSOID, turn, tuple((radius * sizes).tolist()))
 
 
-def _round(kind: Any, schema: Any) -> Callable[[Any, Matrix], Solid]:
+def _round(kind: Any, schema: Any) -> Callable[[Any, Matrix], ColliderGeom]:
     """A maker of cylinders or capsules; one that is not round in the world is a hull."""
 
-    def make(prim: Any, frame: Matrix) -> Solid:
+    def make(prim: Any, frame: Matrix) -> ColliderGeom:
         shape = schema(prim)
         frame = frame @ _turned(shape.GetAxisAttr())
         radius, height = float(shape.GetRadiusAttr().Get()), float(shape.GetHeightAttr().Get())
@@ -130,19 +132,19 @@ def _round(kind: Any, schema: Any) -> Callable[[Any, Matrix], Solid]:
             ends = _ball(radius) if capsule else np.column_stack([_circle(radius), np.zeros(SIDES)])
             lift = np.array([0.0, 0.0, height / 2])
             return _hull(frame, np.vstack([ends + lift, ends - lift]))
-        return Solid(kind, turn, (radius * float(sizes[0]), height / 2 * float(sizes[2]), 0.0))
+        return ColliderGeom(kind, turn, (radius * float(sizes[0]), height / 2 * float(sizes[2]), 0.0))
 
     return make
 
 
-def _cone(prim: Any, frame: Matrix) -> Solid:
+def _cone(prim: Any, frame: Matrix) -> ColliderGeom:
     cone = UsdGeom.Cone(prim)
     half, radius = float(cone.GetHeightAttr().Get()) / 2, float(cone.GetRadiusAttr().Get())
     base = np.column_stack([_circle(radius), np.full(SIDES, -half)])
     return _hull(frame @ _turned(cone.GetAxisAttr()), np.vstack([base, [[0.0, 0.0, half]]]))
 
 
-_MAKERS: dict[Any, Callable[[Any, Matrix], Solid]] = {
+_MAKERS: dict[Any, Callable[[Any, Matrix], ColliderGeom]] = {
     UsdGeom.Cube: _box,
     UsdGeom.Sphere: _sphere,
     UsdGeom.Cylinder: _round(_KINDS.mjGEOM_CYLINDER, UsdGeom.Cylinder),
@@ -153,7 +155,7 @@ _MAKERS: dict[Any, Callable[[Any, Matrix], Solid]] = {
 }
 
 
-def _mesh(path: object, prim: Any, frame: Matrix, moves: bool, reading: Reading) -> list[Solid]:
+def _mesh(path: object, prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list[ColliderGeom]:
     mesh = _triangles(path, prim)
     how = str(UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() or "none")
     turn = rigid(frame)
@@ -163,24 +165,24 @@ def _mesh(path: object, prim: Any, frame: Matrix, moves: bool, reading: Reading)
         low, high = mesh.bounds
         middle = turn.copy()
         middle[:3, 3] = turn[:3, :3] @ ((low + high) / 2) + turn[:3, 3]
-        return [Solid(_KINDS.mjGEOM_BOX, middle, tuple(((high - low) / 2).tolist()))]
+        return [ColliderGeom(_KINDS.mjGEOM_BOX, middle, tuple(((high - low) / 2).tolist()))]
     if how == "boundingSphere":
         centre = mesh.bounds.mean(axis=0)
         middle = turn.copy()
         middle[:3, 3] = turn[:3, :3] @ centre + turn[:3, 3]
         radius = float(np.linalg.norm(mesh.vertices - centre, axis=1).max())
-        return [Solid(_KINDS.mjGEOM_SPHERE, middle, (radius, 0.0, 0.0))]
+        return [ColliderGeom(_KINDS.mjGEOM_SPHERE, middle, (radius, 0.0, 0.0))]
     if how == "convexHull" or (how == "none" and moves):
         if how == "none":
             reading.hulled.append(name)
-        return [Solid(_KINDS.mjGEOM_MESH, turn, points=_thick(mesh.vertices, turn))]
+        return [ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=_thick(mesh.vertices, turn))]
     try:
         pieces = convex_pieces(mesh)
     except FlatMeshError:
-        return [Solid(_KINDS.mjGEOM_MESH, turn, points=_thick(mesh.vertices, turn))]
+        return [ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=_thick(mesh.vertices, turn))]
     if len(pieces) > 1:
         reading.divided.append(name)
-    return [Solid(_KINDS.mjGEOM_MESH, turn, points=piece) for piece in pieces]
+    return [ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=piece) for piece in pieces]
 
 
 def _triangles(path: object, prim: Any) -> MeshFile:
@@ -231,9 +233,9 @@ def _mapped(frame: Matrix, points: Points, turn: Matrix) -> Points:
     return mapped
 
 
-def _hull(frame: Matrix, points: Points) -> Solid:
+def _hull(frame: Matrix, points: Points) -> ColliderGeom:
     turn = rigid(frame)
-    return Solid(_KINDS.mjGEOM_MESH, turn, points=_mapped(frame, points, turn))
+    return ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=_mapped(frame, points, turn))
 
 
 def _turned(axis: Any) -> Matrix:
