@@ -73,6 +73,12 @@ def test_every_room_is_the_same_in_every_format(number: int, tmp_path: Path) -> 
     check_all(thinkblox.generate_room(PROMPTS[number], seed=0).scene, tmp_path)
 
 
+def test_the_room_of_a_urdf_is_no_object(tmp_path: Path) -> None:
+    subject = open_model(furnished().export(tmp_path / "room.urdf"))
+    assert {thing.id for thing in subject.things} == {f"{name}_1" for name in KINDS}
+    assert not [note for note in subject.notes if "inertial" in note]
+
+
 def test_models_of_single_assets_are_read_too(tmp_path: Path) -> None:
     sample_scene().export(tmp_path / "room.urdf")
     models = sorted((tmp_path / "assets").glob("*.urdf"))
