@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.assets import GENERAL_WORDS
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
-from thinkblox.editing.acting import looking, mark_names, related
+from thinkblox.editing.acting import centred, looking, mark_names, related
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
@@ -75,7 +75,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     added = []
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
-        goals = [_related(work, w, category, index, count) for w in here]
+        middles = [centred(work.scene, w) if order.centred else (w, []) for w in here]
+        here = [w for w, _ in middles]
+        goals = [goal for _, more in middles for goal in more]
+        goals += [_related(work, w, category, index, count) for w in here]
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
@@ -89,7 +92,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         finder.scene = work.scene
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
-    return added + _add_with(work, finder, order, added, within)
+    return added + add_with(work, finder, order, added, within)
 
 
 def _check(noun: Noun) -> None:
@@ -112,7 +115,7 @@ def _how_many(noun: Noun, places: Sequence[Where], several: int) -> int:
     """How many are added: of several places so many at each, unless the number is that of the places."""
     if several < 2:
         return noun.count or (2 if noun.plural else 1)
-    each = any(where.noun is not None and where.noun.each for where in places)
+    each = any(where.noun is not None and where.noun.each and where.noun.det != "either" for where in places)
     if noun.count and noun.count > 1 and not each and noun.count % several == 0:
         return noun.count
     if noun.count and noun.count > 1 and not each:
@@ -126,7 +129,7 @@ def _with(places: Sequence[Where]) -> tuple[list[Where], list[Where]]:
     return along, [w for w in places if w not in along]
 
 
-def _add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
+def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
     """Add what goes with things that were added, at each of them."""
     added: list[str] = []
     for head in heads if along else ():

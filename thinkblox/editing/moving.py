@@ -3,14 +3,14 @@
 import dataclasses
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
+from itertools import chain, permutations
 
 from msgspec import structs
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import backing, findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.acting import backing, centred, findings, looking, mark_names, reach_goals, related, say
 from thinkblox.editing.carrying import usual_ties
-from thinkblox.editing.company import with_company
+from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
@@ -28,7 +28,7 @@ from thinkblox.editing.goals import (
     Related,
     Spot,
 )
-from thinkblox.editing.grammar import sections
+from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
@@ -68,12 +68,15 @@ MIDDLE = 0.3
 """How far from the middle that is asked for something may stand that is left where it is [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
+MOST_SLOTS = 5
+"""Most things that are shared out to places so that as few as can be have to move."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
 """How far something is moved where nobody says it [m]."""
 SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
 """The same for "a bit" [m]."""
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
+_LOOKS = ("facing", "opposite")
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
 """The same for "a bit"."""
 
@@ -87,11 +90,13 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         _line_up(work, finder, order, wall)
         return
     seen: set[tuple[str, str]] = set()
+    order = gathered(work, finder, order)
     groups = list(_groups(work, finder, order))
     moving = {id for ids, _ in groups for id in ids}
     for ids, places in groups:
         _check_says_where(order, places)
         ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
+        ids = _by_slots(work, finder, ids, places)
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
@@ -143,6 +148,20 @@ def _groups(work: Work, finder: Finder, order: Order) -> Iterable[tuple[tuple[st
     return sorted(groups, key=lambda group: ranks[group[0][0]])
 
 
+def _by_slots(work: Work, finder: Finder, ids: Sequence[str], places: Sequence[Where]) -> tuple[str, ...]:
+    """Things in the order of the places that a phrase names for them, so that as few as can be have to move."""
+    if not 1 < len(ids) <= MOST_SLOTS or len(places) != 1 or places[0].word == "spot":
+        return tuple(ids)
+    finder.about = ids[0]
+    category = work.scene[ids[0]].category
+    slots = slots_of(places[0], category, finder)
+    if len(slots) != len(ids):
+        return tuple(ids)
+    goals = [related(slot, category) for slot in slots]
+    held = {(id, n): goal.check(work.scene, work.scene, id)[0] for id in ids for n, goal in enumerate(goals)}
+    return max(permutations(ids), key=lambda ordered: sum(held[id, n] for n, id in enumerate(ordered)))
+
+
 def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]) -> Sequence[str]:
     """Things that go one way, those in front first, so that none runs into the next."""
     if len(ids) < 2 or not (order.direction or order.closer):
@@ -181,7 +200,8 @@ def _check_says_where(order: Order, places: Sequence[Where]) -> None:
 def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
     """What is moved, with what is said of where it goes."""
     if order.rest and not order.things:
-        everything = [p.id for p in work.scene.placements if p.support == "floor" and work.scene.asset_of(p).collides]
+        floor = [p for p in work.scene.placements if p.support == "floor"]
+        everything = [p.id for p in floor if order.direction or work.scene.asset_of(p).collides]
         destination = [w for w in order.places if w.word != "except"]
         yield work.touched(spare(finder, everything, order.spared)), destination
         return
@@ -229,6 +249,8 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         return found
 
     def not_yet(found: Sequence[Placement]) -> Sequence[Placement]:
+        if any(_is_seen_from_it(w) for w in places):
+            return found
         wanted = [bound(w, found[0].category, finder) for w in places if not w.negated and w.word != "spot"]
         return [p for p in found if not all(b.holds(finder.scene, p.id) for b in wanted if not b.of_room)]
 
@@ -245,6 +267,12 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         if count > 1:
             picks.append(nearest_to(finder.scene, name, count))
     return tuple(picks)
+
+
+def _is_seen_from_it(where: Where) -> bool:
+    """Whether a place depends on what is moved: "to the other side", "the nearest wall", "in each corner"."""
+    noun = where.noun
+    return noun is not None and (noun.det == "other" or noun.each or bool(means("nearest", noun.degree)))
 
 
 def _goals(
@@ -290,6 +318,9 @@ def _at_place(
         yield Related("on", there.anchors)
     if there.upon:
         yield Related("on", (there.upon,))
+    if order.centred:
+        there, more = centred(work.scene, there)
+        yield from more
     yield related(there, category, index, count)
 
 
@@ -494,12 +525,35 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         return
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
     by = order.lengths[0][0] if order.lengths else None
+    also = _also(work, finder, order, fixed)
+    if also:
+        move_one(work, order, fixed, also)
+    looks = [goal for goal in also if isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind in _LOOKS)]
+    placed = [fixed]
     for id in rest:
         beside = order.mutual == "next_to"
-        next_to = Abreast("next_to", (fixed,)) if order.abreast else Related("next_to", (fixed,))
+        next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
-        move_one(work, order, id, [goal])
+        move_one(work, order, id, [goal, *looks])
+        placed.append(id)
     finder.recent = ids
+
+
+def _also(work: Work, finder: Finder, order: Order, id: str) -> list[Goal]:
+    """Where things that are brought together go besides, and what they face: the largest of them leads.
+
+    Raises:
+        InputError: the order says more than that of them.
+    """
+    told = {"direction": order.direction, "angle": order.turn, "seat": order.seated, "company": order.company,
+            "distance": order.closer or order.apart}  # fmt: skip
+    if over := ", ".join(name for name, said in told.items() if said):
+        raise InputError(f"'{order.text}' says how things stand to each other and a {over} too; give two orders")
+    places = next((p.places for p in reversed(order.things) if p.places), order.places)
+    known = [p for p in order.things if p.places is places]
+    _, destination = _split(finder, order, known[0], places) if known else ([], places)
+    finder.scene, finder.about = work.scene, id
+    return _goals(work, finder, dataclasses.replace(order, slight=False), id, destination, 0, 1)
 
 
 def resite(work: Work, finder: Finder, order: Order) -> None:
