@@ -32,6 +32,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
@@ -57,6 +58,8 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
 
 
 _BESIDE = ("left_of", "right_of")
+_SIDES: tuple[RelationKind, ...] = ("left_of", "right_of")
+_ENDS: tuple[RelationKind, ...] = ("in_front_of", "behind")
 _ABOUT = ("under", "on")
 
 
@@ -71,6 +74,24 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     if there.kind in _ABOUT:
         return there, [MidOf(anchor), MidOf(anchor, across=True)]
     return there, [MidOf(anchor, across=there.kind in _BESIDE)]
+
+
+def sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
+    """The same goals with what is to be beside a thing at its left and at its right, where that has sides."""
+    beside = [goal for goal in goals if type(goal) is Related and goal.kind == "next_to" and not goal.negated]
+    if len(beside) != 1 or len(beside[0].anchors) != 1 or beside[0].anchors[0] not in scene:
+        return []
+    anchor = scene[beside[0].anchors[0]]
+    if scene.asset_of(anchor).front != "one" or anchor.support != "floor":
+        return []
+    rest = [goal for goal in goals if goal is not beside[0]]
+    return [[*rest, Related(kind, (anchor.id,))] for kind in _SIDES]
+
+
+def stands_before(scene: Scene, id: str, goals: Sequence[Goal]) -> bool:
+    """Whether something that is to be beside a thing stands before or behind it."""
+    at = [goal.anchors[0] for goal in goals if type(goal) is Related and goal.kind == "next_to" and goal.anchors]
+    return any(measure(scene, kind, id, (name,)).holds for name in at if name in scene for kind in _ENDS)
 
 
 def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:

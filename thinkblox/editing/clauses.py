@@ -168,6 +168,10 @@ def _turned_about(clause: Clause) -> Clause:
         return Clause("remove", "", tokens, clause.text)
     if clause.doing == "seat":
         return _seated(clause)
+    if clause.doing == "copy":
+        if not tokens or tokens[0].text not in ("the", "this", "that"):
+            raise InputError(f"'{clause.text}' does not say of what there is to be another one; name one thing")
+        return Clause("add", "", (replace(tokens[0], text="another"), *tokens[1:]), clause.text)
     if clause.doing in ("gather", "spread"):
         return _gathered_or_spread(clause)
     if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:

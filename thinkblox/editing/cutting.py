@@ -166,6 +166,9 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
+        part = longest("fractions", tokens, at) if self._doing == "make" else None
+        if part is not None:
+            return OrderMark("fractions", part[0], float(part[0])), part[1]
         times = longest("multiples", tokens, at) if self._doing == "make" else None
         if times is not None:
             return OrderMark("multiples", times[0], float(times[0])), times[1]

@@ -264,6 +264,11 @@ def _made_room(work: Work, finder: Finder, order: Order) -> None:
             there = [slot for w in wanted for id in ids[:1] for slot in slots_of(w, work.scene[id].category, finder)]
             if not all(any(id not in b.anchors and _is_there(work.scene, b, id) for b in there) for id in ids):
                 continue
+            if _is_known(phrase) or order.doing == "move":
+                raise InputError(
+                    f"'{order.text}': {', '.join(ids)} is in its way there; say where that goes, or let the two swap"
+                    " places"
+                )
             phrase.places = [w for w in phrase.places if w is not where]
             take_away(work, work.touched(ids))
             finder.scene = work.before = work.scene
@@ -277,7 +282,7 @@ def _is_there(scene: Scene, there: Bound, id: str) -> bool:
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
     _made_room(work, finder, order)
-    known = [_is_known(phrase) or _is_all_there(finder, phrase) for phrase in order.things]
+    known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if order.things and not any(known) and not order.rest:
         check_heeded(dataclasses.replace(order, doing="add", company=[]))
         bring(work, finder, order)
@@ -289,9 +294,25 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
         move(work, finder, order)
 
 
-def _is_all_there(finder: Finder, phrase: NounPhrase) -> bool:
+def _is_of_pair(finder: Finder, phrase: NounPhrase, later: Sequence[NounPhrase]) -> bool:
+    """Whether it is one of two that are there, of which the other is named next: "one stool here, the other there"."""
+    there = finder.matching(phrase.noun)
+    others = [p for p in later if p.noun.kind == "pronoun" and p.noun.value == "other"]
+    if len(there) != 2 or len(others) != 1:
+        return False
+    one, other = there
+    finder.seen.append(f"'{phrase.noun.text}' is taken to be {one.id}, and '{others[0].noun.text}' {other.id}")
+    phrase.noun = dataclasses.replace(phrase.noun, id=one.id)
+    phrase.id, others[0].id = one.id, other.id
+    others[0].noun = dataclasses.replace(phrase.noun, id=other.id)
+    return True
+
+
+def _is_all_there(finder: Finder, phrase: NounPhrase, later: Sequence[NounPhrase]) -> bool:
     """Whether "one lamp on each nightstand" speaks of the lamps that are there: one for each place, and no more."""
     noun, each = phrase.noun, [w for w in phrase.places if w.noun is not None and w.noun.each]
+    if noun.kind == "thing" and noun.count == 1 and not noun.det and _is_of_pair(finder, phrase, later):
+        return True
     there = finder.matching(noun) if noun.kind == "thing" and noun.count == 1 and not noun.det and each else []
     if len(there) < 2 or len(slots_of(each[0], there[0].category, finder)) != len(there):
         return False
@@ -414,7 +435,8 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
             joined[-1] = order
             continue
         back = order.doing == "keep" or (order.doing in ("put", "move") and "back" in order.text.lower().split())
-        if last is not None and back and last.doing in _CARRYING and _keeps_by_it(order):
+        along = last is not None and order.doing in ("put", "move") and _is_with_it(order)
+        if last is not None and (along or (back and _keeps_by_it(order))) and last.doing in _CARRYING:
             last.company += [dataclasses.replace(phrase, places=[]) for phrase in order.things]
             continue
         if last is not None and last.doing == "remove" and _comes_there(order):
@@ -480,10 +502,21 @@ def _both(last: Order, order: Order) -> list[Where]:
     return [*last.things[-1].places, *last.places, *order.things[0].places, *order.places]
 
 
+def _is_with_it(order: Order) -> bool:
+    """Whether things are to come along with what was just named: "and bring the nightstands with it"."""
+    said = [w for phrase in order.things for w in phrase.places]
+    told = order.places or order.closer or order.apart or order.direction or order.facing
+    return bool(said) and not told and all(w.word == "with" and _is_that(w.noun) for w in said)
+
+
+def _is_that(noun: Noun | None) -> bool:
+    return noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them")
+
+
 def _keeps_by_it(order: Order) -> bool:
     """Whether an order keeps things where they stand to what was just named: "keep the chairs around it"."""
     nouns = [w.noun for phrase in order.things for w in phrase.places]
-    return bool(nouns) and all(n is not None and n.kind == "pronoun" and n.value in ("it", "them") for n in nouns)
+    return bool(nouns) and all(map(_is_that, nouns))
 
 
 # --- the outcome

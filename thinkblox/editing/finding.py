@@ -22,6 +22,8 @@ from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
+BY_IT = 0.3
+"""How far from what was spoken of something stands that belongs to it [m]."""
 SAME_SIZE = 0.05
 """How much a size may differ from what is said of it [m]."""
 ACROSS = 120.0
@@ -283,8 +285,7 @@ class Finder:
         if len(found) > count:
             found = self._picked(found, picks, least=count)
         if len(found) > count:
-            spoken = [p for p in found if p.id in self.recent]
-            found = spoken if len(spoken) == count else found
+            found = self._of_context(noun, found, count)
         if len(found) > count and not _is_whichever(noun):
             says = ", ".join(self.described(p) for p in found[:LISTED])
             raise InputError(
@@ -293,6 +294,24 @@ class Finder:
         if len(found) > count:
             self._say_taken(noun, [p.id for p in found[-count:]], [p.id for p in found])
         return found[-count:]
+
+    def _of_context(self, noun: Noun, found: list[Placement], count: int) -> list[Placement]:
+        """Those of several that were spoken of, or that belong to what was: "turn the desk and push the chair in"."""
+        spoken = [p for p in found if p.id in self.recent]
+        if len(spoken) == count:
+            return spoken
+        by_them = [p for p in found if any(self._belongs(p, id) for id in self.recent)]
+        if len(by_them) != count or not noun.definite:
+            return found
+        self._say_taken(noun, [p.id for p in by_them], [p.id for p in found])
+        return by_them
+
+    def _belongs(self, placement: Placement, id: str) -> bool:
+        """Whether something rests on an object or stands by it."""
+        if id not in self.scene or id == placement.id:
+            return False
+        gap = ground_gap(things(self.scene, placement.id)[0], things(self.scene, id)[0])
+        return id in self.scene.carriers(placement.id) or (placement.support == "floor" and gap <= BY_IT)
 
     @staticmethod
     def _by_number(noun: Noun, found: Sequence[Placement]) -> list[Placement]:

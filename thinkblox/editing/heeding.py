@@ -28,7 +28,7 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
     "turn": ("things", "places", *_LOOKED, "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
-    "replace": ("things", "instead"),
+    "replace": ("things", "instead", "abreast"),
     "remove": ("things", "places", "rest", "spared", "away", "company"),
     "swap": ("things", "split", "company"),
     "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),

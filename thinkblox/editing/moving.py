@@ -8,7 +8,18 @@ from itertools import chain, permutations
 from msgspec import structs
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import backing, centred, findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.acting import (
+    backing,
+    centred,
+    findings,
+    looking,
+    mark_names,
+    reach_goals,
+    related,
+    say,
+    sideways,
+    stands_before,
+)
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
@@ -66,6 +77,8 @@ OTHER_CORNER = 1.5
 """How far from where it was something stands at least that goes to another corner [m]."""
 MIDDLE = 0.3
 """How far from the middle that is asked for something may stand that is left where it is [m]."""
+AT_IT = 0.06
+"""How far something may stand from what it is put against [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
 MOST_SLOTS = 5
@@ -318,6 +331,8 @@ def _at_place(
         yield Related("on", there.anchors)
     if there.upon:
         yield Related("on", (there.upon,))
+    if there.kind == "next_to" and where.word == "against" and not there.negated:
+        yield Apart(there.anchors, AT_IT, "le")
     if order.centred:
         there, more = centred(work.scene, there)
         yield from more
@@ -397,8 +412,23 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
             direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
-        done = reach_goals(work, id, goals, direct=direct, ask=True)
+        done = _reach_beside(work, id, goals, direct)
     say(work, id, before, done, goals)
+
+
+def _reach_beside(work: Work, id: str, goals: Sequence[Goal], direct: Iterator[Pose]) -> Reaching | None:
+    """As `reach_goals`; what is to be beside a thing stands at its left or right where it can."""
+    saved = work.saved()
+    done = reach_goals(work, id, goals, direct=direct, ask=True)
+    if done is not None or not stands_before(work.scene, id, goals):
+        return done
+    first = work.world
+    work.restore(saved)
+    for other in sideways(work.scene, goals):
+        if reach_goals(work, id, other, direct=_spots(work, id, other)) is None:
+            return None
+    work.world = first
+    return None
 
 
 def _is_so(work: Work, goal: Goal, id: str) -> bool:
@@ -520,6 +550,8 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to, or away from")
     if order.scatter and len(ids) > 2:
+        if _placed(order):
+            raise InputError(f"'{order.text}' says how far apart things are to be and where; give two orders")
         scatter(work, ids, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)
         finder.recent = ids
         return
@@ -537,6 +569,13 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         move_one(work, order, id, [goal, *looks])
         placed.append(id)
     finder.recent = ids
+
+
+def _placed(order: Order) -> bool:
+    """Whether an order says where things go, besides how they stand to each other."""
+    told = (order.places, order.facing, order.backs, order.direction, order.company, order.there, order.free)
+    places = [w for phrase in order.things for w in phrase.places if w.word not in ("from", "of")]
+    return any(told) or any(not phrase.noun.many or len(order.things) == 1 for phrase in order.things if places)
 
 
 def _also(work: Work, finder: Finder, order: Order, id: str) -> list[Goal]:

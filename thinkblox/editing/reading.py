@@ -13,6 +13,7 @@ from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
+from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
 from thinkblox.editing.rewording import reworded, uncontracted, with_ids
 from thinkblox.errors import InputError
@@ -41,6 +42,7 @@ _SPOT = ("where", "to where")
 """Words before what stood at a place: "where the wardrobe was"."""
 _COMPASS = ("north", "south", "east", "west")
 _IN_ROW = ("middle", "left", "right")
+_LESS = ("smaller", "shorter", "narrower", "lower")
 _SHAPES = ("round",)
 _OF_LOOKS = ("make", "replace", "add", "put", "ensure")
 """Orders in which "in grey" is how something is to look."""
@@ -152,7 +154,8 @@ def _with_rows(tokens: list[Token]) -> list[Token]:
     words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
     read = list(tokens)
     for index, token in enumerate(tokens[:-1]):
-        if token.text in words and tokens[index + 1].text == "row":
+        rows = tokens[index + 2].text == "rows" if index + 2 < len(tokens) and is_number(tokens[index + 1]) else False
+        if token.text in words and (tokens[index + 1].text == "row" or rows):
             read[index] = replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
         if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
@@ -181,7 +184,8 @@ class _OrderReader:
     """Reads the words after one verb."""
 
     def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str] = ()) -> None:
-        verb = clause.text.split(" ", 1)[0].lower()
+        words = clause.text.lower().split()
+        verb = next((word for word in words if means("drawing", word)), words[0])
         self.order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
         told = [word.lower() for word in clause.text.split()[:4]]
         self.order.space = (
@@ -206,8 +210,9 @@ class _OrderReader:
         self._more = False
         self._up_to = False
         self._only = False
-        self._centring = bool(means("centring", verb))
-        self._piling = bool(means("piling", verb))
+        self._fraction = 0.0
+        self._centring = bool(means("centring", words[0]))
+        self._piling = bool(means("piling", words[0]))
         self._had = any(token.text == "to" and token.start < 0 for token in clause.tokens)
 
     def read(self) -> Order:
@@ -242,6 +247,10 @@ class _OrderReader:
     def _finish(self) -> None:
         order = self.order
         order.slight &= not order.lengths
+        if self._fraction and order.change and not order.change.endswith("="):
+            order.times = 1.0 + (-self._fraction if order.change in _LESS else self._fraction)
+        elif self._fraction:
+            order.lost.append("by a part of it")
         self._by_verb()
         self._closer_around()
         if self._pending is False and order.direction:
@@ -291,6 +300,11 @@ class _OrderReader:
             order.doing = "turn"
         if self._around and order.facing:
             order.turn = None
+        if self._around and order.backs:
+            order.turn = None
+        if order.doing == "remove" and order.facing and order.things:
+            order.things[-1].places += [Where("facing", noun, text="facing") for noun in order.facing]
+            order.facing = []
         if order.doing == "turn" and order.closer and not order.lengths and not any(near for near, _ in order.closer):
             order.backs += [phrase.noun for _, phrase in order.closer]
             order.closer = []
@@ -393,6 +407,8 @@ class _OrderReader:
                 self._how(mark)
             case "lengths":
                 self._length(mark)
+            case "fractions":
+                self._fraction = mark.value
             case "turn" | "multiples":
                 setattr(order, "turn" if mark.sort == "turn" else "times", mark.value)
             case "directions":
@@ -482,7 +498,7 @@ class _OrderReader:
             order.turn, self._around = 180.0, True
         elif order.doing == "make":
             order.looks.append("round")
-        else:
+        elif order.doing != "swap":
             order.lost.append("round")
 
     def _noun(self, noun: Noun) -> None:
@@ -524,7 +540,8 @@ class _OrderReader:
     @staticmethod
     def _is_back(item: Item | None) -> bool:
         """Whether it is the back of what is spoken of."""
-        return isinstance(item, Noun) and item.kind == "part" and item.value in ("back", "head") and item.det == "my"
+        named = isinstance(item, Noun) and item.det == "my" and item.value in ("back", "head")
+        return named and isinstance(item, Noun) and item.kind in ("part", "thing")
 
     def _behind(self) -> Noun | None:
         """Read "(its back) is to the window"."""
@@ -593,6 +610,8 @@ class _OrderReader:
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
             if order.things and _is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
                 phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
+            if order.things and order.things[-1].noun.rows and noun.kind == "thing" and not (noun.det or noun.count):
+                phrase.noun = replace(noun, det="my", text=f"their {noun.text}")
             order.things.append(phrase)
             self._anchors = []
         else:
@@ -642,6 +661,9 @@ class _OrderReader:
         if noun.kind == "pronoun" and noun.value == "all" and noun.text.lower() == "all" and whole:
             self._at += 1
             return replace(cast(Noun, following), det="all", plural=True, text=f"{noun.text} {following.text}")  # type: ignore[union-attr]
+        if noun.kind == "number" and noun.ordinal and isinstance(following, Noun) and following.rows > 1:
+            self._at += 1
+            return replace(noun, rows=following.rows, text=f"{noun.text} {following.text}")
         located = isinstance(following, Connector) and following.sort == "prepositions"
         if noun.kind == "pronoun" and noun.value == "them" and noun.count and located:
             noun = replace(noun, kind="number", det="the")
@@ -780,6 +802,8 @@ class _OrderReader:
         ):
             self.order.mutual = link.value
             self.order.abreast |= link.text.lower() == "side by side"
+        elif link.value == "next_to" and self.order.doing == "replace" and self._mode == "instead":
+            self.order.abreast = True
         else:
             self._lose(link)
 
@@ -979,7 +1003,10 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        new = following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
+        pointed = following.of_known or following.definite or following.det in ("the", "other")
+        new = not pointed and (
+            following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
+        )
         if order.doing == "replace":
             return link.value in ("with", "by", "for") or (link.value in ("in", "to") and new)
         if order.doing == "swap" and (link.value == "for" or (link.value == "with" and new)) and new:

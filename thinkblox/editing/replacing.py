@@ -69,25 +69,26 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
     """Add what comes in place of things besides what stands where they stood: of two for one the second."""
     by, first = ids[0] if ids else "", order.instead[0].noun
     for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
-        for _ in range(1 if noun is first else noun.count or 1):
+        for _ in range(noun.count or 1 if noun is not first and not by else 1):
             if not by:
                 add_one(work, category_of(work, noun, ()), noun, [])
             elif noun is not first:
                 finder.scene = work.scene
                 add_with(work, finder, order, [by], [Where("with", noun, text="with")])
             elif work.scene[by].asset != before[by].asset:
-                _add_another(work, by, noun)
+                _add_another(work, by, noun, beside=order.abreast)
 
 
-def _add_another(work: Work, by: str, noun: Noun) -> None:
+def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
     """Add another one of what has come in place of a thing: beside it where that can be."""
     new = noun if noun.kind == "thing" else replace_fields(noun, value=work.scene[by].category, kind="thing")
     category, asset, said = category_of(work, new, ()), work.asset_of(by), len(work.failed)
     walled = [[Related("against_wall", walls)] for walls in [_walls_at(work.scene, by, asset)] if walls]
-    beside: list[list[Goal]] = [[Abreast("next_to", (by,))], [Related("near", (by,))]]
+    near: list[list[Goal]] = [[Abreast("next_to", (by,))], [Related("near", (by,))]]
     walls_: list[Goal] = [Related("against_wall", ("wall",))]
-    last = [[*beside[1], *walls_], walls_] if walled else beside[1:]
-    for goals in [*([*beside[1], *wall] for wall in walled), beside[0], *last]:
+    last = [] if beside else [[*near[1], *walls_], walls_] if walled else near[1:]
+    first = [[*near[0], *wall] for wall in walled]
+    for goals in [*first, near[0], *last]:
         del work.failed[said:]
         if add_one(work, category, new, goals, asset=asset):
             return
@@ -126,6 +127,8 @@ def _as_small(work: Work, id: str, asset: Asset) -> Asset:
     """What is to come in place of an object, no longer and no deeper than that, as far as such a thing is made so."""
     old, (least, _) = work.asset_of(id).size, work.source.size_range(asset.category)
     depth, width, height = (max(min(own, there), low) for own, there, low in zip(asset.size, old, least, strict=True))
+    if abs(asset.size[0] - asset.size[1]) < SAME_SIZE:
+        depth = width = max(min(depth, width), least[0], least[1])
     return work.source.fit(asset, (depth, width, max(height, asset.size[2])))
 
 

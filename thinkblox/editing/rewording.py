@@ -15,10 +15,11 @@ _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
 _AFTER = re.compile(r"\s*([a-z°%'\"]+)", re.I)
 _MEASURE = re.compile(r"\s*by\s*[0-9.,]+\s*(?:m|cm|mm|met|cent|feet|foot|ft|inch)", re.I)
 """After "the desk 2" in "2 by 1 m"."""
-_NOT_UNITS = frozenset(
-    "and to by in on at from with so next is are should the its it a closer around round nearer".split()
+_UNITS = frozenset(
+    "m cm mm metre metres meter meters centimetre centimetres centimeter centimeters feet foot ft inch inches in yard"
+    " yards degree degrees deg ° % percent times x".split()
 )
-"""Words that may follow the number of a thing; a unit or a noun would make it a length or a count."""
+"""Words after a number that make it a length, an angle or a share; "in" is one before no noun phrase."""
 
 
 def reworded(tokens: Sequence[Token]) -> list[Token]:
@@ -54,7 +55,7 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
     written, end = "", 0
     for match in _NUMBERED.finditer(text):
         after = _AFTER.match(text, match.end())
-        if match.start() < end or (after is not None and after[1].lower() not in _NOT_UNITS):
+        if match.start() < end or (after is not None and _counts(lexicon, after[1].lower(), text[after.end() :])):
             continue
         if _MEASURE.match(text, match.end()):
             continue
@@ -68,6 +69,14 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
                 end = match.end()
                 break
     return written + text[end:]
+
+
+def _counts(lexicon: Lexicon, word: str, rest: str) -> bool:
+    """Whether a number before a word says how much or how many: "2 m", "4 plates"."""
+    if word == "in":
+        return not rest.lstrip().lower().startswith(("the", "a ", "front", "its", "their"))
+    named = lexicon.longest(list(lexicon.tokens(word)), 0).entry("object")
+    return word in _UNITS or (named is not None and named.plural)
 
 
 def _id(kinds: Sequence[str], number: str, ids: Collection[str]) -> str:

@@ -216,7 +216,8 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         deep, wide, _ = finder.scene[anchor].size
         across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
-        if facts_of(category).is_in("small") and finder.scene.asset_of(finder.scene[anchor]).surfaces:
+        small = [facts_of(name).is_in("small") for name in (category, finder.scene[anchor].category)]
+        if small == [True, False] and finder.scene.asset_of(finder.scene[anchor]).surfaces:
             parts: tuple[PartOfTop, ...] = ("left", "right") if across else ("front", "back")
             bounds += [Bound("on", (anchor,), part=part) for part in parts]
             continue
