@@ -37,8 +37,8 @@ class Doubts(Corrections):
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
         self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
-        for said in self.antecedents.unclear:
-            self._doubt_referent(said)
+        for unclear in self.antecedents.unclear:
+            self._doubt_referent(unclear)
         self._doubt_circles()
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
