@@ -17,6 +17,7 @@ from thinkblox.sim.foreign.usd_frames import Frames
 from thinkblox.sim.foreign.usd_joints import Join, filtered_pairs, motion, tree_of
 from thinkblox.sim.foreign.usd_masses import Masses, friction_of
 from thinkblox.sim.foreign.usd_shapes import ColliderGeom, ColliderNotes, solids_of
+from thinkblox.sim.foreign.usd_values import number_of, numbers_of
 from thinkblox.sim.settings import Physics
 
 Matrix = NDArray[np.float64]
@@ -47,8 +48,11 @@ def usd_spec(path: Path, *, folder: Path | None = None) -> tuple[mujoco.MjSpec, 
         InputError: it cannot be opened; a layer lies outside the folder; or a part of it makes no sense, which is told.
     """
     stage = _opened(path, (folder or path.parent).resolve())
-    reading = _Stage(path, stage)
-    return reading.spec(), reading.notes()
+    try:
+        reading = _Stage(stage)
+        return reading.spec(), reading.notes()
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
 
 
 def _told(error: Exception) -> str:
@@ -80,15 +84,15 @@ def _opened(path: Path, folder: Path) -> Any:
 class _Stage:
     """A stage being turned into a spec."""
 
-    def __init__(self, path: Path, stage: Any) -> None:
-        self._path, self._stage, self._frames = path, stage, Frames(stage)
+    def __init__(self, stage: Any) -> None:
+        self._stage, self._frames = stage, Frames(stage)
         prims = list(stage.Traverse(Usd.TraverseInstanceProxies()))
         self._bodies = {prim.GetPath(): prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
         if len(self._bodies) > MOST_BODIES:
-            raise InputError(too_many(str(path), len(self._bodies)))
+            raise InputError(too_many("the stage", len(self._bodies)))
         self._colliders = [prim for prim in prims if _collides(prim)]
         self._held = [key for key, prim in self._bodies.items() if not _moves(prim)]
-        self._tree = tree_of(path, stage, self._bodies, self._held, self._frames)
+        self._tree = tree_of(stage, self._bodies, self._held, self._frames)
         self._fixed = {prim.GetPath(): prim for prim in prims if self._is_fixed_thing(prim)}
         self._names = _short_names([*self._bodies, *self._fixed])
         self._scenes = [UsdPhysics.Scene(prim) for prim in prims if prim.IsA(UsdPhysics.Scene)]
@@ -148,8 +152,8 @@ class _Stage:
     def _gravity(self) -> tuple[float, float, float]:
         direction, magnitude = np.zeros(3), -1.0
         for scene in self._scenes[:1]:
-            direction = self._frames.upright @ np.array(scene.GetGravityDirectionAttr().Get() or (0, 0, 0), np.float64)
-            magnitude = float(scene.GetGravityMagnitudeAttr().Get())
+            direction = self._frames.upright @ numbers_of(scene.GetGravityDirectionAttr(), (0.0, 0.0, 0.0))
+            magnitude = number_of(scene.GetGravityMagnitudeAttr(), -np.inf)
         # Of a direction of length 0 and a magnitude below 0 UsdPhysics says: down, and as on earth.
         length = float(np.linalg.norm(direction))
         down = direction / length if length > 0.0 else np.array([0.0, 0.0, -1.0])
@@ -247,7 +251,7 @@ class _Stage:
         body = self._spec.worldbody if owner is None else self._made[owner]
         return [
             self._add_geom(body, prim, solid, named=owner is None)
-            for solid in solids_of(self._path, prim, frame, moves, self._shapes)
+            for solid in solids_of(prim, frame, moves, self._shapes)
         ]
 
     def _add_geom(self, body: mujoco.MjsBody, prim: Any, solid: ColliderGeom, *, named: bool) -> mujoco.MjsGeom:
@@ -315,12 +319,11 @@ def _is_room(prim: Any) -> bool:
 
 def _flag(prim: Any, name: str) -> bool:
     attribute = prim.GetAttribute(name)
-    return bool(attribute and attribute.Get())
+    return bool(attribute) and attribute.Get() is True
 
 
 def _number(prim: Any, name: str) -> float:
-    attribute = prim.GetAttribute(name)
-    return float(attribute.Get()) if attribute and attribute.HasAuthoredValue() else 0.0
+    return number_of(prim.GetAttribute(name), 0.0)
 
 
 def _quat(matrix: Matrix) -> Matrix:

@@ -4,9 +4,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Gf, UsdGeom, UsdPhysics
+from pxr import Tf, UsdGeom, UsdPhysics
+
+from thinkblox.errors import InputError
+from thinkblox.sim.foreign.usd_values import numbers_of, turn_of
 
 Matrix = NDArray[np.float64]
+FURTHEST = 1e9
+"""How far away, and how much larger than its own space, anything may be [m]."""
 _UPRIGHT = {
     "X": np.array([[0.0, -1.0, 0.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]]),
     "Y": np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]),
@@ -33,8 +38,17 @@ class Frames:
         self._ours[:3, :3] = self.metre * self.upright
 
     def world(self, prim: Any) -> Matrix:
-        """What brings points of a prim's own space to the world (4, 4), scale and all."""
-        matrix: Matrix = self._ours @ np.array(self._cache.GetLocalToWorldTransform(prim)).T
+        """What brings points of a prim's own space to the world (4, 4), scale and all.
+
+        Raises:
+            InputError: its transforms are not made of finite numbers.
+        """
+        try:
+            matrix: Matrix = self._ours @ np.array(self._cache.GetLocalToWorldTransform(prim)).T
+        except Tf.ErrorException as error:
+            raise InputError(f"{prim.GetPath()}: has a transform that cannot be read") from error
+        if not np.isfinite(matrix).all() or np.abs(matrix).max() > FURTHEST:
+            raise InputError(f"{prim.GetPath()}: is at a place, or has a scale, that is not made of finite numbers")
         return matrix
 
     def pose(self, prim: Any) -> Matrix:
@@ -58,10 +72,14 @@ def rigid(matrix: Matrix) -> Matrix:
 
 
 def local_frame(joint: Any, end: int) -> Matrix:
-    """The frame of a joint in the space of one of the prims that it joins (4, 4)."""
-    position = (joint.GetLocalPos0Attr(), joint.GetLocalPos1Attr())[end].Get() or Gf.Vec3f(0)
-    turn = (joint.GetLocalRot0Attr(), joint.GetLocalRot1Attr())[end].Get() or Gf.Quatf(1)
+    """The frame of a joint in the space of one of the prims that it joins (4, 4).
+
+    Raises:
+        InputError: it is not made of finite numbers.
+    """
     matrix = np.eye(4)
-    matrix[:3, :3] = np.array(Gf.Matrix3d(Gf.Quatd(turn).GetNormalized())).T
-    matrix[:3, 3] = position
+    matrix[:3, :3] = turn_of((joint.GetLocalRot0Attr(), joint.GetLocalRot1Attr())[end])
+    matrix[:3, 3] = numbers_of((joint.GetLocalPos0Attr(), joint.GetLocalPos1Attr())[end], (0.0, 0.0, 0.0))
+    if not np.isfinite(matrix).all() or np.abs(matrix).max() > FURTHEST:
+        raise InputError(f"{joint.GetPath()}: has a frame that is not made of finite numbers")
     return matrix

@@ -11,6 +11,7 @@ from pxr import UsdPhysics
 
 from thinkblox.errors import InputError
 from thinkblox.sim.foreign.usd_frames import Frames, Matrix
+from thinkblox.sim.foreign.usd_values import number_of, word_of
 
 APART = 0.005
 """How far the frames of a joint may be apart in a direction that it does not leave free [m]."""
@@ -84,14 +85,13 @@ class Linkage:
     loops: tuple[Join, ...]
 
 
-def tree_of(path: object, stage: Any, bodies: dict[Any, Any], held: Iterable[Any], frames: Frames) -> Linkage:
+def tree_of(stage: Any, bodies: dict[Any, Any], held: Iterable[Any], frames: Frames) -> Linkage:
     """How the bodies of a stage hang together.
 
     What is joined to the world, or held, comes first; of what is left, each connected part hangs on its first body
     that is no second end of a joint.
 
     Args:
-        path: of the file, for messages.
         stage: the stage.
         bodies: prims of the bodies by path.
         held: paths of those that do not move whatever joins them.
@@ -100,7 +100,7 @@ def tree_of(path: object, stage: Any, bodies: dict[Any, Any], held: Iterable[Any
     Raises:
         InputError: a joint whose limits are in the wrong order, or whose frames are far apart.
     """
-    joins = list(_joins(path, stage, bodies, frames))
+    joins = list(_joins(stage, bodies, frames))
     growth = _Growth(joins)
     growth.take(dict.fromkeys(held))
     for join in joins:
@@ -146,7 +146,7 @@ class _Growth:
         return [join for join in self._joins if id(join) not in self._used]
 
 
-def _joins(path: object, stage: Any, bodies: dict[Any, Any], frames: Frames) -> Iterator[Join]:
+def _joins(stage: Any, bodies: dict[Any, Any], frames: Frames) -> Iterator[Join]:
     for prim in stage.Traverse():
         if not prim.IsA(UsdPhysics.Joint):
             continue
@@ -157,13 +157,13 @@ def _joins(path: object, stage: Any, bodies: dict[Any, Any], frames: Frames) -> 
         owners = [_owner(end, bodies) for end in ends]
         if owners[0] == owners[1]:
             continue
-        freedoms = _freedoms(path, prim, frames)
+        freedoms = _freedoms(prim, frames)
         if freedoms is None:
             continue
         worlds = [frames.joint(joint, number, end) for number, end in enumerate(ends)]
         ball = prim.IsA(UsdPhysics.SphericalJoint)
         if not ball:
-            _check_frames(path, prim, worlds, freedoms)
+            _check_frames(prim, worlds, freedoms)
         local = [
             world if owner is None else np.linalg.inv(frames.pose(bodies[owner])) @ world
             for world, owner in zip(worlds, owners, strict=True)
@@ -186,7 +186,7 @@ def _owner(prim: Any, bodies: dict[Any, Any]) -> Any:
     return None
 
 
-def _freedoms(path: object, prim: Any, frames: Frames) -> tuple[Freedom, ...] | None:
+def _freedoms(prim: Any, frames: Frames) -> tuple[Freedom, ...] | None:
     """How a joint lets its ends move; None for one that holds nothing."""
     if prim.IsA(UsdPhysics.FixedJoint) or prim.IsA(UsdPhysics.SphericalJoint):
         return ()
@@ -195,12 +195,12 @@ def _freedoms(path: object, prim: Any, frames: Frames) -> tuple[Freedom, ...] | 
     for schema, turns in ((UsdPhysics.RevoluteJoint, True), (UsdPhysics.PrismaticJoint, False)):
         if prim.IsA(schema):
             kind = schema(prim)
-            limits = (kind.GetLowerLimitAttr().Get(), kind.GetUpperLimitAttr().Get())
-            if limits[0] is not None and limits[1] is not None and limits[0] > limits[1]:
+            limits = number_of(kind.GetLowerLimitAttr(), -np.inf), number_of(kind.GetUpperLimitAttr(), np.inf)
+            if limits[0] > limits[1]:
                 raise InputError(
-                    f"{path}: {prim.GetPath()}: has its lower limit {limits[0]:g} above its upper one, {limits[1]:g}"
+                    f"{prim.GetPath()}: has its lower limit {limits[0]:g} above its upper one, {limits[1]:g}"
                 )
-            axis = _AXES[str(kind.GetAxisAttr().Get() or "X")]
+            axis = _AXES[word_of(kind.GetAxisAttr(), _AXES, "X")]
             return (Freedom(turns, axis, _limits(limits, 1.0 if turns else frames.metre)),)
     return _generic(prim, frames)
 
@@ -212,7 +212,7 @@ def _generic(prim: Any, frames: Frames) -> tuple[Freedom, ...] | None:
         limits = (-np.inf, np.inf)
         if prim.HasAPI(UsdPhysics.LimitAPI, name):
             limit = UsdPhysics.LimitAPI(prim, name)
-            limits = (limit.GetLowAttr().Get(), limit.GetHighAttr().Get())
+            limits = number_of(limit.GetLowAttr(), -np.inf), number_of(limit.GetHighAttr(), np.inf)
         if limits[0] >= limits[1]:
             continue
         turns = name.startswith("rot")
@@ -220,21 +220,21 @@ def _generic(prim: Any, frames: Frames) -> tuple[Freedom, ...] | None:
     return None if len(freedoms) == len(_GENERIC) else tuple(freedoms)
 
 
-def _limits(limits: tuple[float | None, float | None], unit: float) -> tuple[float, float] | None:
+def _limits(limits: tuple[float, float], unit: float) -> tuple[float, float] | None:
     low, high = limits
-    if low is None or high is None or not (np.isfinite(low) and np.isfinite(high)):
+    if not (np.isfinite(low) and np.isfinite(high)):
         return None
     # The engine knows no joint without room to move.
     return (low * unit, max(high * unit, low * unit + 1e-6))
 
 
-def _check_frames(path: object, prim: Any, worlds: list[Matrix], freedoms: tuple[Freedom, ...]) -> None:
+def _check_frames(prim: Any, worlds: list[Matrix], freedoms: tuple[Freedom, ...]) -> None:
     """Refuse a joint that would tear its bodies away from where the stage has them."""
     away = np.linalg.inv(worlds[0]) @ worlds[1]
     slides = [freedom.axis for freedom in freedoms if not freedom.turns]
     shift = float(np.linalg.norm(np.delete(away[:3, 3], slides)))
     if shift > APART:
-        raise InputError(f"{path}: {prim.GetPath()}: has its two frames {shift:.4g} m apart; engines would snap them")
+        raise InputError(f"{prim.GetPath()}: has its two frames {shift:.4g} m apart; engines would snap them")
     turning = [freedom.axis for freedom in freedoms if freedom.turns]
     if len(turning) > 1:
         return
@@ -243,8 +243,7 @@ def _check_frames(path: object, prim: Any, worlds: list[Matrix], freedoms: tuple
     bent = float(np.linalg.norm(turn @ along - along) if along is not None else np.linalg.norm(turn - np.eye(3)))
     if bent > BENT:
         raise InputError(
-            f"{path}: {prim.GetPath()}: has its two frames turned against each other by {bent:.4g} rad; engines would"
-            " snap them"
+            f"{prim.GetPath()}: has its two frames turned against each other by {bent:.4g} rad; engines would snap them"
         )
 
 

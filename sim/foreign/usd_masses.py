@@ -12,6 +12,7 @@ from thinkblox.errors import InputError
 from thinkblox.sim.foreign.inertias import LEAST, SLACK, WATER
 from thinkblox.sim.foreign.names import listed
 from thinkblox.sim.foreign.usd_frames import Frames, rigid
+from thinkblox.sim.foreign.usd_values import number_of, numbers_of, turn_of
 
 Floats = NDArray[np.float64]
 ALONE = 1.0
@@ -112,7 +113,7 @@ def _own(prim: Any) -> tuple[float | None, float | None]:
     api = UsdPhysics.MassAPI(prim)
     values = []
     for what, attribute in (("mass", api.GetMassAttr()), ("density", api.GetDensityAttr())):
-        value = float(attribute.Get() or 0.0)
+        value = number_of(attribute, 0.0)
         if not 0.0 <= value < np.inf:
             raise InputError(f"{prim.GetPath()}: has a {what} of {value:g}; it must be 0 or more")
         values.append(value or None)
@@ -125,22 +126,20 @@ def _said(prim: Any, frames: Frames) -> tuple[float | None, Floats | None, Float
     if not prim.HasAPI(UsdPhysics.MassAPI):
         return None, None, None, None
     api, world = UsdPhysics.MassAPI(prim), frames.world(prim)
-    centre = np.array(api.GetCenterOfMassAttr().Get(), np.float64)
-    moments = np.array(api.GetDiagonalInertiaAttr().Get(), np.float64)
-    axes = api.GetPrincipalAxesAttr().Get()
+    centre = numbers_of(api.GetCenterOfMassAttr(), (-np.inf, -np.inf, -np.inf))
+    moments = numbers_of(api.GetDiagonalInertiaAttr(), (0.0, 0.0, 0.0))
+    turn = turn_of(api.GetPrincipalAxesAttr())
     place = None
     if np.isfinite(centre).all():
         place = rigid(world)[:3, :3].T @ world[:3, :3] @ centre
     inertia = None
     if np.isfinite(moments).all() and (moments > 0.0).any():
         inertia = moments * frames.kilogram * frames.metre**2
-    quat = np.array([axes.GetReal(), *axes.GetImaginary()], np.float64)
-    return (
-        None if mass is None else mass * frames.kilogram,
-        place,
-        inertia,
-        quat if inertia is not None and np.isfinite(quat).all() and quat.any() else None,
-    )
+    axes = None
+    if inertia is not None and np.isfinite(turn).all():
+        axes = np.zeros(4)
+        mujoco.mju_mat2Quat(axes, np.ascontiguousarray(turn).ravel())
+    return None if mass is None else mass * frames.kilogram, place, inertia, axes
 
 
 def _material(prim: Any) -> Any:
@@ -152,8 +151,8 @@ def _material(prim: Any) -> Any:
 
 def _of_material(prim: Any) -> float | None:
     material = _material(prim)
-    density = material.GetDensityAttr().Get() if material is not None else None
-    return float(density) if density and 0.0 < density < np.inf else None
+    density = 0.0 if material is None else number_of(material.GetDensityAttr(), 0.0)
+    return density if 0.0 < density < np.inf else None
 
 
 def friction_of(prim: Any, usual: float) -> float:
@@ -161,4 +160,4 @@ def friction_of(prim: Any, usual: float) -> float:
     material = _material(prim)
     if material is None:
         return usual
-    return float(material.GetDynamicFrictionAttr().Get() or 0.0)
+    return number_of(material.GetDynamicFrictionAttr(), 0.0)

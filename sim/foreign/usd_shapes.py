@@ -13,12 +13,15 @@ from thinkblox.assets.decompose import FlatMeshError, convex_pieces
 from thinkblox.assets.mesh_file import MAX_TRIANGLES, MeshFile
 from thinkblox.errors import InputError
 from thinkblox.sim.foreign.usd_frames import Matrix, rigid
+from thinkblox.sim.foreign.usd_values import number_of, numbers_of, word_of
 
 Points = NDArray[np.float64]
 SIDES = 48
 """Of the polygon that stands for the circle of a cone."""
 THICK = 0.01
 """How far a flat mesh reaches below its face [m]."""
+_UNSET = 0.0
+"""What a size is that is missing altogether: refused like any that is not above 0."""
 _EVEN = 1e-4
 """By which share sizes may differ and count as the same."""
 _KINDS = mujoco.mjtGeom
@@ -28,6 +31,11 @@ _ALONG = {
     "Z": np.eye(3),
 }
 """What turns the z axis of the engine's round shapes to an axis of the stage's."""
+_APPROXIMATIONS = (
+    *("none", "convexHull", "convexDecomposition", "meshSimplification", "boundingCube", "boundingSphere"),
+    *("sdf", "sphereFill"),
+)
+"""What a mesh can be for collisions, by UsdPhysics and by PhysX."""
 _CORNERS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 
 
@@ -50,14 +58,13 @@ class ColliderNotes:
     left_out: list[str] = field(default_factory=list)
 
 
-def solids_of(path: object, prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list[ColliderGeom]:
+def solids_of(prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list[ColliderGeom]:
     """The geoms of a collider; none of what is no shape, which is said in `reading`.
 
     Meshes are what their approximation says: hull, box, ball, or convex pieces. Triangles are a hull on what moves,
     as in other engines, and convex pieces on what does not.
 
     Args:
-        path: of the file, for messages.
         prim: the collider.
         frame: what brings its points to its body's frame (4, 4), scale and all.
         moves: whether its body can.
@@ -72,7 +79,7 @@ def solids_of(path: object, prim: Any, frame: Matrix, moves: bool, reading: Coll
             break
     else:
         if prim.IsA(UsdGeom.Mesh):
-            found = _mesh(path, prim, frame, moves, reading)
+            found = _mesh(prim, frame, moves, reading)
         elif prim.IsA(UsdGeom.Plane) and not moves:
             found = [
                 ColliderGeom(_KINDS.mjGEOM_PLANE, rigid(frame @ _turned(UsdGeom.Plane(prim).GetAxisAttr())), (0, 0, 1))
@@ -84,9 +91,7 @@ def solids_of(path: object, prim: Any, frame: Matrix, moves: bool, reading: Coll
             found = []
     for solid in found:
         if not np.isfinite(solid.frame).all() or not np.isfinite(solid.size).all() or _empty(solid):
-            raise InputError(
-                f"{path}: {prim.GetPath()}: has a size or place that is not made of finite numbers above 0"
-            )
+            raise InputError(f"{prim.GetPath()}: has a size or place that is not made of finite numbers above 0")
     return found
 
 
@@ -102,7 +107,7 @@ def _empty(solid: ColliderGeom) -> bool:
 
 
 def _box(prim: Any, frame: Matrix) -> ColliderGeom:
-    side = float(UsdGeom.Cube(prim).GetSizeAttr().Get())
+    side = number_of(UsdGeom.Cube(prim).GetSizeAttr(), _UNSET)
     turn, sizes = _split(frame)
     if sizes is None:
         return ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=_mapped(frame, _CORNERS * side, turn))
@@ -110,7 +115,7 @@ def _box(prim: Any, frame: Matrix) -> ColliderGeom:
 
 
 def _sphere(prim: Any, frame: Matrix) -> ColliderGeom:
-    radius = float(UsdGeom.Sphere(prim).GetRadiusAttr().Get())
+    radius = number_of(UsdGeom.Sphere(prim).GetRadiusAttr(), _UNSET)
     turn, sizes = _split(frame)
     if sizes is None:
         return _hull(frame, _ball(radius))
@@ -125,7 +130,7 @@ def _round(kind: Any, schema: Any) -> Callable[[Any, Matrix], ColliderGeom]:
     def make(prim: Any, frame: Matrix) -> ColliderGeom:
         shape = schema(prim)
         frame = frame @ _turned(shape.GetAxisAttr())
-        radius, height = float(shape.GetRadiusAttr().Get()), float(shape.GetHeightAttr().Get())
+        radius, height = number_of(shape.GetRadiusAttr(), _UNSET), number_of(shape.GetHeightAttr(), _UNSET)
         turn, sizes = _split(frame)
         if sizes is None or abs(sizes[0] - sizes[1]) > _EVEN * sizes.max():
             capsule = kind == _KINDS.mjGEOM_CAPSULE
@@ -139,7 +144,7 @@ def _round(kind: Any, schema: Any) -> Callable[[Any, Matrix], ColliderGeom]:
 
 def _cone(prim: Any, frame: Matrix) -> ColliderGeom:
     cone = UsdGeom.Cone(prim)
-    half, radius = float(cone.GetHeightAttr().Get()) / 2, float(cone.GetRadiusAttr().Get())
+    half, radius = number_of(cone.GetHeightAttr(), _UNSET) / 2, number_of(cone.GetRadiusAttr(), _UNSET)
     base = np.column_stack([_circle(radius), np.full(SIDES, -half)])
     return _hull(frame @ _turned(cone.GetAxisAttr()), np.vstack([base, [[0.0, 0.0, half]]]))
 
@@ -155,9 +160,9 @@ _MAKERS: dict[Any, Callable[[Any, Matrix], ColliderGeom]] = {
 }
 
 
-def _mesh(path: object, prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list[ColliderGeom]:
-    mesh = _triangles(path, prim)
-    how = str(UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() or "none")
+def _mesh(prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list[ColliderGeom]:
+    mesh = _triangles(prim)
+    how = word_of(UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr(), _APPROXIMATIONS, "none")
     turn = rigid(frame)
     mesh = MeshFile(_mapped(frame, mesh.vertices, turn), mesh.faces)
     name = str(prim.GetPath())
@@ -185,18 +190,18 @@ def _mesh(path: object, prim: Any, frame: Matrix, moves: bool, reading: Collider
     return [ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=piece) for piece in pieces]
 
 
-def _triangles(path: object, prim: Any) -> MeshFile:
+def _triangles(prim: Any) -> MeshFile:
     mesh = UsdGeom.Mesh(prim)
-    points = np.array(mesh.GetPointsAttr().Get() or (), np.float64).reshape(-1, 3)
-    index = np.array(mesh.GetFaceVertexIndicesAttr().Get() or (), np.int64)
-    counts = np.array(mesh.GetFaceVertexCountsAttr().Get() or (), np.int64)
+    points = numbers_of(mesh.GetPointsAttr(), ()).reshape(-1, 3)
+    index = numbers_of(mesh.GetFaceVertexIndicesAttr(), ()).astype(np.int64)
+    counts = numbers_of(mesh.GetFaceVertexCountsAttr(), ()).astype(np.int64)
     if (counts < 3).any() or counts.sum() != len(index) or (len(index) and not _within(index, len(points))):
-        raise InputError(f"{path}: {prim.GetPath()}: names points that do not exist")
+        raise InputError(f"{prim.GetPath()}: names points that do not exist")
     if not len(index) or not np.isfinite(points).all():
-        raise InputError(f"{path}: {prim.GetPath()}: is a mesh without faces, or with points that are no numbers")
+        raise InputError(f"{prim.GetPath()}: is a mesh without faces, or with points that are no numbers")
     triangles = int((counts - 2).sum())
     if triangles > MAX_TRIANGLES:
-        raise InputError(f"{path}: {prim.GetPath()}: has {triangles} triangles; at most {MAX_TRIANGLES} are read")
+        raise InputError(f"{prim.GetPath()}: has {triangles} triangles; at most {MAX_TRIANGLES} are read")
     first = np.repeat(np.cumsum(counts) - counts, counts - 2)
     step = np.arange(triangles) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2) + 1
     faces = np.column_stack([index[first], index[first + step], index[first + step + 1]])
@@ -240,7 +245,7 @@ def _hull(frame: Matrix, points: Points) -> ColliderGeom:
 
 def _turned(axis: Any) -> Matrix:
     matrix = np.eye(4)
-    matrix[:3, :3] = _ALONG[str(axis.Get() or "Z")]
+    matrix[:3, :3] = _ALONG[word_of(axis, _ALONG, "Z")]
     return matrix
 
 
