@@ -33,7 +33,7 @@ _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "mak
 """Orders whose things are in the room already."""
 _MAKING = ("make", "leave", "keep")
 """Verbs of "make room", "leave some space"."""
-_OF_ALL = ("remove", "keep", "move", "free", "turn")
+_OF_ALL = ("remove", "keep", "move", "put", "free", "turn")
 """Orders that "everything" can be said with."""
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
@@ -51,6 +51,7 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_AT_BACK = (*_ASIDE, "on", "against")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
@@ -549,7 +550,7 @@ class _OrderReader:
         verb = self._items[at] if at < len(self._items) else None
         at += isinstance(verb, Connector) and verb.sort in ("verbs", "participles")
         link, noun = (self._items[n] if n < len(self._items) else None for n in (at, at + 1))
-        if not isinstance(link, Connector) or link.value not in (*_ASIDE, "on") or not isinstance(noun, Noun):
+        if not isinstance(link, Connector) or link.value not in _AT_BACK or not isinstance(noun, Noun):
             return None
         self._at = at + 2
         return self._merged(noun)
@@ -907,6 +908,9 @@ class _OrderReader:
         if where.word == "except" and where.noun is not None:
             noun = where.noun
             self._excepted = NounPhrase(noun, id=noun.id)
+            if order.doing in ("add", "put", "ensure") and any(w.noun and w.noun.each for w in self._places()):
+                order.besides.append(self._excepted)
+                return
             (order.things[-1].spared if order.things else order.spared).append(self._excepted)
             return
         if where.word == "instead" and where.noun is not None:
@@ -1003,7 +1007,7 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        pointed = following.of_known or following.definite or following.det in ("the", "other")
+        pointed = following.of_known or following.definite or following.id or following.det in ("the", "other")
         new = not pointed and (
             following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
         )

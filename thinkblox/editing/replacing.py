@@ -108,17 +108,19 @@ def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
     """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
     said = len(work.failed)
     for factor in MORE if new.degree and new.degree != SAME else MORE[:1]:
+        tried = len(work.failed)
         if replace_one(work, id, _successor(work, id, new, factor)):
-            del work.failed[said:]
+            del work.failed[said:tried]
             return True
         del work.failed[said + 1 :]
-    asset, riders = _successor(work, id, new, MORE[0]), work.scene.riders(id)
-    smaller = new.size is None and not new.degree
-    if (smaller and replace_one(work, id, _as_small(work, id, asset))) or (
-        riders and replace_one(work, id, asset, bare=True)
-    ):
-        del work.failed[said]
-        return True
+    asset = _successor(work, id, new, MORE[0])
+    again = [(_as_small(work, id, asset), False)] if new.size is None and not new.degree else []
+    again += [(asset, True)] if work.scene.riders(id) else []
+    for other, bare in again:
+        tried = len(work.failed)
+        if replace_one(work, id, other, bare=bare):
+            del work.failed[said:tried]
+            return True
     del work.failed[said + 1 :]
     return False
 
