@@ -848,7 +848,7 @@ class _OrderReader:
             self._at += 1
         elif towards and order.doing in ("move", "put"):
             self._pending = True
-        elif order.doing == "turn" and link.value == "at" and not towards and self._faces_later():
+        elif order.doing == "turn" and link.value == "at" and not towards and (self._excepted or self._faces_later()):
             self._placed(self._where(link))
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
@@ -921,8 +921,9 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
+        on_it = where.noun is not None and _is_it(where.noun)
         self._refer(where)
-        if self._goes_along(where):
+        if self._goes_along(where) or (on_it and self._rides(where)):
             return
         if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
@@ -937,6 +938,17 @@ class _OrderReader:
         """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
         if self._mode == "instead" and self._only:
             self._mode, self._only = "things", False
+
+    def _rides(self, where: Where) -> bool:
+        """Take "the cabinet and the printer on it" as the cabinet, with which the printer goes along."""
+        order = self.order
+        if where.word not in ("on", "in", "inside") or order.doing not in _WITH_ALONG or len(order.things) != 2:
+            return False
+        head, rider = order.things
+        if rider.places or head.places or not rider.noun.definite or where.noun is not head.noun:
+            return False
+        order.company.append(order.things.pop())
+        return True
 
     def _utmost(self, where: Where) -> None:
         """Read "as far from it as possible" as the corner farthest from it, "as near as possible" as beside it."""
@@ -964,7 +976,10 @@ class _OrderReader:
         """Read "on the stand instead of the table", "add a stool instead of the chair"."""
         order = self.order
         places = order.things[-1].places if order.things else order.places
-        if places:
+        known = bool(order.things) and (order.things[-1].noun.definite or bool(order.things[-1].id))
+        if "place" in where.text.lower().split() and known and not places and order.doing in ("put", "move"):
+            places.append(Where("spot", noun, text="where"))
+        elif places:
             places.append(Where(places[-1].word, noun, negated=True, text=INSTEAD))
         elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
             order.doing, order.total = "ensure", True

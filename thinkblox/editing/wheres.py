@@ -266,7 +266,11 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
     if noun.value == "side" and noun.det == "other":
-        return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
+        side = _other_side(finder, where, anchors[0])
+        drawn = facts_of(category).is_in("seating") and load_habits().is_in(
+            finder.scene[anchors[0]].category, "tables", "desks"
+        )
+        return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
 
@@ -340,6 +344,22 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
 
 
+def opening_named(scene: Scene, noun: Noun) -> str:
+    """The door or window that a phrase means by the side of the room that it is at: "the north window"; else its kind.
+
+    Raises:
+        InputError: none is at that side, or several are.
+    """
+    kind = noun.value.split()[0]
+    side = next((word for word in noun.text.lower().split() if f"{word}_wall" in _COMPASS), "")
+    if kind not in _OPENINGS or not side:
+        return kind
+    found = [o.id for o in scene.room.openings if o.kind == kind and scene.room.walls[o.wall].name.startswith(side)]
+    if len(found) != 1:
+        raise InputError(f"'{noun.text}': the room has {len(found)} such: {', '.join(found) or 'none'}")
+    return found[0]
+
+
 def _nearest_mark(finder: Finder, noun: Noun, marks: Sequence[Landmark]) -> str:
     """The name of the wall, corner, door or window that is nearest to what is moved, or farthest from it.
 
@@ -383,7 +403,8 @@ def _opening(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | N
         raise InputError(f"'{_text(where)}': sills carry nothing here; name what stands by the window, or a shelf")
     if not any(o.kind == name for o in finder.scene.room.openings):
         raise InputError(f"the room has no {name}")
-    mark = _nearest_mark(finder, noun, things(finder.scene, name)) if means("nearest", noun.degree) else name
+    named = opening_named(finder.scene, noun)
+    mark = _nearest_mark(finder, noun, things(finder.scene, name)) if means("nearest", noun.degree) else named
     return Meaning("under", (mark,)) if where.word == "under" else _of_mark(opening(where.word, name), mark)
 
 
@@ -445,7 +466,8 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
         nearest = min(corners(finder.scene.room), key=lambda c: math.dist(c.centre, here.position[:2]))
         found = [c for c in found if c.name != nearest.name]
     if mark is not None:
-        name = mark.value if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
+        by = opening_named(finder.scene, mark) if mark.value in _OPENINGS else mark.value
+        name = by if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
         if not things(finder.scene, name) or not found:
             raise InputError(f"the room has no corner {where.text} {mark.text}")
         found = _corners_by(finder.scene, found, name)
@@ -625,6 +647,8 @@ NEARNESS = (
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""
+AS_NEAR = 0.3
+"""How much further than the nearest of several another may be that is one of the nearest [m]."""
 CROWDED = 1.7
 """How far from a corner what stands in it is counted [m]."""
 
@@ -738,12 +762,16 @@ def _by_distance(
     noun = where.noun
     if noun is None or noun.kind not in ("place", "thing", "pronoun"):
         raise InputError(f"'{_text(where)}' is no place to be near to")
-    names = (noun.value.split()[0],) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
+    names = (
+        (opening_named(finder.scene, noun),) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
+    )
     marks = [mark for name in names for mark in things(finder.scene, name)]
     if not marks:
         raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks) for p in found}
     ordered = sorted((p for p in found if p.id not in names), key=lambda p: -away[p.id] if far else away[p.id])
+    if phrase.noun.plural and not phrase.noun.count and phrase.noun.det != "both":
+        return [p for n, p in enumerate(ordered) if n < 2 or abs(away[p.id] - away[ordered[0].id]) <= AS_NEAR]
     return ordered[: 2 if phrase.noun.det == "both" else phrase.noun.count or 1]
 
 
