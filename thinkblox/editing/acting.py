@@ -71,7 +71,8 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     if not single or there.of_room or there.negated or there.kind == "in_centre":
         return there, []
     anchor = there.anchors[0]
-    if there.kind in _ABOUT:
+    hung = anchor in scene and scene.asset_of(scene[anchor]).mount == "wall"
+    if there.kind in _ABOUT and not hung:
         return there, [MidOf(anchor), MidOf(anchor, across=True)]
     return there, [MidOf(anchor, across=there.kind in _BESIDE)]
 

@@ -14,7 +14,7 @@ from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, named, slots_of, spot_of
+from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -74,7 +74,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     within, places = _with(places)
     spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
-    slots = [slots_of(where, guess, finder) for where in places]
+    slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = _besides(finder, order, phrase, slots)
     if noun.degree:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")

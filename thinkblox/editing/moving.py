@@ -57,7 +57,7 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
+from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -344,13 +344,22 @@ def _at_place(
         yield Elsewhere(OTHER_CORNER)
         return
     category = work.scene[id].category
-    slots = slots_of(where, category, finder)
+    slots = slots_for(where, category, finder, count)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
     if len(slots) > max(count, 1):
         raise InputError(f"'{order.text}': '{text}' names {len(slots)} places, for {count} to be moved")
     there = slots[index % len(slots)]
     if id in there.anchors and not there.negated:
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
+    yield from _strictly(work, where, there, category)
+    if order.centred:
+        there, more = centred(work.scene, there)
+        yield from more
+    yield related(there, category, index, count)
+
+
+def _strictly(work: Work, where: Where, there: Bound, category: str) -> Iterator[Goal]:
+    """What a place asks for besides its relation: in the middle about there, against a thing close to it."""
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
     if there.upon:
@@ -359,10 +368,6 @@ def _at_place(
         yield Central()
     if there.kind == "next_to" and where.word == "against" and not there.negated:
         yield Apart(there.anchors, AT_IT, "le")
-    if order.centred:
-        there, more = centred(work.scene, there)
-        yield from more
-    yield related(there, category, index, count)
 
 
 def _is_any_other_corner(where: Where, noun: Noun) -> bool:

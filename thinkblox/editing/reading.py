@@ -451,7 +451,9 @@ class _OrderReader:
         """Read "in the front row" of what was named last."""
         phrase = self._excepted or (self.order.things[-1] if self.order.things else None)
         last = phrase.places[-1] if phrase is not None and phrase.places else None
-        if last is not None and last.noun is not None and last.noun.kind == "thing":
+        if last is not None and last.whole is not None and last.whole.kind == "thing":
+            last.whole = replace(last.whole, rows=1, ordinal=number, plural=last.whole.many or last.whole.each)
+        elif last is not None and last.noun is not None and last.noun.kind == "thing":
             several = last.noun.many or last.noun.each
             last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
         elif phrase is None or phrase.noun.kind != "thing":
@@ -635,7 +637,10 @@ class _OrderReader:
         """Read "and another on the shelf" as one more of what was named last."""
         last = self.order.things[-1].noun if self.order.things else None
         new = self.order.doing in ("add", "put") and last is not None and last.kind == "thing" and not last.definite
-        if not (noun.kind == "pronoun" and noun.det == "another" and new) or last is None:
+        bare = (
+            noun.kind == "pronoun" and noun.value == "one" and not noun.det and (last is None or (last.count or 1) == 1)
+        )
+        if not (noun.kind == "pronoun" and (noun.det == "another" or bare) and new) or last is None:
             return noun
         return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 

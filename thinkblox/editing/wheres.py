@@ -132,6 +132,15 @@ def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
     return start[ids[0]]
 
 
+def slots_for(where: Where, category: str, finder: Finder, count: int | None) -> list[Bound]:
+    """The places that a phrase names for so many things: "in the corners" any of them, where these are not as many."""
+    slots, noun = slots_of(where, category, finder), where.noun
+    corners_ = noun is not None and noun.kind == "place" and noun.value.split()[0] == "corner"
+    if corners_ and noun is not None and noun.plural and not (noun.each or noun.count or noun.det in ("all", "both")):
+        return slots if count is None or count >= len(slots) else [Bound("in_corner", ("corner",))]
+    return slots
+
+
 def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     """The places that a phrase names, one for each where it speaks of each: "in every corner", "on both sides of"."""
     noun = where.noun
@@ -173,7 +182,7 @@ def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ..
         [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
     )
     spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
-    if where.whole is not None:
+    if where.whole is not None and where.whole.kind != "room":
         openings = [o for o in scene.room.openings if o.kind == where.whole.value]
         found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
     if noun.states == ["empty"]:
@@ -194,7 +203,7 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
     if noun.kind == "part":
         return noun.value in _TWO_SIDED and where.whole is not None and (several or noun.plural)
     if noun.kind == "place" and noun.value.split()[0] == "corner":
-        return several or (noun.plural and bool(noun.count))
+        return several or noun.plural
     if noun.kind == "thing":
         return several or (noun.plural and where.second is None and where.word in _OF_ONE and not noun.share)
     return noun.kind == "place" and several
@@ -723,6 +732,9 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
 
 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
+    if (sided := next((w for w in said if _is_of_side(w)), None)) is not None and sided.noun is not None:
+        phrase = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, side=sided.noun.value))
+        said = [where for where in said if where is not sided]
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
@@ -755,6 +767,13 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     return finder.ids(phrase, picks=picks, among=found)
 
 
+def _is_of_side(where: Where) -> bool:
+    """Whether it says which of several by their side: "the chairs on the left"."""
+    noun = where.noun
+    plain = noun is not None and noun.kind == "part" and not (where.whole or where.negated or noun.owner)
+    return plain and noun is not None and noun.value in ("left", "right") and noun.det == "the" and where.word == "on"
+
+
 def _by_distance(
     finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement], *, far: bool
 ) -> list[Placement]:
@@ -762,9 +781,7 @@ def _by_distance(
     noun = where.noun
     if noun is None or noun.kind not in ("place", "thing", "pronoun"):
         raise InputError(f"'{_text(where)}' is no place to be near to")
-    names = (
-        (opening_named(finder.scene, noun),) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
-    )
+    names = (opening_named(finder.scene, noun),) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
     marks = [mark for name in names for mark in things(finder.scene, name)]
     if not marks:
         raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
