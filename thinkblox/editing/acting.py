@@ -24,7 +24,7 @@ from thinkblox.editing.goals import (
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
-from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.wheres import Bound, bound, named, opening_named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
@@ -71,7 +71,8 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     if not single or there.of_room or there.negated or there.kind == "in_centre":
         return there, []
     anchor = there.anchors[0]
-    if there.kind in _ABOUT:
+    hung = anchor in scene and scene.asset_of(scene[anchor]).mount == "wall"
+    if there.kind in _ABOUT and not hung:
         return there, [MidOf(anchor), MidOf(anchor, across=True)]
     return there, [MidOf(anchor, across=there.kind in _BESIDE)]
 
@@ -100,7 +101,7 @@ def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     if noun.kind == "place":
         if not things(finder.scene, noun.value.split()[0]):
             raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
-        return (noun.value.split()[0],)
+        return (opening_named(finder.scene, noun),)
     if noun.kind == "part" and noun.value == "middle":
         return ("centre",)
     return named(finder, phrase, phrase.places)

@@ -1,7 +1,8 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
@@ -12,8 +13,8 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
-from thinkblox.editing.spots import Pose, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, slots_of, spot_of
+from thinkblox.editing.spots import Pose, between, likely, spots
+from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -73,7 +74,8 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     within, places = _with(places)
     spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
-    slots = [slots_of(where, guess, finder) for where in places]
+    slots = [slots_for(where, guess, finder, noun.count) for where in places]
+    slots = _besides(finder, order, phrase, slots)
     if noun.degree:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
     category = category_of(work, noun, [bounds[0] for bounds in slots])
@@ -104,6 +106,23 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[Bound]]) -> list[list[Bound]]:
+    """The places of several without those that are excepted: "a plant to every desk except the last".
+
+    Raises:
+        InputError: there is no such place among them, or nothing that could be excepted from.
+    """
+    if phrase.spared:
+        raise InputError(f"'{order.text}': of what is added nothing can be excepted; say how many")
+    if not order.besides:
+        return slots
+    out = {id for other in order.besides for id in named(finder, other, other.places)}
+    left = [[slot for slot in bounds if not out & set(slot.anchors)] for bounds in slots]
+    if not any(len(a) < len(b) for a, b in zip(left, slots, strict=True)) or not all(left):
+        raise InputError(f"'{order.text}': {', '.join(sorted(out))} is none of several places that are named")
+    return left
 
 
 def _check(noun: Noun) -> None:
@@ -199,7 +218,7 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     target = work.target(id, category, ties, attributes)
     asset = asset or _asset(work, target, noun)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
-    direct = spots(work.scene, asset, goals) if seated else ()
+    direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
@@ -224,6 +243,13 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _between(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Places between two things, nearest to the middle of the way first."""
+    for goal in goals:
+        if isinstance(goal, Related) and goal.kind == "between" and asset.mount == "floor":
+            yield from between(scene, asset, goal.anchors, 0.0)
 
 
 def _named(work: Work, category: str) -> str:

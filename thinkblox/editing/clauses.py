@@ -169,9 +169,11 @@ def _turned_about(clause: Clause) -> Clause:
     if clause.doing == "seat":
         return _seated(clause)
     if clause.doing == "copy":
-        if not tokens or tokens[0].text not in ("the", "this", "that"):
+        if not tokens or tokens[0].text in ("all", "both", "every", "each", "everything"):
             raise InputError(f"'{clause.text}' does not say of what there is to be another one; name one thing")
-        return Clause("add", "", (replace(tokens[0], text="another"), *tokens[1:]), clause.text)
+        pointed = tokens[0].text in ("the", "this", "that")
+        body = (replace(tokens[0], text="another"), *tokens[1:]) if pointed else tokens
+        return Clause("add", "", body, clause.text)
     if clause.doing in ("gather", "spread"):
         return _gathered_or_spread(clause)
     if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:
@@ -262,7 +264,14 @@ def _had(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
         return (*rest[:own], replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
     if rest and rest[-1].text in ("it", "them"):
         return (*rest[:-1], *whose)
-    return (*rest, _TO, *whose)
+    spared = next((n for n in range(len(rest)) if _spares(rest, n)), len(rest))
+    return (*rest[:spared], _TO, *whose, *rest[spared:])
+
+
+def _spares(tokens: Sequence[Token], at: int) -> bool:
+    """Whether what is excepted begins there."""
+    found = grammar().at(tokens, at, "prepositions")
+    return found is not None and found.value == "except"
 
 
 def spoken(tokens: Sequence[Token], named: Mapping[int, str]) -> str:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from thinkblox.assets import facts_of
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.finding import Finder, nearest_to
-from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.goals import EXACT, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.spots import Pose
@@ -21,7 +21,7 @@ from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 
 ASIDE = 0.3
-"""How far it may then stand from where it stood to that thing [m]."""
+"""How far it may then stand from where it stood to that thing, at most half as far as it has come [m]."""
 SAME_GAP = 0.05
 """By how much further than from another of its kind something may stand from what it belongs to [m]."""
 REACH = 0.8
@@ -120,9 +120,11 @@ def _is_of_another(scene: Scene, name: str, id: str, rivals: Sequence[str]) -> b
 def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str) -> str:
     """Put one thing where it stood beside another, as that stands now; why not, where that cannot be."""
     old, asset = before[mate], work.assets[before[mate].asset]
-    kind = "at" if measure(before, "at", mate, (id,)).holds else "near"
+    seated = facts_of(old.category).is_in("seating") and measure(before, "at", mate, (id,)).holds
+    kind = "at" if seated else "near"
     pose = _along(old, before[id], work.scene[id])
-    goals: list[Goal] = [Related("at", (id,)) if kind == "at" else At(pose[0][:2], ASIDE)]
+    moved = math.dist(old.position[:2], pose[0][:2])
+    goals: list[Goal] = [Related("at", (id,)) if kind == "at" else At(pose[0][:2], min(ASIDE, max(moved / 2, EXACT)))]
     ties = (Tie(kind="around" if kind == "at" else "near", anchors=(id,)),)
     target = work.target(mate, old.category, ties, asset.attributes)
     reaching = Reaching(work, target, asset, goals, direct=(pose,), begin=pose)

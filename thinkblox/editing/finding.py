@@ -252,9 +252,23 @@ class Finder:
     def _spoken_of(self, noun: Noun) -> tuple[str, ...]:
         if not self.recent:
             raise InputError(f"{noun.text!r} points at nothing that was named before; name what you mean")
+        if noun.det == "other":
+            return self._other_of_kind(noun)
         one = noun.value in ("it", "one")
         there = [id for id in self.recent if id in self.scene]
         return tuple(there[-1:] if one and len(there) > 1 else there)
+
+    def _other_of_kind(self, noun: Noun) -> tuple[str, ...]:
+        """Those of the kind of what was named last that were not named: "take one away and put the other there".
+
+        Raises:
+            InputError: there are not just so many.
+        """
+        kinds = {id.rpartition("_")[0] for id in self.recent}
+        left = [p.id for p in self.scene.placements if p.id.rpartition("_")[0] in kinds and p.id not in self.recent]
+        if len(left) != (noun.count or 1):
+            raise InputError(f"'{noun.text}' could be {_listed(left)}; say which, by its place or its id")
+        return tuple(left)
 
     def _is_called(self, placement: Placement, noun: Noun) -> bool:
         category = placement.category.lower().replace(" ", "_").replace("-", "_")

@@ -21,9 +21,9 @@ _SHIFTED = (
     "free",
 )
 _LOOKED = ("facing", "backs")
-_MOVED = (*_WHERE, *_SHIFTED, "rest", "spared")
+_MOVED = (*_WHERE, *_SHIFTED, "rest", "spared", "besides")
 HEEDED: Mapping[str, tuple[str, ...]] = {
-    "add": (*_WHERE, "there", "centred"),
+    "add": (*_WHERE, "there", "centred", "besides"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
@@ -45,6 +45,7 @@ _WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite
 """Orders that are not begun where a word of them means nothing."""
 SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
+    "besides": "which places are excepted",
     "spared": "what is excepted", "company": "what goes along", "mutual": "how they stand to each other",
     "together": "closer together", "scatter": "further apart", "facing": "what it faces", "turn": "an angle",
     "sense": "which way round", "direction": "a direction", "lengths": "a length", "change": "another size",

@@ -31,6 +31,7 @@ from thinkblox.editing.goals import (
     Apart,
     At,
     BackTo,
+    Central,
     Elsewhere,
     Free,
     Goal,
@@ -56,7 +57,7 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
+from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -81,6 +82,7 @@ AT_IT = 0.06
 """How far something may stand from what it is put against [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
+_RESTS = ("on", "from", "in", "inside", "on_top")
 MOST_SLOTS = 5
 """Most things that are shared out to places so that as few as can be have to move."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
@@ -102,6 +104,8 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
         return
+    if order.besides:
+        raise InputError(f"'{order.text}' excepts places of what is moved; say where it goes")
     seen: set[tuple[str, str]] = set()
     order = gathered(work, finder, order)
     groups = list(_groups(work, finder, order))
@@ -212,6 +216,9 @@ def _check_says_where(order: Order, places: Sequence[Where]) -> None:
 
 def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
     """What is moved, with what is said of where it goes."""
+    if order.rest and not order.things and (carried := _all_on(work, finder, order)) is not None:
+        yield carried
+        return
     if order.rest and not order.things:
         floor = [p for p in work.scene.placements if p.support == "floor"]
         everything = [p.id for p in floor if order.direction or work.scene.asset_of(p).collides]
@@ -229,6 +236,23 @@ def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str
         destination = anchored(finder, destination)
         ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
         yield work.touched(ids), destination
+
+
+def _all_on(work: Work, finder: Finder, order: Order) -> tuple[tuple[str, ...], list[Where]] | None:
+    """What rests on a thing, and where it goes: "everything on the desk to the shelf"; None where that is not said.
+
+    Raises:
+        InputError: nothing rests there.
+    """
+    here = next((w for w in order.places if w.word in _RESTS and not w.negated), None)
+    destination = [w for w in order.places if w is not here and w.word != "except"]
+    if here is None or here.noun is None or here.noun.kind not in ("thing", "pronoun") or not destination:
+        return None
+    carriers = finder.ids(NounPhrase(here.noun, id=here.noun.id))
+    resting = [p.id for p in work.scene.placements if p.support in carriers]
+    if not resting:
+        raise InputError(f"'{order.text}': nothing rests on {', '.join(carriers)}")
+    return work.touched(spare(finder, resting, order.spared)), destination
 
 
 def _split(
@@ -320,23 +344,30 @@ def _at_place(
         yield Elsewhere(OTHER_CORNER)
         return
     category = work.scene[id].category
-    slots = slots_of(where, category, finder)
+    slots = slots_for(where, category, finder, count)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
     if len(slots) > max(count, 1):
         raise InputError(f"'{order.text}': '{text}' names {len(slots)} places, for {count} to be moved")
     there = slots[index % len(slots)]
     if id in there.anchors and not there.negated:
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
-    if there.kind == "in_centre" and _carries(work, there.anchors, category):
-        yield Related("on", there.anchors)
-    if there.upon:
-        yield Related("on", (there.upon,))
-    if there.kind == "next_to" and where.word == "against" and not there.negated:
-        yield Apart(there.anchors, AT_IT, "le")
+    yield from _strictly(work, where, there, category)
     if order.centred:
         there, more = centred(work.scene, there)
         yield from more
     yield related(there, category, index, count)
+
+
+def _strictly(work: Work, where: Where, there: Bound, category: str) -> Iterator[Goal]:
+    """What a place asks for besides its relation: in the middle about there, against a thing close to it."""
+    if there.kind == "in_centre" and _carries(work, there.anchors, category):
+        yield Related("on", there.anchors)
+    if there.upon:
+        yield Related("on", (there.upon,))
+    if there.kind == "in_centre" and there.anchors == ("centre",) and not there.negated:
+        yield Central()
+    if there.kind == "next_to" and where.word == "against" and not there.negated:
+        yield Apart(there.anchors, AT_IT, "le")
 
 
 def _is_any_other_corner(where: Where, noun: Noun) -> bool:

@@ -65,6 +65,7 @@ class Order:
         company: what goes along with them.
         mutual: how they are to stand to each other.
         spared: what "everything" does not hold.
+        besides: at which of several places nothing is put.
         together: nearer to each other.
         scatter: further from each other.
         split: how many of its things are the first of two groups.
@@ -102,6 +103,7 @@ class Order:
     closer: list[tuple[bool, NounPhrase]] = field(default_factory=list)
     apart: list[tuple[float, NounPhrase]] = field(default_factory=list)
     spared: list[NounPhrase] = field(default_factory=list)
+    besides: list[NounPhrase] = field(default_factory=list)
     bound: str = ""
     company: list[NounPhrase] = field(default_factory=list)
     mutual: str = ""

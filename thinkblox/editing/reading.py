@@ -33,7 +33,7 @@ _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "mak
 """Orders whose things are in the room already."""
 _MAKING = ("make", "leave", "keep")
 """Verbs of "make room", "leave some space"."""
-_OF_ALL = ("remove", "keep", "move", "free", "turn")
+_OF_ALL = ("remove", "keep", "move", "put", "free", "turn")
 """Orders that "everything" can be said with."""
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
@@ -51,6 +51,7 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_AT_BACK = (*_ASIDE, "on", "against")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
@@ -450,7 +451,9 @@ class _OrderReader:
         """Read "in the front row" of what was named last."""
         phrase = self._excepted or (self.order.things[-1] if self.order.things else None)
         last = phrase.places[-1] if phrase is not None and phrase.places else None
-        if last is not None and last.noun is not None and last.noun.kind == "thing":
+        if last is not None and last.whole is not None and last.whole.kind == "thing":
+            last.whole = replace(last.whole, rows=1, ordinal=number, plural=last.whole.many or last.whole.each)
+        elif last is not None and last.noun is not None and last.noun.kind == "thing":
             several = last.noun.many or last.noun.each
             last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
         elif phrase is None or phrase.noun.kind != "thing":
@@ -549,7 +552,7 @@ class _OrderReader:
         verb = self._items[at] if at < len(self._items) else None
         at += isinstance(verb, Connector) and verb.sort in ("verbs", "participles")
         link, noun = (self._items[n] if n < len(self._items) else None for n in (at, at + 1))
-        if not isinstance(link, Connector) or link.value not in (*_ASIDE, "on") or not isinstance(noun, Noun):
+        if not isinstance(link, Connector) or link.value not in _AT_BACK or not isinstance(noun, Noun):
             return None
         self._at = at + 2
         return self._merged(noun)
@@ -634,7 +637,10 @@ class _OrderReader:
         """Read "and another on the shelf" as one more of what was named last."""
         last = self.order.things[-1].noun if self.order.things else None
         new = self.order.doing in ("add", "put") and last is not None and last.kind == "thing" and not last.definite
-        if not (noun.kind == "pronoun" and noun.det == "another" and new) or last is None:
+        bare = (
+            noun.kind == "pronoun" and noun.value == "one" and not noun.det and (last is None or (last.count or 1) == 1)
+        )
+        if not (noun.kind == "pronoun" and (noun.det == "another" or bare) and new) or last is None:
             return noun
         return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 
@@ -847,7 +853,7 @@ class _OrderReader:
             self._at += 1
         elif towards and order.doing in ("move", "put"):
             self._pending = True
-        elif order.doing == "turn" and link.value == "at" and not towards and self._faces_later():
+        elif order.doing == "turn" and link.value == "at" and not towards and (self._excepted or self._faces_later()):
             self._placed(self._where(link))
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
@@ -907,6 +913,9 @@ class _OrderReader:
         if where.word == "except" and where.noun is not None:
             noun = where.noun
             self._excepted = NounPhrase(noun, id=noun.id)
+            if order.doing in ("add", "put", "ensure") and any(w.noun and w.noun.each for w in self._places()):
+                order.besides.append(self._excepted)
+                return
             (order.things[-1].spared if order.things else order.spared).append(self._excepted)
             return
         if where.word == "instead" and where.noun is not None:
@@ -917,8 +926,9 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
+        on_it = where.noun is not None and _is_it(where.noun)
         self._refer(where)
-        if self._goes_along(where):
+        if self._goes_along(where) or (on_it and self._rides(where)):
             return
         if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
@@ -933,6 +943,17 @@ class _OrderReader:
         """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
         if self._mode == "instead" and self._only:
             self._mode, self._only = "things", False
+
+    def _rides(self, where: Where) -> bool:
+        """Take "the cabinet and the printer on it" as the cabinet, with which the printer goes along."""
+        order = self.order
+        if where.word not in ("on", "in", "inside") or order.doing not in _WITH_ALONG or len(order.things) != 2:
+            return False
+        head, rider = order.things
+        if rider.places or head.places or not rider.noun.definite or where.noun is not head.noun:
+            return False
+        order.company.append(order.things.pop())
+        return True
 
     def _utmost(self, where: Where) -> None:
         """Read "as far from it as possible" as the corner farthest from it, "as near as possible" as beside it."""
@@ -960,7 +981,10 @@ class _OrderReader:
         """Read "on the stand instead of the table", "add a stool instead of the chair"."""
         order = self.order
         places = order.things[-1].places if order.things else order.places
-        if places:
+        known = bool(order.things) and (order.things[-1].noun.definite or bool(order.things[-1].id))
+        if "place" in where.text.lower().split() and known and not places and order.doing in ("put", "move"):
+            places.append(Where("spot", noun, text="where"))
+        elif places:
             places.append(Where(places[-1].word, noun, negated=True, text=INSTEAD))
         elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
             order.doing, order.total = "ensure", True
@@ -1003,7 +1027,7 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        pointed = following.of_known or following.definite or following.det in ("the", "other")
+        pointed = following.of_known or following.definite or following.id or following.det in ("the", "other")
         new = not pointed and (
             following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
         )

@@ -34,7 +34,7 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
     for phrase in order.company:
         ids |= dict.fromkeys(mate for id in tuple(ids) for mate in mates_of(work, finder, phrase, id))
     take_away(work, work.touched(ids))
-    finder.recent = []
+    finder.recent = list(ids)
 
 
 def _meant(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> tuple[str, ...]:

@@ -71,7 +71,8 @@ def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Se
     for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
         for _ in range(noun.count or 1 if noun is not first and not by else 1):
             if not by:
-                add_one(work, category_of(work, noun, ()), noun, [])
+                there: list[Goal] = [At(finder.vacated, NEW_PLACE)] if finder.vacated is not None else []
+                add_one(work, category_of(work, noun, ()), noun, there)
             elif noun is not first:
                 finder.scene = work.scene
                 add_with(work, finder, order, [by], [Where("with", noun, text="with")])
@@ -108,17 +109,19 @@ def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
     """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
     said = len(work.failed)
     for factor in MORE if new.degree and new.degree != SAME else MORE[:1]:
+        tried = len(work.failed)
         if replace_one(work, id, _successor(work, id, new, factor)):
-            del work.failed[said:]
+            del work.failed[said:tried]
             return True
         del work.failed[said + 1 :]
-    asset, riders = _successor(work, id, new, MORE[0]), work.scene.riders(id)
-    smaller = new.size is None and not new.degree
-    if (smaller and replace_one(work, id, _as_small(work, id, asset))) or (
-        riders and replace_one(work, id, asset, bare=True)
-    ):
-        del work.failed[said]
-        return True
+    asset = _successor(work, id, new, MORE[0])
+    again = [(_as_small(work, id, asset), False)] if new.size is None and not new.degree else []
+    again += [(asset, True)] if work.scene.riders(id) else []
+    for other, bare in again:
+        tried = len(work.failed)
+        if replace_one(work, id, other, bare=bare):
+            del work.failed[said:tried]
+            return True
     del work.failed[said + 1 :]
     return False
 

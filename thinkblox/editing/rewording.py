@@ -4,6 +4,7 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.tokens import Token, tokenise
@@ -11,6 +12,7 @@ from thinkblox.reading.tokens import Token, tokenise
 _NUMBERED = re.compile(
     r"\b([a-z]+(?:[ -][a-z]+){0,2})\s+(?:no\.?\s*|nr\.?\s*|number\s+|#\s*)?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I
 )
+_SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
 _AFTER = re.compile(r"\s*([a-z°%'\"]+)", re.I)
 _MEASURE = re.compile(r"\s*by\s*[0-9.,]+\s*(?:m|cm|mm|met|cent|feet|foot|ft|inch)", re.I)
@@ -52,6 +54,7 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
         text: the instruction.
         ids: of the objects that are there.
     """
+    text = _SERIES.sub(lambda found: _each_numbered(lexicon, found, ids), text)
     written, end = "", 0
     for match in _NUMBERED.finditer(text):
         after = _AFTER.match(text, match.end())
@@ -69,6 +72,13 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
                 end = match.end()
                 break
     return written + text[end:]
+
+
+def _each_numbered(lexicon: Lexicon, found: re.Match[str], ids: Collection[str]) -> str:
+    """What "desks 1, 2 and 3" are as the ids of these; as it was where one of them is not there."""
+    kinds = [*_kinds(lexicon, singular(found[1].lower())), singular(found[1].lower())]
+    named = [_id(kinds, number, ids) for number in re.findall(r"[0-9]+", found[2])]
+    return f"{', '.join(named[:-1])} and {named[-1]}" if all(named) else found[0]
 
 
 def _counts(lexicon: Lexicon, word: str, rest: str) -> bool:

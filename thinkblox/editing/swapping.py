@@ -5,6 +5,8 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
+from msgspec import structs
+
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
@@ -169,6 +171,7 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
     before, saved = work.scene, work.saved()
     taken = take(work, (*ones, *others))
     where = {id: _middle(before, group) for group, ids in ((others, ones), (ones, others)) for id in ids}
+    partners = _partners(before, ones, others)
     reach = {id: GROUPED + _reach(before, ones) + _reach(before, others) for id in where}
     for id in sorted(where, key=lambda id: -before[id].size[0] * before[id].size[1]):
         old, asset, (x, y) = before[id], work.assets[before[id].asset], where[id]
@@ -177,7 +180,11 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
         goals: list[Goal] = [Within(Region((x, y), reach[id], name))]
         target = work.target(id, old.category, (), asset.attributes)
         begin: Pose = ((x, y, old.position[2]), before[group[0]].yaw)
-        poses = _about(work, id, placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1]))
+        pose = placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1])
+        if id in partners:
+            partner = before[partners[id]]
+            pose, goals = structs.replace(pose, position=partner.position, yaw=partner.yaw), [At(partner.position[:2])]
+        poses = _about(work, id, pose)
         reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, begin=begin, tries=SWAP_TRIES)
         if not reaching.run():
             work.restore(saved)
@@ -190,6 +197,19 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
                 work.failed.append(f"{lost} could not go along with {id}")
                 return
     work.done += [moved_words(before[id], work.scene[id]) for id in where]
+
+
+def _partners(scene: Scene, ones: Sequence[str], others: Sequence[str]) -> dict[str, str]:
+    """Which thing of the other group each takes the place of, where both hold the same kinds: in their order."""
+    kinds = [sorted(scene[id].category for id in group) for group in (ones, others)]
+    if kinds[0] != kinds[1]:
+        return {}
+    pairs: dict[str, str] = {}
+    for kind in dict.fromkeys(kinds[0]):
+        group = [[id for id in ids if scene[id].category == kind] for ids in (ones, others)]
+        for one, other in zip(*(sorted(ids, key=lambda id: scene[id].position[:2]) for ids in group), strict=True):
+            pairs |= {one: other, other: one}
+    return pairs
 
 
 def _middle(scene: Scene, ids: Sequence[str]) -> Vec2:

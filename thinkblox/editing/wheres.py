@@ -132,6 +132,15 @@ def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
     return start[ids[0]]
 
 
+def slots_for(where: Where, category: str, finder: Finder, count: int | None) -> list[Bound]:
+    """The places that a phrase names for so many things: "in the corners" any of them, where these are not as many."""
+    slots, noun = slots_of(where, category, finder), where.noun
+    corners_ = noun is not None and noun.kind == "place" and noun.value.split()[0] == "corner"
+    if corners_ and noun is not None and noun.plural and not (noun.each or noun.count or noun.det in ("all", "both")):
+        return slots if count is None or count >= len(slots) else [Bound("in_corner", ("corner",))]
+    return slots
+
+
 def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     """The places that a phrase names, one for each where it speaks of each: "in every corner", "on both sides of"."""
     noun = where.noun
@@ -173,7 +182,7 @@ def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ..
         [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
     )
     spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
-    if where.whole is not None:
+    if where.whole is not None and where.whole.kind != "room":
         openings = [o for o in scene.room.openings if o.kind == where.whole.value]
         found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
     if noun.states == ["empty"]:
@@ -194,7 +203,7 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
     if noun.kind == "part":
         return noun.value in _TWO_SIDED and where.whole is not None and (several or noun.plural)
     if noun.kind == "place" and noun.value.split()[0] == "corner":
-        return several or (noun.plural and bool(noun.count))
+        return several or noun.plural
     if noun.kind == "thing":
         return several or (noun.plural and where.second is None and where.word in _OF_ONE and not noun.share)
     return noun.kind == "place" and several
@@ -266,7 +275,11 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
     if noun.value == "side" and noun.det == "other":
-        return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
+        side = _other_side(finder, where, anchors[0])
+        drawn = facts_of(category).is_in("seating") and load_habits().is_in(
+            finder.scene[anchors[0]].category, "tables", "desks"
+        )
+        return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
 
@@ -340,6 +353,22 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
 
 
+def opening_named(scene: Scene, noun: Noun) -> str:
+    """The door or window that a phrase means by the side of the room that it is at: "the north window"; else its kind.
+
+    Raises:
+        InputError: none is at that side, or several are.
+    """
+    kind = noun.value.split()[0]
+    side = next((word for word in noun.text.lower().split() if f"{word}_wall" in _COMPASS), "")
+    if kind not in _OPENINGS or not side:
+        return kind
+    found = [o.id for o in scene.room.openings if o.kind == kind and scene.room.walls[o.wall].name.startswith(side)]
+    if len(found) != 1:
+        raise InputError(f"'{noun.text}': the room has {len(found)} such: {', '.join(found) or 'none'}")
+    return found[0]
+
+
 def _nearest_mark(finder: Finder, noun: Noun, marks: Sequence[Landmark]) -> str:
     """The name of the wall, corner, door or window that is nearest to what is moved, or farthest from it.
 
@@ -383,7 +412,8 @@ def _opening(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | N
         raise InputError(f"'{_text(where)}': sills carry nothing here; name what stands by the window, or a shelf")
     if not any(o.kind == name for o in finder.scene.room.openings):
         raise InputError(f"the room has no {name}")
-    mark = _nearest_mark(finder, noun, things(finder.scene, name)) if means("nearest", noun.degree) else name
+    named = opening_named(finder.scene, noun)
+    mark = _nearest_mark(finder, noun, things(finder.scene, name)) if means("nearest", noun.degree) else named
     return Meaning("under", (mark,)) if where.word == "under" else _of_mark(opening(where.word, name), mark)
 
 
@@ -445,7 +475,8 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
         nearest = min(corners(finder.scene.room), key=lambda c: math.dist(c.centre, here.position[:2]))
         found = [c for c in found if c.name != nearest.name]
     if mark is not None:
-        name = mark.value if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
+        by = opening_named(finder.scene, mark) if mark.value in _OPENINGS else mark.value
+        name = by if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
         if not things(finder.scene, name) or not found:
             raise InputError(f"the room has no corner {where.text} {mark.text}")
         found = _corners_by(finder.scene, found, name)
@@ -625,6 +656,8 @@ NEARNESS = (
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""
+AS_NEAR = 0.3
+"""How much further than the nearest of several another may be that is one of the nearest [m]."""
 CROWDED = 1.7
 """How far from a corner what stands in it is counted [m]."""
 
@@ -699,6 +732,9 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
 
 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
+    if (sided := next((w for w in said if _is_of_side(w)), None)) is not None and sided.noun is not None:
+        phrase = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, side=sided.noun.value))
+        said = [where for where in said if where is not sided]
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
@@ -731,6 +767,13 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     return finder.ids(phrase, picks=picks, among=found)
 
 
+def _is_of_side(where: Where) -> bool:
+    """Whether it says which of several by their side: "the chairs on the left"."""
+    noun = where.noun
+    plain = noun is not None and noun.kind == "part" and not (where.whole or where.negated or noun.owner)
+    return plain and noun is not None and noun.value in ("left", "right") and noun.det == "the" and where.word == "on"
+
+
 def _by_distance(
     finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement], *, far: bool
 ) -> list[Placement]:
@@ -738,12 +781,14 @@ def _by_distance(
     noun = where.noun
     if noun is None or noun.kind not in ("place", "thing", "pronoun"):
         raise InputError(f"'{_text(where)}' is no place to be near to")
-    names = (noun.value.split()[0],) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
+    names = (opening_named(finder.scene, noun),) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
     marks = [mark for name in names for mark in things(finder.scene, name)]
     if not marks:
         raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks) for p in found}
     ordered = sorted((p for p in found if p.id not in names), key=lambda p: -away[p.id] if far else away[p.id])
+    if phrase.noun.plural and not phrase.noun.count and phrase.noun.det != "both":
+        return [p for n, p in enumerate(ordered) if n < 2 or abs(away[p.id] - away[ordered[0].id]) <= AS_NEAR]
     return ordered[: 2 if phrase.noun.det == "both" else phrase.noun.count or 1]
 
 
