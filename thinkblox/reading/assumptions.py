@@ -196,7 +196,20 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         for (kind, _, each), place in zip(usual.relations, places, strict=True):
             anchors = (made.get(place, place),) if place else ()
             draft.bonds.append(Bond(relation_kind(kind), thing, anchors, each=each, asked=False))
+    for usual in wanted:
+        _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
+    """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
+    seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
+    for kind, anchors, each in usual.relations:
+        place = made.get(_place(anchors, made))
+        if len(seats) == 1 and kind in _SEATED and each and place is not None and not place.asked:
+            if place.count != seats[0].count:
+                _multiply(draft, place, seats[0].count or 1)
+            draft.bonds.append(Bond(relation_kind(kind), seats[0], (place,), asked=False))
 
 
 def _place(anchors: str, made: Mapping[str, Mention]) -> str:
@@ -214,11 +227,16 @@ def _serves(noun: str, usual: Usual) -> bool:
 def _have_places(draft: Draft, category: str) -> bool:
     """Whether a thing is a place of one's own where the prompt names tables or loungers for the people."""
     loungers = [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "lounges")]
-    if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _ENOUGH_SEATS:
+    said = sum(t.count or (_ENOUGH_SEATS if t.rows else 1) for t in loungers)
+    if load_habits().is_in(category, "lounges") and said >= _ENOUGH_SEATS:
         return True
     if load_habits().is_in(category, "meal_tables") and _has(draft, "sat_in"):
         return True
-    named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
+    named = any(
+        t.asked
+        and (load_habits().is_in(t.noun, "meal_tables") or (t.many and load_habits().is_in(t.noun, "worked_at")))
+        for t in draft.things
+    )
     return category == room_type(draft.room).place and named
 
 
