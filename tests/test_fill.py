@@ -48,6 +48,7 @@ def test_small_things_lie_on_what_they_are_kept_on(lived_in: Generation) -> None
     assert {p.id: p.support for p in there} == {p.id: dressed[p.id] for p in there}
 
 
+@pytest.mark.slow
 def test_few_of_what_one_has_few_of_and_hardly_anything_finds_no_place(lived_in: Generation) -> None:
     there = Counter(p.category for p in lived_in.scene.placements)
     ones = {u.category for u in dressing().on("shelving_unit", "bathroom") if u.count == 1}
@@ -140,6 +141,7 @@ def test_what_a_person_would_expect_is_assumed(prompt: str, assumed: dict[str, i
     assert {category: found[category] for category in assumed} == assumed
 
 
+@pytest.mark.slow
 def test_progress_counts_what_is_still_to_come():
     told: list[Progress] = []
     generate_room("A small study", fill="lived-in", effort=Effort(restarts=0), on_object=told.append)

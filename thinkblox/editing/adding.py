@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from thinkblox.assets import GENERAL_WORDS
+from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
-from thinkblox.editing.acting import looking, mark_names, related
+from thinkblox.editing.acting import centred, looking, mark_names, related, sideways, stands_before
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
@@ -43,6 +43,7 @@ def add(work: Work, finder: Finder, order: Order) -> None:
         raise InputError(f"'{order.text}': {what}")
     recent: list[str] = []
     before = bool(finder.recent)
+    _fix_it(finder, order)
     for number, phrase in enumerate(order.things):
         later = next((p.places for p in order.things[number:] if p.places), order.places)
         if not before:
@@ -50,6 +51,16 @@ def add(work: Work, finder: Finder, order: Order) -> None:
         recent += _add(work, finder, order, phrase, phrase.places or later)
         finder.scene, finder.recent = work.scene, recent or finder.recent
     finder.recent = recent
+
+
+def _fix_it(finder: Finder, order: Order) -> None:
+    """Let "it" be what an order before named, where what is added first carries nothing: "a bowl and a plate on it"."""
+    small = [facts_of(p.noun.value).is_in("small") for p in order.things if p.noun.named]
+    if len(order.things) < 2 or not all(small[:1] or [False]) or not finder.recent or order.things[0].places:
+        return
+    for where in (w for phrase in order.things for w in phrase.places):
+        if where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "it":
+            where.noun = replace(where.noun, id=finder.recent[-1])
 
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
@@ -75,7 +86,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     added = []
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
-        goals = [_related(work, w, category, index, count) for w in here]
+        middles = [centred(work.scene, w) if order.centred else (w, []) for w in here]
+        here = [w for w, _ in middles]
+        goals = [goal for _, more in middles for goal in more]
+        goals += [_related(work, w, category, index, count) for w in here]
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
@@ -89,7 +103,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         finder.scene = work.scene
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
-    return added + _add_with(work, finder, order, added, within)
+    return added + add_with(work, finder, order, added, within)
 
 
 def _check(noun: Noun) -> None:
@@ -112,7 +126,7 @@ def _how_many(noun: Noun, places: Sequence[Where], several: int) -> int:
     """How many are added: of several places so many at each, unless the number is that of the places."""
     if several < 2:
         return noun.count or (2 if noun.plural else 1)
-    each = any(where.noun is not None and where.noun.each for where in places)
+    each = any(where.noun is not None and where.noun.each and where.noun.det != "either" for where in places)
     if noun.count and noun.count > 1 and not each and noun.count % several == 0:
         return noun.count
     if noun.count and noun.count > 1 and not each:
@@ -126,7 +140,7 @@ def _with(places: Sequence[Where]) -> tuple[list[Where], list[Where]]:
     return along, [w for w in places if w not in along]
 
 
-def _add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
+def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
     """Add what goes with things that were added, at each of them."""
     added: list[str] = []
     for head in heads if along else ():
@@ -189,7 +203,17 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
-    if not reaching.run():
+    saved = work.saved()
+    reached = reaching.run()
+    if reached and stands_before(work.scene, id, goals):
+        first = work.world
+        work.restore(saved)
+        if not any(
+            Reaching(work, target, asset, other, direct=spots(work.scene, asset, other), ask=False).run()
+            for other in sideways(work.scene, goals)
+        ):
+            work.world = first
+    if not reached:
         why = reaching.why.removeprefix(f"{id}: ")
         work.failed.append(f"{_named(work, category)} was not added: {why}")
         return ""

@@ -1,8 +1,10 @@
 """What goes along with a thing that is moved or turned because the order says so: "the table with its chairs"."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.finding import Finder, nearest_to
 from thinkblox.editing.goals import At, Goal, Related
@@ -20,6 +22,8 @@ from thinkblox.scene.scene import Scene
 
 ASIDE = 0.3
 """How far it may then stand from where it stood to that thing [m]."""
+SAME_GAP = 0.05
+"""By how much further than from another of its kind something may stand from what it belongs to [m]."""
 REACH = 0.8
 """How far from a thing its company stands at most [m]."""
 
@@ -49,6 +53,27 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     work.done.append(f"{', '.join(mates)} went along with {id}")
 
 
+def gathered(work: Work, finder: Finder, order: Order) -> Order:
+    """An order in which the seats that are named after their table go along with it: "turn the table and chairs"."""
+    if order.doing not in ("move", "put", "turn") or len(order.things) != 2 or order.mutual or order.split:
+        return order
+    head, seats = order.things
+    noun = seats.noun
+    plain = head.noun.kind == noun.kind == "thing" and not (head.places or seats.id or seats.spared or seats.share)
+    if not plain or order.together or order.scatter or noun.ordinal or noun.count or noun.det not in ("", "the", "all"):
+        return order
+    table = finder.matching(head.noun) if not head.id else [work.scene[head.id]]
+    found = [p for p in finder.matching(noun) if facts_of(p.category).is_in("seating")]
+    if len(table) != 1 or not facts_of(table[0].category).is_in("tables", "desks"):
+        return order
+    there = [p for p in found if measure(work.scene, "at", p.id, (table[0].id,)).holds]
+    if not there or (noun.det and len(there) < len(found)):
+        return order
+    its = replace(noun, det="my", plural=len(there) > 1, text=f"its {noun.word}")
+    head = replace(head, places=seats.places)
+    return replace(order, things=[head], company=[*order.company, NounPhrase(its)])
+
+
 def _mates(work: Work, finder: Finder, order: Order, id: str) -> list[str]:
     found: list[str] = []
     for phrase in order.company:
@@ -71,12 +96,25 @@ def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[st
         raise finder.nothing(noun.text)
     mark = things(work.scene, id)[0]
     away = {name: ground_gap(things(work.scene, name)[0], mark) for name in found}
-    by_it = [name for name in found if away[name] <= REACH]
+    rivals = [p.id for p in work.scene.placements if p.category == work.scene[id].category and p.id != id]
+    by_it = [name for name in found if away[name] <= REACH and not _is_of_another(work.scene, name, id, rivals)]
     if noun.count:
         by_it = sorted(found, key=lambda name: away[name])[: noun.count]
     if not by_it:
         raise InputError(f"'{noun.text}': none of {', '.join(found)} stands within {REACH:g} m of {id}")
     return by_it
+
+
+def _is_of_another(scene: Scene, name: str, id: str, rivals: Sequence[str]) -> bool:
+    """Whether something belongs to another thing of the same kind: it is drawn up to that, or stands nearer to it."""
+    if not rivals:
+        return False
+    at = [other for other in (id, *rivals) if measure(scene, "at", name, (other,)).holds]
+    if at:
+        return id not in at
+    mark = things(scene, name)[0]
+    away = {other: ground_gap(mark, things(scene, other)[0]) for other in (id, *rivals)}
+    return away[id] > min(away.values()) + SAME_GAP
 
 
 def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str) -> str:

@@ -132,6 +132,25 @@ class MidWall(Related):
 
 
 @dataclass(frozen=True)
+class MidOf:
+    """Its middle is on the line through the middle of a thing, along that thing's front or across."""
+
+    anchor: str
+    across: bool = False
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it is off that line."""
+        ahead, left = things(after, self.anchor)[0].to_local(after[id].position[:2])
+        off = abs(ahead if self.across else left)
+        return off <= MID_WALL, f"{id} {off:.2f} m off the middle of {self.anchor}"
+
+    @property
+    def tie(self) -> Tie | None:
+        """None: the language of plans has no word for it."""
+        return None
+
+
+@dataclass(frozen=True)
 class Abreast(Related):
     """It stands beside a thing and looks the same way."""
 

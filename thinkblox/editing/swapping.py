@@ -8,6 +8,7 @@ from itertools import chain
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.company import REACH, mates_of, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Within
 from thinkblox.editing.orders import NounPhrase, Order
@@ -19,6 +20,8 @@ from thinkblox.episode import Round
 from thinkblox.errors import InputError
 from thinkblox.judging import Proposal, Try
 from thinkblox.scene.actions import Swap
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
@@ -40,18 +43,21 @@ GROUPED = 0.6
 
 def _on_each(finder: Finder, order: Order) -> list[tuple[str, ...]]:
     """Read "the lamps on desk_1 and desk_2" as that on the one and that on the other; empty where it is not that."""
-    things = [p for p in order.things if p.noun.kind == "thing"]
-    if len(things) != 2 or order.split or not things[0].noun.many or len(things[0].places) != 1 or things[1].places:
+    said = [p for p in order.things if p.noun.kind == "thing"]
+    if len(said) != 2 or order.split or not said[0].noun.many or len(said[0].places) != 1 or said[1].places:
         return []
-    where, one = things[0].places[0], dataclasses.replace(things[0].noun, plural=False, det="the")
-    if where.noun is None or where.noun.kind != "thing" or where.noun.value != things[1].noun.value:
+    where, one = said[0].places[0], dataclasses.replace(said[0].noun, plural=False, det="the")
+    if where.noun is None or where.noun.kind != "thing" or where.noun.value != said[1].noun.value:
         return []
-    second = dataclasses.replace(where, noun=dataclasses.replace(things[1].noun, id=things[1].id or things[1].noun.id))
+    second = dataclasses.replace(where, noun=dataclasses.replace(said[1].noun, id=said[1].id or said[1].noun.id))
     return [named(finder, NounPhrase(one), [place]) for place in (where, second)]
 
 
 def swap(work: Work, finder: Finder, order: Order) -> None:
-    """Let two things change places."""
+    """Let two things change places, with what the order names along."""
+    if order.company:
+        _swap_with_company(work, finder, order)
+        return
     groups = _on_each(finder, order) or [named(finder, phrase, phrase.places) for phrase in order.things]
     ids = list(dict.fromkeys(id for group in groups for id in group))
     if len(work.touched(ids)) < len(ids) and ids:
@@ -98,6 +104,27 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
         where = f"{away:.2f} m from" if away > AWAY else "to"
         work.done.append(f"{moved_words(before[id], work.scene[id])}, {where} where {partner} was")
     finder.recent = ids
+
+
+def _swap_with_company(work: Work, finder: Finder, order: Order) -> None:
+    """Let two things change places, and what belongs to one of them go along with it: "the desk and its chair"."""
+    ids = [id for phrase in order.things for id in named(finder, phrase, phrase.places)]
+    alone = dataclasses.replace(order, company=[])
+    owner = next((id for id in reversed(ids) if _has_all(work, finder, order, id)), "")
+    if len(ids) != 2 or not owner:
+        said = " and ".join(phrase.noun.text for phrase in order.company)
+        raise InputError(f"'{order.text}': which of {', '.join(ids)} {said} goes along with is not known")
+    with_company(work, finder, order, owner, lambda: swap(work, finder, alone))
+
+
+def _has_all(work: Work, finder: Finder, order: Order, id: str) -> bool:
+    """Whether everything that is to go along stands by an object."""
+    for phrase in order.company:
+        mates = mates_of(work, finder, phrase, id)
+        mark = things(work.scene, id)[0]
+        if any(ground_gap(mark, things(work.scene, mate)[0]) > REACH for mate in mates):
+            return False
+    return True
 
 
 def _swap_nearby(work: Work, one: str, other: str) -> str:

@@ -12,7 +12,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import PartOfTop
-from thinkblox.editing.grammar import rank_of
+from thinkblox.editing.grammar import means, rank_of
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -147,13 +147,12 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         return _sides(where, noun, finder, category)
     if noun.kind == "place":
         name = noun.value.split()[0]
-        one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
-        names = {"corner": "corner", "window": "window", "door": "door"}.get(name, name)
-        marks = [mark.name for mark in things(scene, names)]
-        if noun.count and noun.count != len(marks) and name != "corner":
-            raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
         if name == "corner":
             return [Bound("in_corner", walls) for walls in _each_corner(finder, where, noun)]
+        one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
+        marks = [mark.name for mark in things(scene, name)]
+        if noun.count and noun.count != len(marks):
+            raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
         return [dataclasses.replace(one, anchors=(mark,)) for mark in marks]
     found = _thing(where, noun, category, finder, ())
     singles = [dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", id=id)) for id in found.anchors]
@@ -217,6 +216,11 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         deep, wide, _ = finder.scene[anchor].size
         across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
+        small = [facts_of(name).is_in("small") for name in (category, finder.scene[anchor].category)]
+        if small == [True, False] and finder.scene.asset_of(finder.scene[anchor]).surfaces:
+            parts: tuple[PartOfTop, ...] = ("left", "right") if across else ("front", "back")
+            bounds += [Bound("on", (anchor,), part=part) for part in parts]
+            continue
         if facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in("tables", "desks"):
             bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
         else:
@@ -307,7 +311,9 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     name, *walls = noun.value.split()
-    if (noun.states or noun.unshown) and not where.negated:
+    nearest = bool(means("nearest", noun.degree))
+    told = [word for word in noun.unshown if word != noun.degree]
+    if (noun.states or (told if nearest else noun.unshown)) and not where.negated:
         raise InputError(
             f"'{_text(where)}': which that is is not known; name the wall, the corner or what is beside it"
         )
@@ -322,7 +328,7 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     if name in _COMPASS and where.whole is not None and where.whole.kind in ("thing", "pronoun"):
         return _side_by_compass(where, where.whole, name, finder)
     if name in _OPENINGS:
-        meaning = _opening(where, name, finder)
+        meaning = _opening(where, noun, name, finder)
     elif name == "corner":
         beside = _corner_beside(where, noun, finder)
         meaning = Meaning("in_corner", beside) if beside else corner(where.word, noun, walls, 0)
@@ -332,6 +338,19 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
         return None
     anchors = tuple(_walls_of(finder.scene, str(anchor)) for anchor in meaning.anchors)
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
+
+
+def _nearest_mark(finder: Finder, noun: Noun, marks: Sequence[Landmark]) -> str:
+    """The name of the wall, corner, door or window that is nearest to what is moved, or farthest from it.
+
+    Raises:
+        InputError: the room has none, or nothing is moved.
+    """
+    if not marks:
+        raise InputError(f"the room has no {noun.word}")
+    here = things(finder.scene, _here(finder, f"the {noun.degree} {noun.word}").id)[0]
+    ordered = sorted(marks, key=lambda mark: round(ground_gap(here, mark), 3))
+    return (ordered[0] if means("nearest", noun.degree) == "nearest" else ordered[-1]).name
 
 
 def _between_places(where: Where, name: str, second: Noun, finder: Finder) -> Bound:
@@ -359,17 +378,27 @@ def _side_by_compass(where: Where, whole: Noun, name: str, finder: Finder) -> Bo
     return Bound("left_of" if across > 0 else "right_of", ids, where.negated)
 
 
-def _opening(where: Where, name: str, finder: Finder) -> Meaning | None:
+def _opening(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None:
+    if any("sill" in word for word in noun.text.lower().split()):
+        raise InputError(f"'{_text(where)}': sills carry nothing here; name what stands by the window, or a shelf")
     if not any(o.kind == name for o in finder.scene.room.openings):
         raise InputError(f"the room has no {name}")
-    return Meaning("under", (name,)) if where.word == "under" else opening(where.word, name)
+    mark = _nearest_mark(finder, noun, things(finder.scene, name)) if means("nearest", noun.degree) else name
+    return Meaning("under", (mark,)) if where.word == "under" else _of_mark(opening(where.word, name), mark)
+
+
+def _of_mark(meaning: Meaning | None, mark: str) -> Meaning | None:
+    return dataclasses.replace(meaning, anchors=(mark,)) if meaning is not None else None
 
 
 def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None:
     meaning = wall(where.word, noun, name, 0, each=noun.each)
     if meaning is None:
         return None
-    if noun.degree:
+    if means("nearest", noun.degree):
+        marks = things(finder.scene, "wall")
+        meaning = dataclasses.replace(meaning, anchors=(_nearest_mark(finder, noun, marks),))
+    elif noun.degree:
         meaning = dataclasses.replace(meaning, anchors=_walls_by_length(finder.scene, noun))
     if meaning.anchors == ("opposite_wall",) or where.second or _is_beside(where, name):
         meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
@@ -403,6 +432,9 @@ def _is_beside(where: Where, name: str) -> bool:
 def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] | None:
     """The walls of "the corner by the window", "the corner opposite the door", "the other corner"."""
     other = noun.det == "other" or "opposite" in noun.text.lower().split()
+    if means("nearest", noun.degree):
+        mark_name = _nearest_mark(finder, noun, corners(finder.scene.room, noun.value.split()[1:]))
+        return tuple(mark_name.removeprefix("corner of ").split(" and "))
     mark = where.whole or where.second
     mark = None if mark is not None and mark.kind == "room" else mark
     if not other and (mark is None or mark.kind not in ("place", "thing")):

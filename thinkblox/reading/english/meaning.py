@@ -6,6 +6,7 @@ from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.across import ACROSS
+from thinkblox.reading.english.antecedents import Antecedents
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
@@ -43,8 +44,10 @@ _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of",
 class Meanings:
     """Finds what prepositional phrases mean; names things that they name for the first time."""
 
-    def __init__(self, referents: Referents, name: "Namer") -> None:
+    def __init__(self, referents: Referents, antecedents: Antecedents, name: "Namer") -> None:
         self.referents = referents
+        self.antecedents = antecedents
+        self._words = (0, 0)
         self.name = name
         self.place: Meaning | None = None
         self.anchor: tuple[str, Mention] | None = None
@@ -69,6 +72,9 @@ class Meanings:
             likely: what a pronoun would mean first.
             noun: the noun of the subject to come.
         """
+        if where.text:
+            end = where.noun.end if where.noun is not None else where.start + len(where.text.split())
+            self._words = (where.start, end)
         if where.word == "sides":
             meaning = self._of(replace(where, word="next_to"), subjects, likely, noun)
             meaning = replace(meaning, both=True) if meaning is not None else None
@@ -120,7 +126,7 @@ class Meanings:
         ):
             return None
         if kind == "between":
-            return Meaning(kind, self.referents.several(subjects, kind), told=True)
+            return Meaning(kind, self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None
 
@@ -128,7 +134,16 @@ class Meanings:
         self, kind: str, subjects: list[Mention], likely: list[Mention], noun: str, *, one: bool = False
     ) -> Mention | None:
         subject = subjects[-1] if subjects else None
-        return self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun, one=one)
+        found = self.referents.single(subject, kind, [t for t in likely if t not in subjects], noun, one=one)
+        if found is None:
+            return None
+        name = subject.noun if subject is not None else noun
+        return self.antecedents.choose(self._words, kind, subjects, name, found, one=one)
+
+    def _several(self, kind: str, subjects: list[Mention], noun: str) -> tuple[Mention, ...]:
+        found = self.referents.several(subjects, kind)
+        name = subjects[-1].noun if subjects else noun
+        return self.antecedents.choose_several(self._words, kind, subjects, name, found) if found else ()
 
     def _pronoun(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -139,10 +154,10 @@ class Meanings:
             return None
         if said.value in ("it", "one", "none", "half"):
             if kind == "between":
-                return Meaning(kind, self.referents.several(subjects, kind), told=True)
+                return Meaning(kind, self._several(kind, subjects, noun), told=True)
             if said.value == "one":
                 return self._one_of(kind, subjects, noun)
-            last = self.referents.last(subjects) if said.text.lower() == "that" else None
+            last = self.referents.last(subjects) if said.text.lower() in ("that", "all this", "all that") else None
             found = last or self._single(kind, subjects, likely, noun, one=said.value == "it")
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
@@ -170,6 +185,9 @@ class Meanings:
             if plural and (kind != "between" or likely[:1] == plural[:1])
             else self.referents.several(subjects, kind)
         )
+        if anchors and not two and said.value == "them":
+            name = subjects[-1].noun if subjects else noun
+            anchors = self.antecedents.choose_several(self._words, kind, subjects, name, anchors)
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
         whole = said.value == "each" and not said.attributes and len(anchors) == 1
@@ -279,7 +297,7 @@ class Meanings:
                 return Meaning("against_wall", (ACROSS.get(wall, "opposite_wall"),))
         them = where.whole is not None and where.whole.kind == "pronoun" and where.whole.value == "them"
         if said.value == "middle" and them:
-            return Meaning("between", self.referents.several(subjects, "between"), told=True)
+            return Meaning("between", self._several("between", subjects, ""), told=True)
         return None
 
     def _beyond_other(self, whole: Noun, subjects: list[Mention]) -> Meaning | None:

@@ -230,6 +230,10 @@ class Referents:
             return [thing]
         return [t for t in (*self.parts[whole], whole) if t in self.draft.things]
 
+    def is_apart(self, thing: Mention) -> bool:
+        """Whether it is some of several that were told apart."""
+        return thing in self._whole_of or bool(self.parts.get(thing))
+
     def clan(self, thing: Mention) -> list[Mention]:
         """The same where parts were parted again: everything that was once named together."""
         while thing in self._whole_of:

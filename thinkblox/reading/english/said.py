@@ -122,7 +122,7 @@ def positions(said: Sequence[Chunk]) -> Iterator[SaidPosition]:
     while at < len(said):
         link = said[at]
         at += 1
-        if isinstance(link, Connector) and (_is_spatial(link) or _leads_to_part(said, at - 1)):
+        if isinstance(link, Connector) and (is_spatial(link) or _leads_to_part(said, at - 1)):
             found = _position(said, at - 1, link)
             yield found
             at = found.end + 1
@@ -144,7 +144,7 @@ def parted(said: Sequence[Chunk]) -> set[int]:
 def possessions(said: Sequence[Chunk]) -> Iterator[SaidList]:
     """What things are said to have in one statement."""
     for at, link in enumerate(said):
-        if isinstance(link, Connector) and _is_having(link) and (found := _having(said, at, link)) is not None:
+        if isinstance(link, Connector) and is_having(link) and (found := _having(said, at, link)) is not None:
             yield found
 
 
@@ -153,11 +153,13 @@ def is_link(chunk: Chunk | None, sort: str, *values: str) -> bool:
     return isinstance(chunk, Connector) and chunk.sort == sort and (not values or chunk.value in values)
 
 
-def _is_spatial(link: Connector) -> bool:
+def is_spatial(link: Connector) -> bool:
+    """Whether it is a preposition that says where something is."""
     return link.sort == "prepositions" and link.value in _SPATIAL
 
 
-def _is_having(chunk: Chunk) -> bool:
+def is_having(chunk: Chunk) -> bool:
+    """Whether it says that what stands before it has what comes."""
     return isinstance(chunk, Connector) and chunk.value in _HAVING.get(chunk.sort, ())
 
 
@@ -202,7 +204,7 @@ def _position(said: Sequence[Chunk], at: int, link: Connector) -> SaidPosition:
         before -= 4
     if _noun(said, before) is not None:
         found.of = [*islice(_nearest(said, before, verb=found.verb is not None, loose=_is_loose(found)), _REACH)]
-        found.held = before > 1 and _is_having(said[before - 1]) and _noun(said, before - 2, "thing") is not None
+        found.held = before > 1 and is_having(said[before - 1]) and _noun(said, before - 2, "thing") is not None
         found.paired = _link(said, before - 1, "joins", "and") and (before < 3 or is_link(said[before - 3], "mark"))
         found.carried = before > 0 and is_link(said[before - 1], "prepositions", "on", "on_top")
         found.joined = [*islice(_joined(said, before, named=found.to is not None and found.to.kind == "thing"), _REACH)]
@@ -216,7 +218,7 @@ def _is_told_apart(said: Sequence[Chunk], at: int) -> bool:
     """Whether what comes is about what has a thing that was placed just now: "a shelf with a toy on it by ..."."""
     pointed = at > 3 and _noun(said, at, "part", "pronoun") is not None
     link = said[at - 1] if pointed else None
-    return isinstance(link, Connector) and _is_spatial(link) and _is_having(said[at - 3])
+    return isinstance(link, Connector) and is_spatial(link) and is_having(said[at - 3])
 
 
 def _is_loose(place: SaidPosition) -> bool:
@@ -235,9 +237,9 @@ def _nearest(said: Sequence[Chunk], at: int, *, verb: bool, loose: bool) -> Iter
         at -= 1
         if _link(said, at, "joins", "and"):
             at -= 1
-            if at > 0 and isinstance(before := said[at - 1], Connector) and _is_spatial(before):
+            if at > 0 and isinstance(before := said[at - 1], Connector) and is_spatial(before):
                 return
-        elif at >= 0 and (_is_having(said[at]) or ((verb or loose) and _is_within(said[at]))):
+        elif at >= 0 and (is_having(said[at]) or ((verb or loose) and _is_within(said[at]))):
             at -= 1
             at -= _noun(said, at, "pronoun") is not None and _link(said, at - 1, "mark", "comma")
         at -= not verb and _link(said, at, "mark", "comma")
@@ -245,7 +247,7 @@ def _nearest(said: Sequence[Chunk], at: int, *, verb: bool, loose: bool) -> Iter
 
 def _joined(said: Sequence[Chunk], at: int, *, named: bool) -> Iterator[Noun]:
     """What the noun at `at` is joined to without a comma."""
-    while at > 1 and (_link(said, at - 1, "joins", "and") or (named and _is_having(said[at - 1]))):
+    while at > 1 and (_link(said, at - 1, "joins", "and") or (named and is_having(said[at - 1]))):
         at -= 2
         if (noun := _noun(said, at)) is None:
             return
@@ -275,7 +277,7 @@ def _having(said: Sequence[Chunk], at: int, link: Connector) -> SaidList | None:
         before -= _link(said, before, "mark", "comma")
         before = next((n for n in range(before, -1, -1) if (told := _noun(said, n, "thing")) and told.many), before)
     while _noun(said, before, "pronoun", "place") is not None and isinstance(to := said[before - 1], Connector):
-        if before < 2 or not _is_spatial(to):
+        if before < 2 or not is_spatial(to):
             return None
         before -= 2
     head = _noun(said, before, "thing")

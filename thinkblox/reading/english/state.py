@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Gap, Mention
 from thinkblox.reading.english.account import Account
+from thinkblox.reading.english.antecedents import Antecedents
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.meaning import Meanings, Namer
 from thinkblox.reading.english.nodes import Awaited, Listed, Node, Where
@@ -54,7 +55,7 @@ class State(Namer):
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
         barred: what was said not to be there last.
         laid: what was said last lies where it was said to lie before.
-        meant: what the phrase at a token was taken for.
+        meant: what the phrase at a token was taken for; `antecedents` weighs what pronouns point back to by it.
         unsure: phrases for one thing that several were named by, and these.
         circles: things that were said to stand in a circle.
         numbers: how many of each member of a list were said.
@@ -72,7 +73,9 @@ class State(Namer):
         self.at = 0
         self.draft = Draft()
         self.referents = Referents(self.draft)
-        self.meanings = Meanings(self.referents, self)
+        self.meant: dict[int, list[Mention]] = {}
+        self.antecedents = Antecedents(self.draft, self.referents, self.meant, self.cut)
+        self.meanings = Meanings(self.referents, self.antecedents, self)
         self.habits = load_habits()
         self.groups: dict[str, Mention] = {}
         self.opening: Gap | None = None
@@ -95,7 +98,6 @@ class State(Namer):
         self.barred: Noun | None = None
         self.laid = False
         self.spoken_of: Mention | None = None
-        self.meant: dict[int, list[Mention]] = {}
         self.circles: list[tuple[Mention, Connector]] = []
         self.numbers: set[int] = set()
         self.tables: set[Mention] = set()

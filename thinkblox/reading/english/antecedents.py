@@ -1,0 +1,269 @@
+"""What a pronoun, or a relation without a noun, points back to: every thing named before is weighed.
+
+Three things count: whether it can bear the relation (`antecedents.toml`), how lately it was spoken of, and what it is
+in its sentence: what has the list, what the clause is about, what a pronoun just meant. Where the two best come near
+each other, nobody can tell which is meant.
+"""
+
+import tomllib
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from thinkblox.assets import revision
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.reading.draft import Draft, Mention
+from thinkblox.reading.english.chunks import Chunk
+from thinkblox.reading.english.referents import Referents, is_small
+from thinkblox.reading.english.survey import Naming, Survey, survey
+
+_WINDOW = 60
+"""How many chunks back a pronoun can reach."""
+_FAINT = 0.25
+"""How much of a part of a sentence counts once another sentence has begun."""
+_NEAR = 6
+"""How many things back another can be of which both are "them"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A thing that may be meant, and how much speaks for it; `several` where it is more than "it" can be."""
+
+    thing: Mention
+    score: float
+    several: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Unclear:
+    """Words from token `start` to `end` that may point back to either of two things."""
+
+    start: int
+    end: int
+    one: Mention
+    other: Mention
+
+
+class Antecedents:
+    """Weighs what pronouns may mean.
+
+    Args:
+        draft: what was read so far.
+        meant: what the noun phrase at each token was taken for.
+        chunks: the text.
+    """
+
+    def __init__(
+        self, draft: Draft, referents: Referents, meant: Mapping[int, Sequence[Mention]], chunks: Sequence[Chunk]
+    ) -> None:
+        self._draft = draft
+        self._referents = referents
+        self._meant = meant
+        self._chunks = chunks
+        self._starts = [chunk.start for chunk in chunks]
+        self.pointed: dict[int, Mention] = {}
+        self.unclear: list[Unclear] = []
+
+    def choose(
+        self,
+        where: tuple[int, int],
+        kind: str,
+        subjects: Sequence[Mention],
+        noun: str,
+        found: Mention,
+        *,
+        one: bool,
+    ) -> Mention:
+        """What words at tokens `where` mean, of which the reader of clauses `found` something.
+
+        That counts for it as well; where another comes near, that is noted in `unclear`. The rest as in `ranked`.
+        """
+        by = weights()
+        ranked = [
+            Candidate(c.thing, c.score + by["reader"] * (c.thing is found and not (one and c.several)))
+            for c in self.ranked(where[0], kind, subjects, noun, one=one)
+        ]
+        if found not in [c.thing for c in ranked]:
+            return found
+        best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
+        if others and best.score - others[0].score < by["margin"]:
+            self.unclear.append(Unclear(*where, best.thing, others[0].thing))
+            best = next(c for c in ranked if c.thing is found) if others[0].thing is found else best
+        if not self._is_owner(best.thing, where[0]):
+            self.pointed[where[0]] = best.thing
+        return best.thing
+
+    def _is_owner(self, thing: Mention, start: int) -> bool:
+        """Whether the words before `start` tell what a thing has: "a table with two books on it"."""
+        seen = self._survey(start)
+        own = seen.named[-1] if seen.named else None
+        owners = [t for o in own.owners for t in self._meant.get(o.start, ())] if own is not None else []
+        return own is not None and own.role == "member" and thing in owners
+
+    def ranked(self, start: int, kind: str, subjects: Sequence[Mention], noun: str, *, one: bool) -> list[Candidate]:
+        """What the words at token `start` may point back to, the likeliest first.
+
+        Args:
+            start: the first token of the preposition, or of the pronoun.
+            kind: the relation that it is to have.
+            subjects: what has the relation; empty where that comes later.
+            noun: what that is called.
+            one: whether the pronoun is one for a single thing.
+        """
+        seen = self._survey(start)
+        last = next((n for n in reversed(seen.named) if self._means_any(n, subjects)), None)
+        besides = {id(t) for s in subjects for t in self._referents.clan(s)}
+        scores: dict[int, Candidate] = {}
+        for named in seen.named:
+            for thing in self._meant.get(named.noun.start, ()):
+                if id(thing) in besides or thing not in self._draft.things:
+                    continue
+                score = worth(kind or "next_to", noun, thing.noun)
+                several = not self._is_one(thing, named, last, seen)
+                if one and several:
+                    score += weights()["several"] + self._place(named, None, seen)
+                else:
+                    score += self._place(named, last, seen)
+                if id(thing) not in scores or scores[id(thing)].score < score:
+                    scores[id(thing)] = Candidate(thing, score, several)
+        return sorted(scores.values(), key=lambda candidate: -candidate.score)
+
+    def choose_several(
+        self,
+        where: tuple[int, int],
+        kind: str,
+        subjects: Sequence[Mention],
+        noun: str,
+        found: tuple[Mention, ...],
+    ) -> tuple[Mention, ...]:
+        """What "them" at tokens `where` means, of which the reader of clauses `found` something; as `choose`."""
+        by = weights()
+        scores = self._sets(where[0], kind, subjects, noun)
+        mine = frozenset(found)
+        if mine not in scores:
+            return found
+        scores[mine] = (scores[mine][0] + by["reader_several"], found)
+        best, *others = sorted(scores.values(), key=lambda entry: -entry[0])
+        near = next((e for e in others if best[0] - e[0] < by["margin"]), None)
+        if near is not None:
+            one, other = (next(t for t in e[1] if t not in o[1] or e is o) for e, o in ((best, near), (near, best)))
+            self.unclear.append(Unclear(*where, one, other))
+            return found if found in (best[1], near[1]) else best[1]
+        return best[1]
+
+    def _sets(
+        self, start: int, kind: str, subjects: Sequence[Mention], noun: str
+    ) -> dict[frozenset[Mention], tuple[float, tuple[Mention, ...]]]:
+        """Things that "them" can mean together: several of one name, two that were joined, or one beside another."""
+        by, seen = weights(), self._survey(start)
+        own = next((n for n in reversed(seen.named) if self._means_any(n, subjects)), None)
+        own = replace(own, joined=None) if own is not None else None
+        taken = [*subjects, *(t for s in subjects for t in (s.owner, s.host) if t is not None)]
+        scores: dict[frozenset[Mention], tuple[float, tuple[Mention, ...]]] = {}
+
+        def weigh(score: float, things: Sequence[Mention]) -> None:
+            kept = tuple(dict.fromkeys(t for t in things if t in self._draft.things))
+            total = score + sum(worth(kind, noun, t.noun) for t in kept) / max(1, len(kept))
+            if kept and not set(kept) & set(taken) and scores.get(frozenset(kept), (total - 1,))[0] < total:
+                scores[frozenset(kept)] = (total, kept)
+
+        before = [n for n in seen.named if n is not own and self._meant.get(n.noun.start)]
+        for named in before:
+            things = [p for t in self._meant[named.noun.start] for p in self._referents.family(t)]
+            if len(things) > 1 or any(t.many for t in things):
+                weigh(self._place(named, own, seen) + by["family"] * (len(things) > 1), things)
+        for at, named in enumerate(before):
+            for other in before[max(0, at - _NEAR) : at]:
+                pair = [t for n in (other, named) for t in self._meant[n.noun.start]]
+                tied = "joined" if named.joined is other.noun else "told" if named.of is other.noun else "beside"
+                apart = tied == "beside" and (kind != "between" or {named.role, other.role} != {"head"})
+                if len(pair) == 2 and other.sentence == named.sentence and not (apart or any(t.many for t in pair)):
+                    score = (self._place(named, own, seen) + self._place(other, own, seen)) / 2
+                    weigh(score + by[f"pair_{tied}"], pair)
+        return scores
+
+    def _is_small(self, named: Naming) -> bool:
+        return all(is_small(thing) for thing in self._meant.get(named.noun.start, ()))
+
+    def _means_any(self, named: Naming, things: Sequence[Mention]) -> bool:
+        return any(t in things for t in self._meant.get(named.noun.start, ()))
+
+    def _is_one(self, thing: Mention, named: Naming, own: Naming | None, seen: Survey) -> bool:
+        """Whether "it" may be said of a thing: of one, or of each of several."""
+        if named.noun.start in seen.spread or thing in self._referents.shared or thing.rows or thing.groups:
+            return True
+        if own is not None and named.noun in own.owners and (named.noun.each or own.noun.each):
+            return True
+        return not (thing.many or (named.noun.many and not self._referents.is_apart(thing)))
+
+    def _place(self, named: Naming, own: Naming | None, seen: Survey) -> float:
+        """How much speaks for a thing by where it was named."""
+        by = weights()
+        back = seen.sentence - named.sentence
+        score = by[named.role] + by["sentence"] * back
+        score += by["part"] * (seen.part - named.part if not back else _FAINT * max(0, seen.last - named.part))
+        if own is not None and named.noun in own.owners:
+            owner = by["owner"] if named.noun is own.owners[0] else by["outer"]
+            score += owner * (by["listed"] if own.listed else 1.0)
+        if seen.topics.get(named.sentence) is named.noun and back < 2:
+            first = by["first"] if named.noun.start in seen.loose else by["topic"]
+            score += first if not back or seen.sentence not in seen.topics else 0.0
+        if own is not None and own.joined is named.noun and (own.owners or self._is_small(named)):
+            score += by["joined"]
+        if named.role == "anchor":
+            score += by["known"] * named.noun.definite
+            score += by["latest"] * (named.noun.definite and named.part == seen.part - 1 and not back)
+            near = own is not None and named.part == seen.part and not back and own.noun.start < named.noun.start
+            score += by["own"] * (near and not seen.having > named.noun.start)
+        score += self._centre(named, seen)
+        return score
+
+    def _centre(self, named: Naming, seen: Survey) -> float:
+        """How much speaks for what a pronoun meant lately."""
+        by, things = weights(), self._meant.get(named.noun.start, ())
+        told = [at for start, at in seen.links.items() if self.pointed.get(start) in things]
+        if not told or max(told)[0] < seen.sentence - 1:
+            return 0.0
+        sentence, part, word = max(told)
+        if sentence < seen.sentence:
+            return by["centre"] + by["sentence"]
+        share = by["lying"] if word in ("on", "on_top", "in") else 1.0
+        return share * by["centre"] + by["part"] * max(0, seen.part - part - 1)
+
+    def _survey(self, start: int) -> Survey:
+        """What was named before token `start`."""
+        end = bisect_left(self._starts, start)
+        return survey(self._chunks[max(0, end - _WINDOW) : end], self._meant)
+
+
+def worth(kind: str, noun: str, to: str) -> float:
+    """How well a thing bears such a relation of a `noun`; against it where that is negative."""
+    return _worth(kind, noun, to, revision())
+
+
+@lru_cache(maxsize=4096)
+def _worth(kind: str, noun: str, to: str, revision: int) -> float:
+    habits = load_habits()
+    usual = weights()["habit"] if noun and habits.tie(noun, to) == kind else 0.0
+    for row in _table()["worth"]:
+        if kind not in row["relations"]:
+            continue
+        if "of" in row and not (noun and habits.is_in(noun, *row["of"])):
+            continue
+        if row["to"] == ["other"] or habits.is_in(to, *row["to"]):
+            return usual or float(row["by"])
+    return usual
+
+
+def weights() -> dict[str, float]:
+    """How much each thing counts."""
+    found: dict[str, float] = _table()["weights"]
+    return found
+
+
+@lru_cache(maxsize=1)
+def _table() -> dict[str, Any]:
+    return tomllib.loads((Path(__file__).parent / "antecedents.toml").read_text("utf-8"))

@@ -1,0 +1,166 @@
+"""What was named before a word of a text, by the order of the words: in which sentence, as what, and what has it."""
+
+from collections.abc import Container, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.said import is_having, is_link, is_spatial
+
+Role = Literal["head", "anchor", "member"]
+"""It begins a part of the sentence; something was said to stand to it; something was said to have it."""
+
+
+@dataclass
+class Naming:
+    """Where a thing was named.
+
+    Attributes:
+        noun: the phrase.
+        sentence, part: in which sentence, and in which of its parts, which commas and "and" divide.
+        role: as what.
+        owners: what has it, the likeliest first.
+        listed: it goes on with a list of what these have.
+        joined: what it is joined to by "and".
+        of: what was said to stand to it.
+    """
+
+    noun: Noun
+    sentence: int
+    part: int
+    role: Role
+    owners: Sequence[Noun] = ()
+    listed: bool = False
+    joined: Noun | None = None
+    of: Noun | None = None
+
+
+@dataclass
+class Survey:
+    """What was named, in its order, and how far the text had come.
+
+    Attributes:
+        named: every thing that was named.
+        sentence, part: where the text is; `last` part of the sentence before.
+        links: where each preposition stood, and which it is, by its first token.
+        topics: the first thing of each sentence.
+        loose: the first tokens of things that nothing but the room has.
+        spread: those of several of which something is said of each.
+        having: where the last word of having stood.
+    """
+
+    named: list[Naming] = field(default_factory=list)
+    sentence: int = 0
+    part: int = 0
+    last: int = 0
+    links: dict[int, tuple[int, int, str]] = field(default_factory=dict)
+    topics: dict[int, Noun] = field(default_factory=dict)
+    loose: set[int] = field(default_factory=set)
+    spread: set[int] = field(default_factory=set)
+    having: int = -1
+
+
+def survey(chunks: Iterable[Chunk], known: Container[int]) -> Survey:
+    """Look over chunks; `known` are the first tokens of phrases that were taken for things."""
+    surveyor = _Surveyor(known)
+    for chunk in chunks:
+        surveyor.take(chunk)
+    return surveyor.seen
+
+
+class _Surveyor:
+    """Goes through chunks one by one."""
+
+    def __init__(self, known: Container[int]) -> None:
+        self.seen = Survey()
+        self._known = known
+        self._head: Noun | None = None
+        self._last: Noun | None = None
+        self._outer: Noun | None = None
+        self._each: Noun | None = None
+        self._owners: list[Noun] = []
+        self._role: Role = "head"
+        self._told = self._closing = self._parted = self._anchored = self._apart = False
+        self._before: Chunk | None = None
+        self._beside: Chunk | None = None
+
+    def take(self, chunk: Chunk) -> None:
+        """Go past a chunk."""
+        if isinstance(chunk, Noun):
+            self._noun(chunk)
+        elif isinstance(chunk, Connector):
+            self._link(chunk)
+        self._beside, self._before = self._before, chunk
+
+    def _link(self, link: Connector) -> None:
+        if is_link(link, "mark", "stop"):
+            self._end_sentence()
+        elif is_link(link, "mark") or is_link(link, "joins", "and", "but"):
+            self._end_part(link)
+        elif is_link(link, "joins", "which"):
+            self._outer = self._head
+        elif is_having(link):
+            self._have(link)
+        elif is_spatial(link) or is_link(link, "prepositions", "to"):
+            self._role, self._told = "anchor", True
+            self._head = self._last if self._apart else self._head
+            self.seen.links[link.start] = (self.seen.sentence, self.seen.part, link.value)
+        elif is_link(link, "prepositions", "of"):
+            self._role = "anchor" if self._parted else "member"
+
+    def _end_sentence(self) -> None:
+        self.seen.last = self.seen.part
+        self.seen.sentence, self.seen.part = self.seen.sentence + 1, 0
+        self._head = self._last = None
+        self._owners, self._role = [], "head"
+
+    def _end_part(self, link: Connector) -> None:
+        clause = is_link(link, "mark", "semicolon")
+        self.seen.part += 2 if clause else not is_link(self._before, "mark", "comma")
+        self._role = "head"
+        if clause:
+            self._head = self._last = None
+        elif self._outer is not None and is_link(link, "mark", "comma"):
+            self._head, self._outer = self._outer, None
+        ended = is_link(link, "mark") and (self._told or self._closing)
+        if ended or clause or (self._told and self._anchored):
+            self._owners = []
+        self._closing = bool(self._owners) and is_link(link, "joins", "and")
+
+    def _have(self, link: Connector) -> None:
+        """Tell what the list that begins is of: what was named last, or what the sentence says is by a known thing."""
+        self._role, self._told, self.seen.having = "member", False, link.start
+        known = self._anchored and self._last is not None and self._last.definite
+        owners = [self._head, self._last] if link.sort == "verbs" or known else [self._last, self._head]
+        if self._head is not None and self._head.start in self.seen.loose and is_link(self._before, "mark", "comma"):
+            owners = []
+        if self._each is not None:
+            owners = [self._each]
+            self.seen.spread.add(self._each.start)
+        self._owners = [noun for noun in owners if noun is not None]
+        self._each = None
+
+    def _noun(self, noun: Noun) -> None:
+        self._parted = self._role == "anchor" and noun.kind in ("part", "place")
+        if noun.value == "each" and noun.kind == "pronoun" and self._role == "head":
+            self._each = next((n.noun for n in reversed(self.seen.named) if n.noun.many), None)
+        elif noun.kind == "thing" or (self._role == "head" and noun.start in self._known):
+            self._name(noun)
+        self._apart = noun.kind == "thing" and self._role == "head" and bool(self._owners)
+        self._anchored = noun.kind == "thing" and self._role == "anchor"
+        self._role = "head"
+
+    def _name(self, noun: Noun) -> None:
+        listed = self._role == "head" and bool(self._owners)
+        owners = self._owners if self._role == "member" or listed else []
+        loose = self._role == "member" and not owners
+        self._role = "head" if loose else self._role
+        joined = self._last if is_link(self._before, "joins", "and") and self._last is self._beside else None
+        of = (self._head or self._last) if self._role == "anchor" else None
+        seen = self.seen
+        seen.named.append(Naming(noun, seen.sentence, seen.part, self._role, owners, listed, joined, of))
+        if self._role == "head":
+            self._head = self._head if listed else noun
+            seen.topics.setdefault(seen.sentence, noun)
+            seen.loose |= {noun.start} if loose else set()
+        self._last = noun
