@@ -165,6 +165,9 @@ def test_progress_counts_what_is_still_to_come():
         ("Home cinema with two rows of seats", "home_cinema", {"armchair": 6, "sofa": 0}),
         ("A sun room with rattan chairs", "sunroom", {"armchair": 2, "chair": 0}),
         ("A bakery with bread in the display", "bakery", {"display_case": 1, "tv": 0}),
+        ("A nursery for two babies", "nursery", {"crib": 2}),
+        ("Coffee shop in an old factory with a communal table", "cafe", {"chair": 4, "factory": 0}),
+        ("A bakery with a stand mixer on a steel table and two tables with two chairs each", "bakery", {"chair": 4}),
         ("A doctor's consultation room with an examination couch", "clinic", {"hospital_bed": 0}),
     ],
 )

@@ -91,14 +91,22 @@ def draw_up(draft: Draft) -> None:
     for table in [t for t in draft.things if t.asked and not t.seats and _is_for_one(draft, t)]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
-        if kind == "around" and served:
-            continue  # A table beside loungers is theirs.
+        if kind == "around" and (served or (taken and _is_worked_on(draft, table))):
+            continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
         count = each * (table.count or 1)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
         elif seat and not drawn and not free and not any(counts_as(seat, noun) for noun in draft.excluded):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_worked_on(draft: Draft, table: Mention) -> bool:
+    """Whether what is to stand on it belongs on a worktop."""
+    habits = load_habits()
+    carried = [b.subject for b in draft.bonds if b.asked and b.kind == "on" and table in b.anchors]
+    usual = (habit for thing in carried for habit in habits.of(thing.noun)[:1] if habit.kind == "on")
+    return any(habits.is_in(name, "worktops") for habit in usual for name in habit.anchors[:1])
 
 
 def _has_its_table(draft: Draft, seat: Mention) -> bool:
@@ -157,7 +165,7 @@ def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
             if anchor == noun and kind in ("at", "around") and load_habits().is_in(usual.category, "drawn_aside"):
                 tables = sum(other.count for other in usuals if other.category == anchor) or 1
                 return relation_kind(kind), usual.category, max(1, usual.count // tables)
-    drawn = usual_seat(noun)
+    drawn = usual_seat(noun) or usual_seat(stand_in(noun).like)
     return (relation_kind(drawn.relations[0][0]), drawn.category, drawn.count) if drawn else ("at", "", 0)
 
 
