@@ -29,7 +29,7 @@ _SINGLE = "single"
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     if fill == "named" and not draft.empty:
-        _carry(draft)
+        _carry(draft, seated=False)
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
         sketched = _is_sketched(draft)
@@ -43,7 +43,7 @@ def assume(draft: Draft, fill: Fill) -> None:
                 _fill(draft, theme.expected(draft.room))
         _staff(draft)
         _give_places(draft)
-        _carry(draft)
+        _carry(draft, seated=True)
 
 
 def anticipated(draft: Draft) -> frozenset[str]:
@@ -365,8 +365,8 @@ def _has(draft: Draft, group: str) -> bool:
     return any(load_habits().is_in(thing.noun, group) for thing in draft.things)
 
 
-def _carry(draft: Draft) -> None:
-    """Something to put small things on, where the prompt names nothing that could carry them."""
+def _carry(draft: Draft, *, seated: bool) -> None:
+    """Something to put small things on, where the prompt names nothing that could carry them; a desk with its seat."""
     _build_in(draft)
     for thing in [t for t in draft.things if load_habits().is_in(t.noun, "small")]:
         if _lies_somewhere(draft, thing):
@@ -375,7 +375,11 @@ def _carry(draft: Draft) -> None:
         if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
-                _add(draft, noun, 1)
+                carrier, drawn = _add(draft, noun, 1), usual_seat(noun)
+                worked_at = seated and load_habits().is_in(noun, "worked_at")
+                if drawn is not None and worked_at and not _has(draft, "drawn_aside"):
+                    seat = _add(draft, drawn.category, 1)
+                    draft.bonds.append(Bond(relation_kind(drawn.relations[0][0]), seat, (carrier,), asked=False))
 
 
 def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:
