@@ -8,7 +8,7 @@ import pytest
 from thinkblox.assets import CATALOGUE
 from thinkblox.brief import Place
 from thinkblox.knowledge.variety import varieties
-from thinkblox.planning import plan_room, varied
+from thinkblox.planning import plan_room, varied, with_surfaces
 from thinkblox.planning.space import furniture_area
 from thinkblox.reading import GrammarBriefer, read_brief
 from thinkblox.scene.room import rectangle
@@ -118,3 +118,9 @@ def test_the_bench_measures_a_distance():
     one, other = Scene(room=rectangle(4.0, 3.0), seed=0), Scene(room=rectangle(8.0, 3.0), seed=0)
     assert distance(one, one).room == 0.0
     assert distance(one, other).room == pytest.approx(np.log(2.0) / 2)
+
+
+def test_rough_rooms_are_not_papered_for_an_old_thing_in_them():
+    brief = read_brief("A workshop where somebody restores old bicycles")
+    rooms = [with_surfaces(rectangle(4.0, 3.0), brief, seed) for seed in SEEDS]
+    assert {room.surfaces.floor.laying for room in rooms} == {"concrete"}

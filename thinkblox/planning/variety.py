@@ -28,6 +28,8 @@ _IN_SKETCHED = (1, 2, 3)
 """How many kinds of things come in where some are named."""
 _CLOSE = 1.3
 """By how much more floor than there is what a room needs may take by the handbook."""
+_FIRST = 3
+"""The first of so many parts of what a room usually holds is what it is for."""
 _FEWER = 0.4
 """How often there is one less of what there may be."""
 _DRAWN_UP = ("at", "around")
@@ -117,8 +119,9 @@ def _is_loose(brief: Brief, request: Request) -> bool:
     """Whether nothing else stands to it, nobody sits on it at a table, and no such room must have it."""
     needed = any(request.key in relation.anchors for relation in brief.relations)
     needed |= any(r.kind in _DRAWN_UP and r.subject == request.key for r in brief.relations)
-    first = room_type(brief.room_type).usual[0].category
-    essential = _is_essential(brief, request) or are_alike(first, request.category)
+    usual = room_type(brief.room_type).usual
+    first = usual[: max(1, len(usual) // _FIRST)]
+    essential = _is_essential(brief, request) or any(are_alike(u.category, request.category) for u in first)
     return not (request.asked or needed or essential)
 
 
