@@ -274,6 +274,12 @@ def _made_room(work: Work, finder: Finder, order: Order) -> None:
             finder.scene = work.before = work.scene
 
 
+def _add(work: Work, finder: Finder, order: Order) -> None:
+    """Add what is new, where something else may have to make room for it."""
+    _made_room(work, finder, order)
+    bring(work, finder, order)
+
+
 def _is_there(scene: Scene, there: Bound, id: str) -> bool:
     """Whether an object takes a place, or rests on the thing that the place is a part of."""
     return there.holds(scene, id) or bool(set(scene.carriers(id)) & set(there.anchors))
@@ -367,7 +373,7 @@ def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
 
 
 _DOERS: dict[str, Doer] = {
-    "add": bring,
+    "add": _add,
     "ensure": ensure,
     "only": keep_only,
     "gap": space,

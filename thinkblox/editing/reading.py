@@ -361,7 +361,13 @@ class _OrderReader:
 
     def _adjective(self, said: Adjective) -> None:
         order, free = self.order, bool(means("clear", said.text.lower()))
-        if free and self._mode == "so":
+        spot = self._places()[-1].noun if self._places() else None
+        if free and self._mode != "so" and order.doing in ("put", "add", "ensure") and spot is not None:
+            if spot.kind == "place" and order.things and not order.things[-1].noun.definite:
+                spot.states = ["empty"]
+            else:
+                order.lost.append(said.text)
+        elif free and self._mode == "so":
             order.free += [phrase.noun for phrase in self._so]
         elif free and order.doing in ("keep", "put", "make", "ensure"):
             order.doing = "free"
