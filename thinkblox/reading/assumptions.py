@@ -242,7 +242,11 @@ def _have_places(draft: Draft, category: str) -> bool:
         return True
     named = any(
         t.asked
-        and (load_habits().is_in(t.noun, "meal_tables") or (t.many and load_habits().is_in(t.noun, "worked_at")))
+        and (
+            load_habits().is_in(t.noun, "meal_tables")
+            or (t.many and load_habits().is_in(t.noun, "worked_at"))
+            or (load_habits().is_in(t.noun, "lounges") and load_habits().is_in(category, "lounges"))
+        )
         for t in draft.things
     )
     return category == room_type(draft.room).place and named
