@@ -127,7 +127,9 @@ def test_a_swap_takes_riders_along_and_keeps_the_rest() -> None:
     ("action", "error", "says"),
     [
         (Add(id="cup_1", asset=CUP, position=(1.0, 1.0, 0.0), yaw=0.0), InputError, "already|has an object"),
-        (Move(id="sofa_1", position=(1.0, 1.0, 0.0)), KeyError, "table_1"),
+        (Move(id="sofa_1", position=(1.0, 1.0, 0.0)), InputError, "table_1"),
+        (Remove(id="sofa_1"), InputError, "no object 'sofa_1'; there are .*table_1"),
+        (Swap(id="table_1", other="sofa_1"), InputError, "sofa_1"),
         (Swap(id="table_1", other="cup_2"), InputError, "rests on it"),
         (Swap(id="table_1", other="table_1"), InputError, "one is the other"),
     ],

@@ -13,6 +13,7 @@ from thinkblox.verdict import Verdict
 CRATE = asset("crate", (0.4, 0.4, 0.4), mass=8.0)
 
 
+@pytest.mark.slow
 def test_a_hunt_is_the_same_twice() -> None:
     assert hunt("edge", 3) == hunt("edge", 3)
 

@@ -1,6 +1,7 @@
 """Whatever a path holds is measured, or refused with a sentence that helps."""
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
@@ -244,3 +245,12 @@ def test_options_that_cannot_be_are_refused_whatever_the_file(room: Path, option
 def test_a_timeout_is_more_than_nothing(room: Path, timeout: Any) -> None:
     with pytest.raises(InputError, match="a timeout of"):
         verify_file(room, timeout=timeout)
+
+
+def test_a_model_that_was_changed_beside_its_scene_is_told(room: Path) -> None:
+    model = room.with_name("scene.xml")
+    model.write_text(FALLING.format(z=1))
+    assert not [note for note in verify_file(room.parent).notes if "newer" in note]
+    later = room.stat().st_mtime + 3600
+    os.utime(model, (later, later))
+    assert [note for note in verify_file(room.parent).notes if "scene.xml is newer" in note]

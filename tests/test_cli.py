@@ -48,6 +48,7 @@ def test_what_cannot_be_shown_is_said_and_the_status_is_1(tmp_path):
     assert (tmp_path / "room" / "scene.json").exists()
 
 
+@pytest.mark.slow
 def test_which_attempt_was_kept_is_said(tmp_path):
     prompt = "An empty room of 2 m by 2 m with two beds."
     done = run("generate", prompt, "--out", tmp_path / "room", "--no-pictures")
@@ -242,7 +243,7 @@ def test_the_scene_that_is_broken_above_is_fine_unbroken(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
-@pytest.mark.parametrize("placed", [1, 7])
+@pytest.mark.parametrize("placed", [pytest.param(1, marks=pytest.mark.slow), 7])
 def test_a_stopped_run_leaves_nothing_behind(tmp_path, placed, number):
     prompt = "A buffet restaurant with five square tables with four chairs each and a long counter."
     command = [sys.executable, "-m", "thinkblox", "generate", prompt, "--out", str(tmp_path / "a" / "b" / "room")]

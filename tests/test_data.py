@@ -108,6 +108,7 @@ def test_whole_rooms_belong_to_one_split() -> None:
     assert 0.16 < found.count("test") / 2000 < 0.24
 
 
+@pytest.mark.slow
 def test_made_twice_it_is_the_same(dataset: Path, tmp_path: Path) -> None:
     done: list[int] = []
     build(SMALL, tmp_path / "again", workers=2, on_shard=lambda count, *_: done.append(count.shard))

@@ -39,7 +39,13 @@ def generate(prompt: str, out: Path, *options: str, hash_seed: str = "0") -> Non
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.fixture(scope="module", params=list(PROMPTS.values()), ids=list(PROMPTS))
+@pytest.fixture(
+    scope="module",
+    params=[
+        pytest.param(prompt, id=name, marks=[] if name == "bedroom" else [pytest.mark.slow])
+        for name, prompt in PROMPTS.items()
+    ],
+)
 def written(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Written:
     folder = tmp_path_factory.mktemp("rooms") / "room"
     generate(request.param, folder)
@@ -142,6 +148,7 @@ def test_the_relations_of_the_bedroom_hold(tmp_path: Path) -> None:
         assert measure(scene, "next_to", f"nightstand_{number}", ["bed_1"]).holds
 
 
+@pytest.mark.slow
 def test_the_same_prompt_and_seed_give_the_same_bytes_in_another_process(tmp_path: Path) -> None:
     for name, hash_seed in (("a", "1"), ("b", "2")):
         generate(PROMPTS["dining"], tmp_path / name, "--seed", "7", "--no-pictures", hash_seed=hash_seed)

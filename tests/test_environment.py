@@ -287,6 +287,7 @@ def test_a_robot_of_ones_own_is_taken_as_it_is(tmp_path: Path) -> None:
     assert mounted.task.errand.robot.radius == pytest.approx(0.05, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_another_room_each_episode(tmp_path: Path) -> None:
     for name, room in {"a": ROOM, "b": ROOM.without("desk_1"), "c": ROOM.without("wardrobe_1")}.items():
         (tmp_path / name).mkdir()

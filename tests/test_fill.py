@@ -48,6 +48,7 @@ def test_small_things_lie_on_what_they_are_kept_on(lived_in: Generation) -> None
     assert {p.id: p.support for p in there} == {p.id: dressed[p.id] for p in there}
 
 
+@pytest.mark.slow
 def test_few_of_what_one_has_few_of_and_hardly_anything_finds_no_place(lived_in: Generation) -> None:
     there = Counter(p.category for p in lived_in.scene.placements)
     ones = {u.category for u in dressing().on("shelving_unit", "bathroom") if u.count == 1}
@@ -140,6 +141,7 @@ def test_what_a_person_would_expect_is_assumed(prompt: str, assumed: dict[str, i
     assert {category: found[category] for category in assumed} == assumed
 
 
+@pytest.mark.slow
 def test_progress_counts_what_is_still_to_come():
     told: list[Progress] = []
     generate_room("A small study", fill="lived-in", effort=Effort(restarts=0), on_object=told.append)
@@ -149,3 +151,30 @@ def test_progress_counts_what_is_still_to_come():
     # Furniture, what lies about, and both once more where little was added.
     added = [progress for progress in told if progress.number > len(told) // 2]
     assert sum(progress.number == progress.total for progress in added) <= 4
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room", "held"),
+    [
+        ("Lobby of a small hotel", "hotel_lobby", {"luggage_cart": 1}),
+        ("Waiting room of a dentist with seats for ten", "waiting_room", {"chair": 10}),
+        ("A hall with benches for twelve people", "hallway", {"bench": 6}),
+        ("A science classroom with lab benches for sixteen pupils", "science_lab", {"lab_bench": 8, "stool": 16}),
+        ("Hair salon with four styling chairs", "salon", {"salon_chair": 4, "dressing_table": 4, "mirror": 4}),
+        ("An office with six office chairs", "office", {"office_chair": 6, "desk": 6, "monitor": 6}),
+        ("Home cinema with two rows of seats", "home_cinema", {"armchair": 6, "sofa": 0}),
+        ("A sun room with rattan chairs", "sunroom", {"armchair": 2, "chair": 0}),
+        ("A bakery with bread in the display", "bakery", {"display_case": 1, "tv": 0}),
+        ("A nursery for two babies", "nursery", {"crib": 2}),
+        ("Coffee shop in an old factory with a communal table", "cafe", {"chair": 4, "factory": 0}),
+        ("A bakery with a stand mixer on a steel table and two tables with two chairs each", "bakery", {"chair": 4}),
+        ("A doctor's consultation room with an examination couch", "clinic", {"hospital_bed": 0}),
+    ],
+)
+def test_a_few_words_are_taken_for_what_they_mean_in_such_a_room(prompt, room, held):
+    brief = read_brief(prompt)
+    counts = Counter[str]()
+    for request in brief.requests:
+        counts[request.category] += request.count
+    assert brief.room_type == room
+    assert {name: counts[name] for name in held} == held

@@ -44,6 +44,7 @@ def test_an_empty_room_is_free_along_its_walls_but_at_the_door() -> None:
     assert abs(north.start[0] - north.end[0]) > 2.0
 
 
+@pytest.mark.slow
 def test_nine_of_ten_free_places_are_valid(episode: Episode) -> None:
     """Against the judge: any point of any line, for all that the expert had to place."""
     rng = np.random.default_rng(0)

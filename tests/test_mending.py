@@ -356,6 +356,7 @@ coordinate = st.floats(-0.2, 0.2).map(lambda value: round(value, 3))
 
 @settings(max_examples=12, deadline=None)
 @given(a=st.tuples(coordinate, coordinate, coordinate), b=st.tuples(coordinate, coordinate, coordinate))
+@pytest.mark.slow
 def test_nothing_gets_worse(a: tuple[float, float, float], b: tuple[float, float, float]) -> None:
     legless = asset("chest", (0.8, 0.5, 0.6), box((0.8, 0.5, 0.6), (0.0, 0.0, 0.3)), mass=30.0)
     room = scene(

@@ -226,7 +226,9 @@ def wall_gap(room: Generation, thing: Placement) -> float:
 
 
 @pytest.mark.parametrize(
-    "prompt", ["A hospital ward with four beds in a row", "A field hospital with six beds", "A dormitory"]
+    "prompt",
+    ["A hospital ward with four beds in a row"]
+    + [pytest.param(other, marks=pytest.mark.slow) for other in ("A field hospital with six beds", "A dormitory")],
 )
 def test_several_beds_stand_in_line_with_their_heads_to_the_walls(prompt):
     room = made(prompt)
@@ -265,7 +267,7 @@ def test_a_fridge_stands_at_the_end_of_its_run():
 @pytest.mark.parametrize(
     ("prompt", "counter"),
     [
-        ("A pub with a bar, six stools and a fireplace", "bar_counter"),
+        pytest.param("A pub with a bar, six stools and a fireplace", "bar_counter", marks=pytest.mark.slow),
         ("A bakery with a display counter and shelves", "counter"),
         ("A cafe with four tables and a counter with an espresso machine", "counter"),
         ("A reception with a reception desk and two armchairs", "reception_desk"),
@@ -319,6 +321,7 @@ def test_stools_are_at_the_benches_of_a_laboratory():
     assert {t.ties[0].anchors for t in stools} == {("lab_bench_1",), ("lab_bench_2",)}
 
 
+@pytest.mark.slow
 def test_nothing_stands_where_darts_are_thrown():
     room = made("A pub with a bar, six stools, a dart board and a fireplace")
     board = placed(room, "dart_board")[0]

@@ -12,9 +12,8 @@ from tests.bench.gallery import kinds
 
 ROOT = Path(__file__).parent.parent
 RUN = ("guide", "extending", "models", "editing", "mcp", "environment", "interop")
-FIRST = ("README.md", "docs/guide.md")
 BLOCKS = [
-    pytest.param(block, id=f"{name}-{number}", marks=[] if name in FIRST else [pytest.mark.slow])
+    pytest.param(block, id=f"{name}-{number}", marks=[] if name == "README.md" else [pytest.mark.slow])
     for name in ("README.md", *(f"docs/{page}.md" for page in RUN))
     for number, block in enumerate(re.findall(r"```python\n(.*?)```", (ROOT / name).read_text(), re.DOTALL))
 ]
@@ -51,6 +50,7 @@ def test_make_test_lints_types_and_tests():
     assert all(tool in done.stdout for tool in ("ruff", "lint-imports", "mypy", "pytest"))
 
 
+@pytest.mark.slow
 def test_the_commands_of_the_readme_run(tmp_path):
     shown = re.findall(r"^    thinkblox (\w+)(.*)$", (ROOT / "README.md").read_text(), re.MULTILINE)
     assert [command for command, _ in shown] == [

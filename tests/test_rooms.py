@@ -46,7 +46,15 @@ def test_words_mean_in_a_room_what_they_mean_in_the_wider_one() -> None:
     assert counted(read_brief("A hospital ward with five beds"))["hospital_bed"] == 5
 
 
-@pytest.mark.parametrize("prompt", ["A dental surgery", "A pottery studio", "A mudroom", "A barber shop with a clock"])
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        pytest.param("A dental surgery", marks=pytest.mark.slow),
+        "A pottery studio",
+        "A mudroom",
+        "A barber shop with a clock",
+    ],
+)
 def test_what_a_room_usually_holds_fits_into_it(prompt: str) -> None:
     made = generate_room(prompt)
     assert made.report.complete, made.report.absent

@@ -3,7 +3,7 @@ import math
 
 import jsonschema
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from msgspec import structs
 
@@ -51,6 +51,7 @@ def test_an_unknown_id_lists_the_ones_that_exist(box_asset):
         scene["sofa_1"]
 
 
+@settings(max_examples=40)
 @given(
     st.lists(st.tuples(st.floats(0, 10), st.floats(0, 10), st.floats(-720, 720), st.text(max_size=20)), max_size=6),
     st.integers(0, 2**40),

@@ -359,7 +359,7 @@ def test_each_tool_says_what_it_does_and_takes_an_object():
         assert tool.schema()["additionalProperties"] is False
 
 
-@pytest.mark.parametrize("format", ["layoutvlm", "holodeck"])
+@pytest.mark.parametrize("format", ["layoutvlm", pytest.param("holodeck", marks=pytest.mark.slow)])
 def test_a_layout_of_others_is_opened_changed_and_saved_as_ours(agent, tmp_path, format):
     write(tmp_path / "root", format)
     opened = agent.data("open_room", path=f"{format}.json")

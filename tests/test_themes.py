@@ -76,5 +76,6 @@ def test_themes_bring_only_things_with_a_shape_of_their_own() -> None:
     assert len(known) >= 60
 
 
+@pytest.mark.slow
 def test_a_way_round_what_was_cut_off_is_found_where_the_cut_touches_itself() -> None:
     assert generate_room("christmas eve at grandma's living room, cosy and warm").report.valid

@@ -1,9 +1,15 @@
 """Rooms of one prompt differ from seed to seed in what the prompt leaves open, and in nothing else."""
 
+from typing import get_args
+
 import numpy as np
 import pytest
 
-from thinkblox.planning import plan_room, varied
+from thinkblox.assets import CATALOGUE
+from thinkblox.brief import Place
+from thinkblox.knowledge.variety import varieties
+from thinkblox.planning import plan_room, varied, with_surfaces
+from thinkblox.planning.space import furniture_area
 from thinkblox.reading import GrammarBriefer, read_brief
 from thinkblox.scene.room import rectangle
 from thinkblox.scene.scene import Scene
@@ -28,9 +34,42 @@ def test_what_every_such_room_has_stays(prompt):
     assert all(essential <= kinds(prompt, seed) for seed in SEEDS)
 
 
-def test_a_prompt_that_names_its_things_gets_these():
-    prompt = "A bedroom with a bed, a desk, a chair and a wardrobe"
-    assert all(varied(read_brief(prompt), seed) == read_brief(prompt) for seed in SEEDS)
+def test_what_a_sketch_names_stays_as_it_is_said_and_what_comes_besides_differs():
+    read = read_brief("A bedroom with a double bed, two nightstands and a wardrobe")
+    rooms = [varied(read, seed) for seed in SEEDS]
+    assert all(set(read.requests) <= set(room.requests) for room in rooms)
+    assert all(set(read.relations) <= set(room.relations) for room in rooms)
+    assert not any(r.asked for room in rooms for r in set(room.requests) - set(read.requests))
+    assert len({frozenset(request.category for request in room.requests) for room in rooms}) >= 8
+    assert all(any("lamp" in request.category for request in room.requests) for room in rooms)
+
+
+def test_who_says_how_things_stand_or_names_many_or_wants_little_gets_these():
+    for prompt in (
+        "A bedroom with a double bed, two nightstands and a lamp on each",
+        "A bedroom with a bed, a desk, a chair, a wardrobe, a rug and a dresser",
+        "A bedroom with only a bed and a wardrobe",
+    ):
+        assert all(varied(read_brief(prompt), seed) == read_brief(prompt) for seed in SEEDS)
+    needed = {"bed", "nightstand", "table_lamp", "floor_lamp", "wardrobe", "dresser"}
+    assert all(kinds("A minimalist bedroom with a bed", seed) <= needed for seed in SEEDS)
+
+
+def test_a_floor_that_is_given_is_not_filled_up():
+    close, wide = (read_brief(f"A bedroom of {area} m2 with a bed and a wardrobe") for area in (9, 30))
+    taken = furniture_area(close)
+    assert taken > 1.3 * 9.0
+    assert all(furniture_area(varied(close, seed)) == taken for seed in SEEDS)
+    assert any(furniture_area(varied(wide, seed)) > taken for seed in SEEDS)
+
+
+def test_what_comes_besides_has_what_it_belongs_to():
+    for room, choices in varieties().rooms.items():
+        things = [usual for option in choices.options for usual in option]
+        things += [usual for need in choices.needs for option in need.options for usual in option]
+        for usual in things:
+            known = {usual.category, *(a for _, anchors, _ in usual.relations for a in anchors.split("|"))}
+            assert known <= CATALOGUE.keys() | set(get_args(Place)), (room, known)
 
 
 def test_what_is_named_stays():
@@ -79,3 +118,9 @@ def test_the_bench_measures_a_distance():
     one, other = Scene(room=rectangle(4.0, 3.0), seed=0), Scene(room=rectangle(8.0, 3.0), seed=0)
     assert distance(one, one).room == 0.0
     assert distance(one, other).room == pytest.approx(np.log(2.0) / 2)
+
+
+def test_rough_rooms_are_not_papered_for_an_old_thing_in_them():
+    brief = read_brief("A workshop where somebody restores old bicycles")
+    rooms = [with_surfaces(rectangle(4.0, 3.0), brief, seed) for seed in SEEDS]
+    assert {room.surfaces.floor.laying for room in rooms} == {"concrete"}

@@ -34,6 +34,8 @@ SIDES = (0.5, 100.0)
 """Between what each length of a room must be [m]."""
 LISTED = 5
 """So many of the files in a folder are named in a message."""
+LATER = 60.0
+"""A file that is so much newer than another was not written together with it [s]."""
 TIMEOUT = 600.0
 """How long the measuring of a file may take unless told otherwise [s]."""
 _PAGE = b'<meta name="generator" content="ThinkBLOX"'
@@ -275,7 +277,7 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
     from thinkblox.sim.subject import subject_of
 
     if format == OURS:
-        return subject_of(load_scene(path)), (), ()
+        return subject_of(load_scene(path)), _newer(path), ()
     if format in MODELS:
         return _model(path, reading), (), ()
     from thinkblox.importing import read_layout
@@ -292,6 +294,19 @@ def _opened(path: Path, format: str, reading: VerifyOptions) -> tuple["Subject",
     )
     subject = subject_of(layout.scene, source=layout.format, substituted=layout.substituted)
     return subject, layout.notes, layout.unplaced
+
+
+def _newer(path: Path) -> tuple[str, ...]:
+    """A note on models beside a scene.json that were written long after it: they may be what is meant."""
+    if not path.is_dir():
+        return ()
+    written = (path / "scene.json").stat().st_mtime
+    found = [file.name for file in sorted(path.iterdir()) if file.suffix.lower() in MODEL_SUFFIXES and file.is_file()]
+    newer = [name for name in found if (path / name).stat().st_mtime > written + LATER]
+    if not newer:
+        return ()
+    verb = "is" if len(newer) == 1 else "are"
+    return (f"This is scene.json; {', '.join(newer)} {verb} newer, and measured when named instead of the folder.",)
 
 
 def _model(path: Path, reading: VerifyOptions) -> "Subject":

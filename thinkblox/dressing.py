@@ -123,6 +123,8 @@ def _place(done: Dressed, target: Target, attempt: int) -> str:
     placing = Placing(done.world, done.loop, target, np.random.default_rng((done.world.scene.seed, _SALT, number)))
     grown = placing.run()
     astray = "" if grown is None else _astray(grown.scene, target)
+    if grown is not None and not astray and not grown.stands_firmly(target.id):
+        astray = "it does not lie firmly, and all about it would be measured for long"
     done.world = done.world if grown is None or astray else grown
     done.assets |= placing.assets
     done.rounds += [structs.replace(r, attempt=attempt, kept=astray == "") for r in placing.rounds]

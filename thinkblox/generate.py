@@ -120,7 +120,7 @@ def generate_room(
     brief = _made("briefer", cast.briefer.brief(prompt), Brief)
     assumes = isinstance(cast.briefer, GrammarBriefer) and fill != "named"
     if assumes:
-        brief = fitted(with_sizes(varied(brief, seed), seed))
+        brief = fitted(with_sizes(varied(brief, seed, fill), seed))
     source = source or ProceduralAssets()
     grows = room is None and is_open(brief)
     room = room or _made("planner", planner.room(brief, np.random.default_rng((seed, 0))), Room)

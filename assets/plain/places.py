@@ -67,6 +67,7 @@ KEEPING: Mapping[str, Keeping] = {
     "benches": _standing(
         "against_wall wall", groups=("worktops", "worked_at", "long_sides", "surfaces"), clearance=0.7, large=True
     ),
+    "window_seats": _standing("near window", "against_wall wall", groups=("seats", "seating"), clearance=0.4),
     "seats": _standing("against_wall wall", groups=("seats", "seating"), clearance=0.4),
     "beds": _standing("against_wall wall", groups=("lain_on",), clearance=0.5, large=True),
     "wall": _hung(1.5),

@@ -43,11 +43,15 @@ class _FoundError(Exception):
 
 @dataclass(frozen=True)
 class _Read:
-    """A file as the engine's spec, notes on how it was read, and what to say when the engine refuses it."""
+    """A file as the engine's spec, notes on how it was read, and what to say when the engine refuses it.
+
+    `room` names bodies that are no things: floor and walls.
+    """
 
     spec: mujoco.MjSpec
     notes: tuple[str, ...]
     refused: Callable[[BaseException], str]
+    room: frozenset[str] = frozenset()
 
 
 def open_model(
@@ -93,7 +97,8 @@ def open_model(
         _check_model(path, model)
         try:
             model, floor = _floored(path, read, model)
-            sorted_out = set_aside(path, model, things_of(model), exclude=exclude, robots=robots)
+            things = tuple(thing for thing in things_of(model) if thing.id not in read.room)
+            sorted_out = set_aside(path, model, things, exclude=exclude, robots=robots)
         except mujoco.FatalError as error:
             raise InputError(read.refused(error)) from error
     if not sorted_out.things:
@@ -140,7 +145,8 @@ def kind_of(path: Path) -> str:
 def _usd(path: Path, folder: Path | None) -> _Read:
     from thinkblox.sim.foreign.usd import usd_spec
 
-    return _Read(usd_spec(path, folder=folder), (), lambda error: f"{path}: MuJoCo cannot read it: {said(error)}")
+    spec, notes = usd_spec(path, folder=folder)
+    return _Read(spec, notes, lambda error: f"{path}: MuJoCo cannot read it: {said(error)}")
 
 
 def _xml(path: Path, kind: str, folder: Path | None, fixed_base: bool) -> _Read:
@@ -149,7 +155,7 @@ def _xml(path: Path, kind: str, folder: Path | None, fixed_base: bool) -> _Read:
 
 def _urdf(path: Path, folder: Path | None, fixed_base: bool) -> _Read:
     spec, files = urdf_spec(path, folder=folder, fixed_base=fixed_base)
-    return _Read(spec, files.notes, lambda error: files.refusal(path, error))
+    return _Read(spec, files.notes, lambda error: files.refusal(path, error), files.room)
 
 
 def _mjcf(path: Path, folder: Path | None) -> _Read:

@@ -37,6 +37,7 @@ class UrdfFiles:
         data: the bytes of each mesh.
         free_roots: links that nothing holds: each gets a freejoint.
         notes: what a reader should know, in sentences.
+        room: links that are the room itself, of a URDF of ours: fixed to the world and no object.
     """
 
     text: CheckedText
@@ -44,6 +45,7 @@ class UrdfFiles:
     data: dict[str, bytes]
     free_roots: tuple[str, ...]
     notes: tuple[str, ...]
+    room: frozenset[str] = frozenset()
 
     def refusal(self, path: Path, error: BaseException) -> str:
         """What the engine said, with the files' own names and the line in the URDF."""
@@ -106,8 +108,10 @@ def read_urdf(path: Path, *, folder: Path | None = None, fixed_base: bool = Fals
     roots = _roots(path, root)
     free = () if fixed_base else tuple(name for name in roots if not _is_fixed(root, name))
     mended = mend_inertias(root, free)
-    notes = (*_notes(root, free, roots), *cut, *mended.notes())
-    return UrdfFiles(tree.text(), meshes, data, free, notes)
+    held = _held(root)
+    objects = {named.get("name", "") for named in root.iterfind("thinkblox")}
+    notes = (*_notes(root, free, roots, held), *cut, *mended.notes())
+    return UrdfFiles(tree.text(), meshes, data, free, notes, frozenset(held - objects if objects else ()))
 
 
 def _look_through(path: Path) -> Tree:
@@ -286,7 +290,17 @@ def _is_weightless(link: Node) -> bool:
         return False
 
 
-def _notes(root: Node, free: tuple[str, ...], roots: list[str]) -> tuple[str, ...]:
+def _held(root: Node) -> set[str]:
+    """Links that are fixed to the world."""
+    held = set()
+    for joint in root.iterfind("joint[@type='fixed']"):
+        parent, child = joint.find("parent"), joint.find("child")
+        if parent is not None and child is not None and parent.get("link") == WORLD:
+            held.add(child.get("link", ""))
+    return held
+
+
+def _notes(root: Node, free: tuple[str, ...], roots: list[str], held: set[str]) -> tuple[str, ...]:
     found = []
     if free:
         found.append(
@@ -298,6 +312,7 @@ def _notes(root: Node, free: tuple[str, ...], roots: list[str]) -> tuple[str, ..
     if static:
         found.append(f"The root link {listed(static)} has the mass 0, so it is fixed, as Bullet reads it.")
     light = [link.get("name", "") for link in root.iterfind("link") if _weighed_by_shape(link)]
+    light = [name for name in light if name not in held]
     if light:
         found.append(f"Without inertial, {listed(light)} weighs what its collision shapes do at 1000 kg/m3.")
     mimics = [joint.get("name", "") for joint in root.iterfind("joint") if joint.find("mimic") is not None]

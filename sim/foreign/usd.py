@@ -1,6 +1,5 @@
 """A USD stage with UsdPhysics as an engine's spec: bodies, masses, colliders and joints as they are authored."""
 
-import math
 import re
 from pathlib import Path
 from typing import Any
@@ -8,46 +7,52 @@ from typing import Any
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade
+from pxr import Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics
 
 from thinkblox.errors import InputError
 from thinkblox.sim.build import COLLISION, COLLISION_GROUP, ROLL, TORSION, VISUAL, new_spec
 from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, too_many
-from thinkblox.sim.foreign.usd_checks import local_frame, usd_faults
+from thinkblox.sim.foreign.names import listed
+from thinkblox.sim.foreign.usd_frames import Frames
+from thinkblox.sim.foreign.usd_joints import Join, filtered_pairs, motion, tree_of
+from thinkblox.sim.foreign.usd_masses import Masses, friction_of
+from thinkblox.sim.foreign.usd_shapes import ColliderGeom, ColliderNotes, solids_of
+from thinkblox.sim.foreign.usd_values import number_of, numbers_of
 from thinkblox.sim.settings import Physics
 
 Matrix = NDArray[np.float64]
 MAX_BYTES = 512_000_000
 """Largest file that is opened."""
-_LISTED = 8
-"""So many faults are told in a message."""
-_UNITS = "USD is read with z up, in metres and kilograms"
+FRICTION = 0.5
+"""Of what has no physics material, as in PhysX."""
+EARTH = 9.81
+"""Gravity where a stage says none [m/s2]."""
 _SAID = re.compile(r" : '(.*?)'(?= Error in |$)")
 """What is wrong, in a message of OpenUSD's that also says where in its own code."""
 _ROOM = "room"
 """The label of what the colliders of the world itself are under."""
 
 
-def usd_spec(path: Path, *, folder: Path | None = None) -> mujoco.MjSpec:
-    """The spec of a stage; the keyframe "settled" is where its bodies are.
+def usd_spec(path: Path, *, folder: Path | None = None) -> tuple[mujoco.MjSpec, tuple[str, ...]]:
+    """The spec of a stage, and notes on how it was read; the keyframe "settled" is where its bodies are.
 
-    Bodies that nothing joins to another are free. What collides without a body is fixed: a thing of its own where it
-    is in a component other than the room, a part of the world otherwise. Options of the engine are ours, but gravity.
+    Lengths become metres, masses kilograms, and z points up. Bodies that nothing joins to another are free; kinematic
+    and disabled ones stay where they are. What collides without a body is fixed: a thing of its own where it is in a
+    component other than the room, a part of the world otherwise. Options of the engine are ours, but gravity.
 
     Args:
         path: of the file.
         folder: what no layer may lie outside of; the file's own folder unless told otherwise.
 
     Raises:
-        InputError: it cannot be opened; a layer lies outside the folder; other units; or it has faults, which are told.
+        InputError: it cannot be opened; a layer lies outside the folder; or a part of it makes no sense, which is told.
     """
     stage = _opened(path, (folder or path.parent).resolve())
-    faults = usd_faults(stage)
-    if faults:
-        more = f" and {len(faults) - _LISTED} more" if len(faults) > _LISTED else ""
-        count = "1 fault" if len(faults) == 1 else f"{len(faults)} faults"
-        raise InputError(f"{path}: the stage has {count}: {' '.join(faults[:_LISTED])}{more}")
-    return _Reading(path, stage).spec()
+    try:
+        reading = _Stage(stage)
+        return reading.spec(), reading.notes()
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
 
 
 def _told(error: Exception) -> str:
@@ -69,135 +74,165 @@ def _opened(path: Path, folder: Path) -> Any:
         real = layer.realPath.partition("[")[0]
         if real and not Path(real).resolve().is_relative_to(folder):
             raise InputError(f"{path}: names {layer.identifier}, which is outside the folder; it is not read")
-    if UsdGeom.GetStageUpAxis(stage) != "Z" or UsdGeom.GetStageMetersPerUnit(stage) != 1.0:
-        has = f"{UsdGeom.GetStageUpAxis(stage)} up and {UsdGeom.GetStageMetersPerUnit(stage):g} metres a unit"
-        raise InputError(f"{path}: {_UNITS}; this stage has {has}")
-    if UsdPhysics.GetStageKilogramsPerUnit(stage) != 1.0:
-        weight = UsdPhysics.GetStageKilogramsPerUnit(stage)
-        raise InputError(f"{path}: {_UNITS}; this stage has {weight:g} kilograms a unit")
+    units = {"metres": UsdGeom.GetStageMetersPerUnit(stage), "kilograms": UsdPhysics.GetStageKilogramsPerUnit(stage)}
+    for name, size in units.items():
+        if not 1e-6 <= size <= 1e6:
+            raise InputError(f"{path}: has {size:g} {name} a unit; between 1e-06 and 1e+06 are read")
     return stage
 
 
-class _Reading:
+class _Stage:
     """A stage being turned into a spec."""
 
-    def __init__(self, path: Path, stage: Any) -> None:
-        self._path, self._stage, self._cache = path, stage, UsdGeom.XformCache()
-        prims = list(stage.Traverse())
+    def __init__(self, stage: Any) -> None:
+        self._stage, self._frames = stage, Frames(stage)
+        prims = list(stage.Traverse(Usd.TraverseInstanceProxies()))
         self._bodies = {prim.GetPath(): prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
         if len(self._bodies) > MOST_BODIES:
-            raise InputError(too_many(str(path), len(self._bodies)))
-        self._colliders = [prim for prim in prims if prim.HasAPI(UsdPhysics.CollisionAPI)]
-        self._components = [
-            prim for prim in prims if Usd.ModelAPI(prim).GetKind() == "component" and not _is_room(prim)
-        ]
-        self._joints = {
-            targets[0]: UsdPhysics.Joint(prim)
-            for prim in prims
-            if prim.IsA(UsdPhysics.Joint) and (targets := UsdPhysics.Joint(prim).GetBody1Rel().GetTargets())
-        }
-        (scene,) = (UsdPhysics.Scene(prim) for prim in prims if prim.IsA(UsdPhysics.Scene))
-        direction = np.array(scene.GetGravityDirectionAttr().Get() or (0.0, 0.0, -1.0), np.float64)
-        pull = direction * float(scene.GetGravityMagnitudeAttr().Get())
-        self._spec = new_spec(Physics(gravity=(float(pull[0]), float(pull[1]), float(pull[2]))))
+            raise InputError(too_many("the stage", len(self._bodies)))
+        self._colliders = [prim for prim in prims if _collides(prim)]
+        self._held = [key for key, prim in self._bodies.items() if not _moves(prim)]
+        self._tree = tree_of(stage, self._bodies, self._held, self._frames)
+        self._fixed = {prim.GetPath(): prim for prim in prims if self._is_fixed_thing(prim)}
+        self._names = _short_names([*self._bodies, *self._fixed])
+        self._scenes = [UsdPhysics.Scene(prim) for prim in prims if prim.IsA(UsdPhysics.Scene)]
+        self._driven = [str(prim.GetPath()) for prim in prims if _is_driven(prim)]
+        self._spec = new_spec(Physics(gravity=self._gravity()))
         self._made: dict[Any, mujoco.MjsBody] = {}
         self._qpos: list[float] = []
         self._parts: dict[str, int] = {}
+        self._shapes, self._masses = ColliderNotes(), Masses(self._frames)
+        self._slack: list[str] = []
 
     def spec(self) -> mujoco.MjSpec:
         """The whole spec."""
-        seen: list[Any] = []
-        for prim in [*self._components, *(p for p in self._bodies.values() if not self._in_component(p))]:
-            inside = [path for path in self._bodies if path.HasPrefix(prim.GetPath()) and path not in seen]
-            seen += inside
-            roots = [path for path in inside if self._parent(path) is None]
-            for path in roots:
-                self._add_tree(path, inside)
-            if not inside and prim.GetPath() not in self._bodies:
-                self._add_fixed(prim)
+        below: dict[Any, list[Any]] = {}
+        for key, join in self._tree.joins.items():
+            below.setdefault(None if join is None else join.parent, []).append(key)
+        waiting = sorted(below.get(None, ()), key=list(self._bodies).index)[::-1]
+        while waiting:
+            key = waiting.pop()
+            self._add_body(key, self._tree.joins[key])
+            waiting += below.get(key, ())[::-1]
+        for prim in self._fixed.values():
+            self._add_fixed(prim)
+        weighing: dict[Any, list[tuple[Any, list[mujoco.MjsGeom]]]] = {key: [] for key in self._bodies}
         for prim in self._colliders:
             owner = self._owner(prim)
-            self._add_geom(self._made.get(owner, self._spec.worldbody), prim, owner)
-        self._exclude()
+            geoms = self._add_geoms(prim, owner)
+            if owner in weighing:
+                weighing[owner].append((prim, geoms))
+        for key, colliders in weighing.items():
+            self._masses.weigh(self._made[key], self._bodies[key], colliders)
+        for first, second in sorted(filtered_pairs(self._stage, self._bodies, self._tree), key=str):
+            self._spec.add_exclude(bodyname1=self._names[first], bodyname2=self._names[second])
+        for join in self._tree.loops:
+            self._close(join)
+        self._masses.finish(self._spec)
         self._spec.add_key(name="settled", qpos=self._qpos)
         return self._spec
 
-    def _in_component(self, prim: Any) -> bool:
-        return any(prim.GetPath().HasPrefix(component.GetPath()) for component in self._components)
+    def notes(self) -> tuple[str, ...]:
+        """What a reader should know of how the stage was read."""
+        notes = [*self._masses.notes()]
+        if len(self._scenes) != 1:
+            which = "the first counts" if self._scenes else f"gravity is {EARTH:g} m/s2"
+            notes.append(f"The stage has {len(self._scenes)} physics scenes: {which}.")
+        for what, paths in (
+            ("Moving triangles, taken as their convex hulls as in other engines", self._shapes.hulled),
+            ("Divided into convex pieces", self._shapes.divided),
+            ("Not a shape that is read, so that nothing touches it", self._shapes.left_out),
+            ("Loops that are not held", self._slack),
+            ("Drives that are not run", self._driven),
+        ):
+            if paths:
+                notes.append(f"{what}: {listed(paths)}.")
+        return tuple(notes)
 
-    def _parent(self, path: Any) -> Any:
-        """What a body is joined to; None for one that hangs on nothing but the world."""
-        joint = self._joints.get(path)
-        targets = [] if joint is None else joint.GetBody0Rel().GetTargets()
-        return targets[0] if targets else None
+    def _gravity(self) -> tuple[float, float, float]:
+        direction, magnitude = np.zeros(3), -1.0
+        for scene in self._scenes[:1]:
+            direction = self._frames.upright @ numbers_of(scene.GetGravityDirectionAttr(), (0.0, 0.0, 0.0))
+            magnitude = number_of(scene.GetGravityMagnitudeAttr(), -np.inf)
+        # Of a direction of length 0 and a magnitude below 0 UsdPhysics says: down, and as on earth.
+        length = float(np.linalg.norm(direction))
+        down = direction / length if length > 0.0 else np.array([0.0, 0.0, -1.0])
+        pull = down * (magnitude * self._frames.metre if 0.0 <= magnitude < np.inf else EARTH)
+        return float(pull[0]), float(pull[1]), float(pull[2])
 
-    def _world(self, prim: Any) -> Matrix:
-        matrix: Matrix = np.array(self._cache.GetLocalToWorldTransform(prim)).T
-        return matrix
+    def _is_fixed_thing(self, prim: Any) -> bool:
+        """Whether a prim is a component that no body is in or above."""
+        if Usd.ModelAPI(prim).GetKind() != "component" or _is_room(prim) or not prim.IsA(UsdGeom.Imageable):
+            return False
+        return not any(key.HasPrefix(prim.GetPath()) or prim.GetPath().HasPrefix(key) for key in self._bodies)
 
-    def _add_tree(self, path: Any, inside: list[Any]) -> None:
-        prim = self._bodies[path]
-        parent = self._parent(path)
-        joint = self._joints.get(path)
-        if parent is None:
-            pose = self._world(prim)
-            body = self._spec.worldbody.add_body(name=prim.GetName())
-            if joint is None:
-                body.add_freejoint(name=f"{prim.GetName()}_free")
+    def _add_body(self, key: Any, join: Join | None) -> None:
+        prim = self._bodies[key]
+        pose = self._frames.pose(prim)
+        name = self._names[key]
+        if join is None or (join.parent is None and not join.freedoms and not join.ball):
+            body = self._spec.worldbody.add_body(name=name)
+            if join is None and key not in self._held:
+                body.add_freejoint(name=f"{name}_free")
                 self._qpos += [*pose[:3, 3].tolist(), *_quat(pose).tolist()]
         else:
-            pose = local_frame(joint, 0) @ np.linalg.inv(local_frame(joint, 1))
-            body = self._made[parent].add_body(name=prim.GetName())
-            self._add_joint(body, joint)
+            above = self._spec.worldbody if join.parent is None else self._made[join.parent]
+            body = above.add_body(name=name)
+            at = np.eye(4) if join.parent is None else self._frames.pose(self._bodies[join.parent])
+            self._add_joints(body, join, at, pose)
+            pose = join.at_parent @ np.linalg.inv(join.at_child)
         body.pos, body.quat = pose[:3, 3], _quat(pose)
-        _weigh(body, prim)
-        self._made[path] = body
-        for child in inside:
-            if self._parent(child) == path:
-                self._add_tree(child, inside)
+        body.gravcomp = 1.0 if _flag(prim, "physxRigidBody:disableGravity") else 0.0
+        self._made[key] = body
 
-    def _add_joint(self, body: mujoco.MjsBody, joint: Any) -> None:
-        prim = joint.GetPrim()
-        hinge = prim.IsA(UsdPhysics.RevoluteJoint)
-        if not hinge and not prim.IsA(UsdPhysics.PrismaticJoint):
-            if prim.IsA(UsdPhysics.FixedJoint):
-                return
-            raise InputError(f"{self._path}: {prim.GetPath()} is a {prim.GetTypeName()}; hinges and slides are read")
-        kind = (UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint)(prim)
-        frame, axis = local_frame(joint, 1), "XYZ".index(str(kind.GetAxisAttr().Get() or "X"))
-        made = body.add_joint(name=body.name)
-        made.type = mujoco.mjtJoint.mjJNT_HINGE if hinge else mujoco.mjtJoint.mjJNT_SLIDE
-        made.pos, made.axis = frame[:3, 3], frame[:3, axis]
-        limits = [kind.GetLowerLimitAttr().Get(), kind.GetUpperLimitAttr().Get()]
-        if all(limit is not None and math.isfinite(limit) for limit in limits):
-            made.limited, made.range = True, limits
-        made.frictionloss = _number(prim, "newton:friction")
-        made.damping[0] = _number(prim, "newton:damping") * (math.degrees(1.0) if hinge else 1.0)
-        self._qpos.append(self._value(joint, axis, hinge=hinge))
+    def _add_joints(self, body: mujoco.MjsBody, join: Join, parent: Matrix, child: Matrix) -> None:
+        frame = join.at_child
+        if join.ball:
+            body.add_joint(name=body.name, type=mujoco.mjtJoint.mjJNT_BALL, pos=frame[:3, 3])
+            turned = np.linalg.inv(join.at_parent) @ np.linalg.inv(parent) @ child
+            self._qpos += _quat(frame @ turned).tolist()
+            return
+        sign = -1.0 if join.backwards else 1.0
+        for freedom, value in zip(join.freedoms, motion(join, parent, child), strict=True):
+            several = len(join.freedoms) > 1
+            made = body.add_joint(
+                name=f"{body.name}_{'xyz'[freedom.axis]}{int(freedom.turns)}" if several else body.name
+            )
+            made.type = mujoco.mjtJoint.mjJNT_HINGE if freedom.turns else mujoco.mjtJoint.mjJNT_SLIDE
+            made.pos, made.axis = frame[:3, 3], sign * frame[:3, freedom.axis]
+            if freedom.limits is not None:
+                made.limited, made.range = True, freedom.limits
+            made.frictionloss = _number(join.prim, "newton:friction")
+            made.damping[0] = _number(join.prim, "newton:damping") * (float(np.degrees(1.0)) if freedom.turns else 1.0)
+            self._qpos.append(float(value))
 
-    def _value(self, joint: Any, axis: int, *, hinge: bool) -> float:
-        """Where a joint is [rad or m]."""
-        ends = (joint.GetBody0Rel().GetTargets()[0], joint.GetBody1Rel().GetTargets()[0])
-        here, there = (
-            self._world(self._stage.GetPrimAtPath(path)) @ local_frame(joint, end) for end, path in enumerate(ends)
-        )
-        away = np.linalg.inv(here) @ there
-        if not hinge:
-            return float(away[axis, 3])
-        i, j = (axis + 1) % 3, (axis + 2) % 3
-        return math.atan2(float(away[j, i]), float(away[i, i]))
+    def _close(self, join: Join) -> None:
+        """Hold together what a tree of bodies leaves apart."""
+        if join.freedoms and not (len(join.freedoms) == 1 and join.freedoms[0].turns):
+            self._slack.append(str(join.prim.GetPath()))
+            return
+        # A joint of a loop has a child; where its parent is the world, the constraint is on the child alone.
+        first, second = (join.parent, join.child) if join.parent is not None else (join.child, None)
+        frame = join.at_parent if join.parent is not None else join.at_child
+        made = self._spec.add_equality(objtype=mujoco.mjtObj.mjOBJ_BODY, name1=self._names[first])
+        made.type = mujoco.mjtEq.mjEQ_CONNECT if join.freedoms or join.ball else mujoco.mjtEq.mjEQ_WELD
+        if second is not None:
+            made.name2 = self._names[second]
+        if made.type == mujoco.mjtEq.mjEQ_CONNECT:
+            made.data[:3] = frame[:3, 3]
 
     def _add_fixed(self, prim: Any) -> None:
         """A thing that cannot move; one that nothing can touch has a box for its looks."""
-        pose = self._world(prim)
-        body = self._spec.worldbody.add_body(name=prim.GetName(), pos=pose[:3, 3], quat=_quat(pose))
+        pose = self._frames.pose(prim)
+        body = self._spec.worldbody.add_body(name=self._names[prim.GetPath()], pos=pose[:3, 3], quat=_quat(pose))
         self._made[prim.GetPath()] = body
         if not any(collider.GetPath().HasPrefix(prim.GetPath()) for collider in self._colliders):
             box = UsdGeom.BBoxCache(Usd.TimeCode.Default(), ["default", "render"]).ComputeUntransformedBound(prim)
             size, middle = np.array(box.GetRange().GetSize()), np.array(box.GetRange().GetMidpoint())
             if np.isfinite(size).all() and (size > 0.0).any():
+                linear = pose[:3, :3].T @ self._frames.world(prim)[:3, :3]
                 seen = body.add_geom(self._spec.find_default(VISUAL), type=mujoco.mjtGeom.mjGEOM_BOX)
-                seen.pos, seen.size = middle, np.maximum(size / 2, 1e-4)
+                seen.pos, seen.size = linear @ middle, np.maximum(np.abs(linear) @ size / 2, 1e-4)
 
     def _owner(self, prim: Any) -> Any:
         """The path of the body or fixed thing that a collider belongs to; None for the world's."""
@@ -208,20 +243,33 @@ class _Reading:
             above = above.GetParent()
         return None
 
-    def _add_geom(self, body: mujoco.MjsBody, prim: Any, owner: Any) -> None:
-        frame = self._world(prim)
+    def _add_geoms(self, prim: Any, owner: Any) -> list[mujoco.MjsGeom]:
+        frame = self._frames.world(prim)
         if owner is not None:
-            frame = np.linalg.inv(self._world(self._stage.GetPrimAtPath(owner))) @ frame
-        scale = np.linalg.norm(frame[:3, :3], axis=0)
-        frame[:3, :3] /= scale
+            frame = np.linalg.inv(self._frames.pose(self._stage.GetPrimAtPath(owner))) @ frame
+        moves = owner in self._bodies and owner not in self._held
+        body = self._spec.worldbody if owner is None else self._made[owner]
+        return [
+            self._add_geom(body, prim, solid, named=owner is None)
+            for solid in solids_of(prim, frame, moves, self._shapes)
+        ]
+
+    def _add_geom(self, body: mujoco.MjsBody, prim: Any, solid: ColliderGeom, *, named: bool) -> mujoco.MjsGeom:
         geom = body.add_geom(self._spec.find_default(COLLISION), group=COLLISION_GROUP)
-        if owner is None:
+        if named:
             geom.name = self._part_name(prim)
-        geom.pos, geom.quat = frame[:3, 3], _quat(frame)
-        friction = _friction(prim)
-        geom.friction = (friction, TORSION, ROLL)
-        geom.condim = 6 if prim.IsA(UsdGeom.Sphere) or prim.IsA(UsdGeom.Capsule) else 3
-        self._shape(geom, prim, scale)
+        geom.pos, geom.quat = solid.frame[:3, 3], _quat(solid.frame)
+        geom.friction = (friction_of(prim, FRICTION), TORSION, ROLL)
+        geom.type = solid.kind
+        geom.condim = 6 if solid.kind in (mujoco.mjtGeom.mjGEOM_SPHERE, mujoco.mjtGeom.mjGEOM_CAPSULE) else 3
+        if solid.points is None:
+            geom.size = solid.size
+        else:
+            mesh = self._spec.add_mesh(name=f"mesh_{len(self._spec.meshes)}")
+            mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
+            mesh.uservert = solid.points.ravel()
+            geom.meshname = mesh.name
+        return geom
 
     def _part_name(self, prim: Any) -> str:
         """What a part of the world is called: as the first prim above it with a label, with a number if need be."""
@@ -232,43 +280,35 @@ class _Reading:
         self._parts[name] = self._parts.get(name, 0) + 1
         return name if self._parts[name] == 1 else f"{name}_part_{self._parts[name]}"
 
-    def _shape(self, geom: mujoco.MjsGeom, prim: Any, scale: Matrix) -> None:
-        kinds = mujoco.mjtGeom
-        if prim.IsA(UsdGeom.Cube):
-            geom.type, geom.size = kinds.mjGEOM_BOX, float(UsdGeom.Cube(prim).GetSizeAttr().Get()) / 2 * scale
-        elif prim.IsA(UsdGeom.Sphere):
-            radius = float(UsdGeom.Sphere(prim).GetRadiusAttr().Get()) * float(scale[0])
-            geom.type, geom.size = kinds.mjGEOM_SPHERE, (radius, 0.0, 0.0)
-        elif prim.IsA(UsdGeom.Cylinder) or prim.IsA(UsdGeom.Capsule):
-            round_kind = UsdGeom.Cylinder(prim) if prim.IsA(UsdGeom.Cylinder) else UsdGeom.Capsule(prim)
-            if str(round_kind.GetAxisAttr().Get()) != "Z":
-                raise InputError(f"{self._path}: {prim.GetPath()}: round shapes are read along z")
-            geom.type = kinds.mjGEOM_CYLINDER if prim.IsA(UsdGeom.Cylinder) else kinds.mjGEOM_CAPSULE
-            half = float(round_kind.GetHeightAttr().Get()) / 2 * float(scale[2])
-            geom.size = (float(round_kind.GetRadiusAttr().Get()) * float(scale[0]), half, 0.0)
-        elif prim.IsA(UsdGeom.Mesh):
-            mesh = self._spec.add_mesh(name=f"mesh_{len(self._spec.meshes)}")
-            mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX
-            mesh.uservert = (np.array(UsdGeom.Mesh(prim).GetPointsAttr().Get(), np.float64) * scale).ravel()
-            geom.type, geom.meshname = kinds.mjGEOM_MESH, mesh.name
-        else:
-            raise InputError(
-                f"{self._path}: {prim.GetPath()} collides and is a {prim.GetTypeName()}, which is not read"
-            )
 
-    def _exclude(self) -> None:
-        """What the links of one articulation do not do with each other."""
-        pairs: set[tuple[str, str]] = set()
-        for path, prim in self._bodies.items():
-            others = list(UsdPhysics.FilteredPairsAPI(prim).GetFilteredPairsRel().GetTargets())
-            joint, parent = self._joints.get(path), self._parent(path)
-            if joint is not None and parent is not None and not joint.GetCollisionEnabledAttr().Get():
-                others.append(parent)
-            for other in others:
-                first, second = sorted((self._made[path].name, self._made[other].name))
-                pairs.add((first, second))
-        for first, second in sorted(pairs):
-            self._spec.add_exclude(bodyname1=first, bodyname2=second)
+def _short_names(paths: list[Any]) -> dict[Any, str]:
+    """A name for each path: its end, as much of it as tells it from the others."""
+    names: dict[Any, str] = {}
+    taken: dict[str, list[Any]] = {}
+    for path in paths:
+        taken.setdefault(path.name, []).append(path)
+    for name, same in taken.items():
+        for path in same:
+            names[path] = name if len(same) == 1 else str(path).lstrip("/")
+    return names
+
+
+def _collides(prim: Any) -> bool:
+    if not prim.HasAPI(UsdPhysics.CollisionAPI):
+        return False
+    return UsdPhysics.CollisionAPI(prim).GetCollisionEnabledAttr().Get() is not False
+
+
+def _moves(prim: Any) -> bool:
+    body = UsdPhysics.RigidBodyAPI(prim)
+    return body.GetRigidBodyEnabledAttr().Get() is not False and body.GetKinematicEnabledAttr().Get() is not True
+
+
+def _is_driven(prim: Any) -> bool:
+    return any(
+        prim.HasAPI(UsdPhysics.DriveAPI, name) and UsdPhysics.DriveAPI(prim, name).GetStiffnessAttr().Get()
+        for name in ("angular", "linear")
+    )
 
 
 def _is_room(prim: Any) -> bool:
@@ -277,24 +317,13 @@ def _is_room(prim: Any) -> bool:
     return _ROOM in (UsdSemantics.LabelsAPI(prim, "class").GetLabelsAttr().Get() or ())
 
 
-def _weigh(body: mujoco.MjsBody, prim: Any) -> None:
-    mass = UsdPhysics.MassAPI(prim)
-    body.explicitinertial, body.mass = True, float(mass.GetMassAttr().Get())
-    body.ipos, body.inertia = mass.GetCenterOfMassAttr().Get(), mass.GetDiagonalInertiaAttr().Get()
-    axes = mass.GetPrincipalAxesAttr().Get()
-    body.iquat = (axes.GetReal(), *axes.GetImaginary())
-
-
-def _friction(prim: Any) -> float:
-    material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")
-    if not material:
-        return 0.5
-    return float(UsdPhysics.MaterialAPI(material.GetPrim()).GetDynamicFrictionAttr().Get() or 0.0)
+def _flag(prim: Any, name: str) -> bool:
+    attribute = prim.GetAttribute(name)
+    return bool(attribute) and attribute.Get() is True
 
 
 def _number(prim: Any, name: str) -> float:
-    attribute = prim.GetAttribute(name)
-    return float(attribute.Get()) if attribute and attribute.HasAuthoredValue() else 0.0
+    return number_of(prim.GetAttribute(name), 0.0)
 
 
 def _quat(matrix: Matrix) -> Matrix:

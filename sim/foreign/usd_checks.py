@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdValidation
+from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
+
+from thinkblox.sim.foreign.usd_frames import local_frame
 
 MOST_CORNERS = 64
 """Corners of a convex hull that every engine takes whole."""
@@ -149,16 +151,6 @@ def joint_frame(joint: Any, end: int, cache: Any) -> NDArray[np.float64]:
     prim = joint.GetPrim().GetStage().GetPrimAtPath(targets[0])
     world: NDArray[np.float64] = np.array(cache.GetLocalToWorldTransform(prim)).T @ local
     return world
-
-
-def local_frame(joint: Any, end: int) -> NDArray[np.float64]:
-    """The same in the body's own frame."""
-    position = (joint.GetLocalPos0Attr(), joint.GetLocalPos1Attr())[end].Get() or Gf.Vec3f(0)
-    turn = (joint.GetLocalRot0Attr(), joint.GetLocalRot1Attr())[end].Get() or Gf.Quatf(1)
-    matrix = np.eye(4)
-    matrix[:3, :3] = np.array(Gf.Matrix3d(Gf.Quatd(turn).GetNormalized())).T
-    matrix[:3, 3] = position
-    return matrix
 
 
 def _above(prim: Any, api: Any) -> Any:

@@ -183,7 +183,7 @@ class _Caster:
         return base
 
 
-@lru_cache(512)
+@lru_cache(128)  # each holds about half a megabyte
 def _caster(asset: Asset) -> _Caster:
     return _Caster(asset)
 

@@ -17,6 +17,7 @@ from thinkblox.sim.render.legend import MOST_NAMED, Legend, legend_of, numbered
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
+from thinkblox.sim.render.picture_size import check_picture_size
 from thinkblox.sim.render.plan_marks import INK, Marks, mark_measures, mark_north, mark_openings, mark_scale
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.soup import Pose, Soup, add_objects
@@ -38,18 +39,24 @@ def render_top(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] | No
     """The plan, north up: objects with their names, door swings, windows, measures, a scale.
 
     What hangs from the ceiling is outlined only, so that it hides nothing. Many objects have numbers in place of names,
-    and a list below the plan says what they mean.
+    and a list below the plan says what they mean, unless it would take more than half of the picture.
 
     Args:
         scene: what to show.
         size: width and height [pixels].
         poses: poses of asset origins that go before those in the scene, by placement id, as after settling.
+
+    Raises:
+        InputError: a size that no picture has.
     """
     from PIL import Image, ImageDraw
 
+    check_picture_size(size)
     if len(scene.placements) <= MOST_NAMED:
         return _plan(scene, size, poses, None)
     legend = legend_of(scene.placements, text_size, size, _font_size(size, 15))
+    if legend.height > size // 2:
+        return _plan(scene, size, poses, None)
     small = _plan(scene, size - legend.height, poses, legend)
     paper = tuple(int(c) for c in np.asarray(small)[0, 0])
     whole = Image.new("RGB", (size, size), paper)

@@ -12,6 +12,7 @@ from thinkblox.sim.render.interior import add_ground
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import linear
 from thinkblox.sim.render.picture import Settings, paint
+from thinkblox.sim.render.picture_size import check_picture_count, check_picture_size
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.soup import Soup, pose_of
 
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 AZIMUTH = 34.0
 """Where the camera stands, seen from the asset [degrees]: 0 is right before its front."""
 ELEVATION = 24.0
+MOST_COLUMNS = 100
+"""Most pictures in a row of a sheet."""
 _PAPER = (0.935, 0.925, 0.905)
 
 
@@ -30,9 +33,13 @@ def render_asset(asset: Asset, *, size: int = 256) -> "Image":
     Args:
         asset: what to show.
         size: width and height [pixels].
+
+    Raises:
+        InputError: a size that no picture has.
     """
     from PIL import Image
 
+    check_picture_size(size)
     soup = Soup()
     soup.add_asset(asset, pose_of((0.0, 0.0, 0.0), 0.0), 0)
     points = np.concatenate([mesh.vertices for mesh in soup.meshes]).astype(np.float64)
@@ -52,9 +59,14 @@ def contact_sheet(assets: Sequence[Asset], *, columns: int = 6, size: int = 192)
         assets: what to show, row by row.
         columns: how many in a row.
         size: width and height of each picture [pixels].
+
+    Raises:
+        InputError: a size or a number of columns that no picture has.
     """
     from PIL import Image, ImageDraw, ImageFont
 
+    check_picture_size(size)
+    check_picture_count(columns, MOST_COLUMNS, "the number of columns")
     text = max(size // 14, 8)
     rows, tall = -(-len(assets) // columns), size + 2 * text + 10
     sheet = Image.new("RGB", (columns * size, max(rows, 1) * tall), tuple(round(255 * c) for c in _PAPER))

@@ -19,6 +19,7 @@ from thinkblox.sim.render.interior import RIM, SLAB, THICKNESS, Shell, add_floor
 from thinkblox.sim.render.lighting import lights
 from thinkblox.sim.render.materials import GROUND, linear
 from thinkblox.sim.render.picture import Settings, paint
+from thinkblox.sim.render.picture_size import check_picture_size
 from thinkblox.sim.render.rays import Tracer
 from thinkblox.sim.render.soup import Pose, Soup, add_objects
 from thinkblox.sim.render.surfels import see
@@ -61,9 +62,13 @@ def render_preview(scene: Scene, *, size: int = 1024, poses: Mapping[str, Pose] 
         scene: what to show.
         size: width and height [pixels].
         poses: poses of asset origins that go before those in the scene, by placement id, as after settling.
+
+    Raises:
+        InputError: a size that no picture has.
     """
     from PIL import Image
 
+    check_picture_size(size)
     view = best_view(scene, poses)
     hidden = _hidden(scene, view.standing)
     tracer = Tracer(_soup(scene, view, poses, hidden).triangles())

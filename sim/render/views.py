@@ -16,6 +16,7 @@ from thinkblox.scene.scene import Scene
 from thinkblox.sim.render.camera import framed
 from thinkblox.sim.render.layers import NOTHING, Canvas, Viewpoint, canvas, cast_alone, outlined, viewpoint
 from thinkblox.sim.render.metres import metre_grid
+from thinkblox.sim.render.picture_size import check_picture_count, check_picture_size
 from thinkblox.sim.render.plan_marks import Marks, mark_openings
 from thinkblox.sim.render.spots import Box, Spots, font, text_extent
 
@@ -76,7 +77,12 @@ def room_views(scene: Scene, *, size: int, count: int = 3, marking: Marking | No
         size: width and height of each picture [pixels].
         count: how many, 1 to 5.
         marking: which marks; all of them when None.
+
+    Raises:
+        InputError: a size or a number of views that there is not.
     """
+    check_picture_size(size)
+    check_picture_count(count, 1 + len(CORNERS), "the number of views")
     marking = marking or Marking()
     names = _names(scene.placements, size) if marking.ids else {}
     views: list[tuple[str, float | None]] = [("from above", None)]
@@ -91,8 +97,13 @@ def render_target(asset: Asset, *, size: int = 168, front: bool = True) -> "Imag
         asset: what to show.
         size: width and height [pixels].
         front: whether there is an arrow.
+
+    Raises:
+        InputError: a size that no picture has.
     """
     from PIL import Image, ImageDraw
+
+    check_picture_size(size)
 
     x, y, z = (extent / 2 for extent in asset.size)
     reach = x + 0.7 * max(x, y, 0.7 * z)

@@ -163,6 +163,21 @@ class World:
         world = self.with_scene(empty)
         return world._judge(there, asset, None, world._static(there, asset, None), ())
 
+    def stands_firmly(self, id: str) -> bool:
+        """Whether an object of the scene that is let go where it stands is seen to stay at once.
+
+        What is not, such as a pencil that lies on its edge, may stay as well; it has to be watched whenever anything
+        that hangs together with it is measured.
+        """
+        placement = self.scene[id]
+        asset = self.scene.asset_of(placement)
+        if not asset.free:
+            return True
+        world, boxes = self._looking_past(id), piece_boxes(solid_of(asset), placement)
+        near = world._hanging_together(boxes, NARROW, frozenset())
+        stage = world._stage(asset, near, awake=False)
+        return stage.settle(CANDIDATE, placement, seconds=min(SOON, self._physics.settle_time)).decided
+
     def _leaning_on(self, id: str) -> list[str]:
         """Whatever free and not on the floor is near enough to an object that it may stand on it, in part at least."""
         placement = self.scene[id]

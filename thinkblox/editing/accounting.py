@@ -101,7 +101,7 @@ def _of_names(lexicon: Lexicon, tokens: Sequence[Token]) -> set[int]:
     found: set[int] = set()
     for index in range(len(tokens)):
         name = lexicon.longest(list(tokens), index)
-        if name.length > 1 and any(entry.sort == "object" for entry in name.entries):
+        if name.length > 1 and any(entry.sort in ("object", "room") for entry in name.entries):
             found |= set(range(index, index + name.length))
     return found
 

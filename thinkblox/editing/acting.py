@@ -2,16 +2,29 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import tee
 
 from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import BackTo, DrawnUp, Goal, IntoRoom, Laid, MidWall, OnPart, OnWall, Related, ToWall
+from thinkblox.editing.goals import (
+    BackTo,
+    DrawnUp,
+    Goal,
+    IntoRoom,
+    Laid,
+    MidOf,
+    MidWall,
+    OnPart,
+    OnWall,
+    Related,
+    ToWall,
+)
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
-from thinkblox.editing.wheres import Bound, bound, named
+from thinkblox.editing.wheres import Bound, bound, named, opening_named
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
@@ -19,6 +32,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
@@ -43,13 +57,51 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
     return Related(there.kind, there.anchors, there.negated, index, count, measured)
 
 
+_BESIDE = ("left_of", "right_of")
+_SIDES: tuple[RelationKind, ...] = ("left_of", "right_of")
+_ENDS: tuple[RelationKind, ...] = ("in_front_of", "behind")
+_ABOUT = ("under", "on")
+
+
+def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
+    """A place with what being at the middle of it asks besides: the middle of a wall, or of the side of a thing."""
+    if there.kind == "against_wall" or (there.kind == "on" and there.anchors[:1] and there.anchors[0].endswith("wall")):
+        return replace(there, kind="against_wall", middle=True), []
+    single = len(there.anchors) == 1 and len(things(scene, there.anchors[0])) == 1
+    if not single or there.of_room or there.negated or there.kind == "in_centre":
+        return there, []
+    anchor = there.anchors[0]
+    hung = anchor in scene and scene.asset_of(scene[anchor]).mount == "wall"
+    if there.kind in _ABOUT and not hung:
+        return there, [MidOf(anchor), MidOf(anchor, across=True)]
+    return there, [MidOf(anchor, across=there.kind in _BESIDE)]
+
+
+def sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
+    """The same goals with what is to be beside a thing at its left and at its right, where that has sides."""
+    beside = [goal for goal in goals if type(goal) is Related and goal.kind == "next_to" and not goal.negated]
+    if len(beside) != 1 or len(beside[0].anchors) != 1 or beside[0].anchors[0] not in scene:
+        return []
+    anchor = scene[beside[0].anchors[0]]
+    if scene.asset_of(anchor).front != "one" or anchor.support != "floor":
+        return []
+    rest = [goal for goal in goals if goal is not beside[0]]
+    return [[*rest, Related(kind, (anchor.id,))] for kind in _SIDES]
+
+
+def stands_before(scene: Scene, id: str, goals: Sequence[Goal]) -> bool:
+    """Whether something that is to be beside a thing stands before or behind it."""
+    at = [goal.anchors[0] for goal in goals if type(goal) is Related and goal.kind == "next_to" and goal.anchors]
+    return any(measure(scene, kind, id, (name,)).holds for name in at if name in scene for kind in _ENDS)
+
+
 def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
     """What distances are measured to: ids, or a part of the room."""
     noun = phrase.noun
     if noun.kind == "place":
         if not things(finder.scene, noun.value.split()[0]):
             raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
-        return (noun.value.split()[0],)
+        return (opening_named(finder.scene, noun),)
     if noun.kind == "part" and noun.value == "middle":
         return ("centre",)
     return named(finder, phrase, phrase.places)
@@ -63,6 +115,8 @@ def looking(finder: Finder, noun: Noun) -> Goal:
         return Related("facing", ("centre",))
     if noun.kind == "place" and "wall" in noun.value and finder.about in finder.scene:
         return ToWall(_wall_meant(finder, noun))
+    if noun.kind == "place" and noun.degree and finder.about in finder.scene:
+        return Related("facing", bound(Where("near", noun, text="near"), "", finder).anchors)
     return Related("facing", mark_names(finder, NounPhrase(noun)))
 
 

@@ -1,19 +1,20 @@
 """Orders that bring something: add it, or let it come in place of another thing."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
-from thinkblox.assets import GENERAL_WORDS
+from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
-from thinkblox.editing.acting import looking, mark_names, related
+from thinkblox.editing.acting import centred, looking, mark_names, related, sideways, stands_before
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
-from thinkblox.editing.spots import Pose, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, slots_of, spot_of
+from thinkblox.editing.spots import Pose, between, likely, spots
+from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -43,6 +44,7 @@ def add(work: Work, finder: Finder, order: Order) -> None:
         raise InputError(f"'{order.text}': {what}")
     recent: list[str] = []
     before = bool(finder.recent)
+    _fix_it(finder, order)
     for number, phrase in enumerate(order.things):
         later = next((p.places for p in order.things[number:] if p.places), order.places)
         if not before:
@@ -50,6 +52,16 @@ def add(work: Work, finder: Finder, order: Order) -> None:
         recent += _add(work, finder, order, phrase, phrase.places or later)
         finder.scene, finder.recent = work.scene, recent or finder.recent
     finder.recent = recent
+
+
+def _fix_it(finder: Finder, order: Order) -> None:
+    """Let "it" be what an order before named, where what is added first carries nothing: "a bowl and a plate on it"."""
+    small = [facts_of(p.noun.value).is_in("small") for p in order.things if p.noun.named]
+    if len(order.things) < 2 or not all(small[:1] or [False]) or not finder.recent or order.things[0].places:
+        return
+    for where in (w for phrase in order.things for w in phrase.places):
+        if where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "it":
+            where.noun = replace(where.noun, id=finder.recent[-1])
 
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
@@ -62,7 +74,8 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     within, places = _with(places)
     spots_said, places = [w for w in places if w.word == "spot"], [w for w in places if w.word != "spot"]
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
-    slots = [slots_of(where, guess, finder) for where in places]
+    slots = [slots_for(where, guess, finder, noun.count) for where in places]
+    slots = _besides(finder, order, phrase, slots)
     if noun.degree:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
     category = category_of(work, noun, [bounds[0] for bounds in slots])
@@ -75,7 +88,10 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     added = []
     for index in range(count):
         here = [bounds[index % len(bounds)] for bounds in slots]
-        goals = [_related(work, w, category, index, count) for w in here]
+        middles = [centred(work.scene, w) if order.centred else (w, []) for w in here]
+        here = [w for w, _ in middles]
+        goals = [goal for _, more in middles for goal in more]
+        goals += [_related(work, w, category, index, count) for w in here]
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
@@ -89,7 +105,24 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         finder.scene = work.scene
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
-    return added + _add_with(work, finder, order, added, within)
+    return added + add_with(work, finder, order, added, within)
+
+
+def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[Bound]]) -> list[list[Bound]]:
+    """The places of several without those that are excepted: "a plant to every desk except the last".
+
+    Raises:
+        InputError: there is no such place among them, or nothing that could be excepted from.
+    """
+    if phrase.spared:
+        raise InputError(f"'{order.text}': of what is added nothing can be excepted; say how many")
+    if not order.besides:
+        return slots
+    out = {id for other in order.besides for id in named(finder, other, other.places)}
+    left = [[slot for slot in bounds if not out & set(slot.anchors)] for bounds in slots]
+    if not any(len(a) < len(b) for a, b in zip(left, slots, strict=True)) or not all(left):
+        raise InputError(f"'{order.text}': {', '.join(sorted(out))} is none of several places that are named")
+    return left
 
 
 def _check(noun: Noun) -> None:
@@ -112,7 +145,7 @@ def _how_many(noun: Noun, places: Sequence[Where], several: int) -> int:
     """How many are added: of several places so many at each, unless the number is that of the places."""
     if several < 2:
         return noun.count or (2 if noun.plural else 1)
-    each = any(where.noun is not None and where.noun.each for where in places)
+    each = any(where.noun is not None and where.noun.each and where.noun.det != "either" for where in places)
     if noun.count and noun.count > 1 and not each and noun.count % several == 0:
         return noun.count
     if noun.count and noun.count > 1 and not each:
@@ -126,7 +159,7 @@ def _with(places: Sequence[Where]) -> tuple[list[Where], list[Where]]:
     return along, [w for w in places if w not in along]
 
 
-def _add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
+def add_with(work: Work, finder: Finder, order: Order, heads: Sequence[str], along: Sequence[Where]) -> list[str]:
     """Add what goes with things that were added, at each of them."""
     added: list[str] = []
     for head in heads if along else ():
@@ -185,11 +218,21 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     target = work.target(id, category, ties, attributes)
     asset = asset or _asset(work, target, noun)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
-    direct = spots(work.scene, asset, goals) if seated else ()
+    direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
     begin = _begin(work.scene, asset, spot) if spot is not None else None
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
-    if not reaching.run():
+    saved = work.saved()
+    reached = reaching.run()
+    if reached and stands_before(work.scene, id, goals):
+        first = work.world
+        work.restore(saved)
+        if not any(
+            Reaching(work, target, asset, other, direct=spots(work.scene, asset, other), ask=False).run()
+            for other in sideways(work.scene, goals)
+        ):
+            work.world = first
+    if not reached:
         why = reaching.why.removeprefix(f"{id}: ")
         work.failed.append(f"{_named(work, category)} was not added: {why}")
         return ""
@@ -200,6 +243,13 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     on = f" on {placement.support}" if placement.support != "floor" else ""
     work.done.append(f"{id} added at ({x:.2f}, {y:.2f}){on}{f' ({found})' if found else ''}")
     return id
+
+
+def _between(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """Places between two things, nearest to the middle of the way first."""
+    for goal in goals:
+        if isinstance(goal, Related) and goal.kind == "between" and asset.mount == "floor":
+            yield from between(scene, asset, goal.anchors, 0.0)
 
 
 def _named(work: Work, category: str) -> str:

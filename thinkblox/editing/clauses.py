@@ -24,6 +24,10 @@ _TO = Token("to", "to", "word", start=-1)
 _NOTHING = ("nothing",)
 _WITH = Token("with", "with", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
+_TOGETHER = Token("together", "together", "word", start=-1)
+_APART = Token("apart", "apart", "word", start=-1)
+_OF = Token("of", "of", "word", start=-1)
+_IN = frozenset(("in", "inside", "with"))
 _FROM = Token("from", "from", "word", start=-1)
 _OUT_OF_WAY = tuple(Token(word, word, "word", start=-1) for word in ("out", "of", "the", "way", "of"))
 
@@ -164,6 +168,14 @@ def _turned_about(clause: Clause) -> Clause:
         return Clause("remove", "", tokens, clause.text)
     if clause.doing == "seat":
         return _seated(clause)
+    if clause.doing == "copy":
+        if not tokens or tokens[0].text in ("all", "both", "every", "each", "everything"):
+            raise InputError(f"'{clause.text}' does not say of what there is to be another one; name one thing")
+        pointed = tokens[0].text in ("the", "this", "that")
+        body = (replace(tokens[0], text="another"), *tokens[1:]) if pointed else tokens
+        return Clause("add", "", body, clause.text)
+    if clause.doing in ("gather", "spread"):
+        return _gathered_or_spread(clause)
     if clause.doing in (*_BRINGS, "put", "give") and (fewer := _fewer(clause)) is not None:
         return fewer
     if clause.doing != "give":
@@ -173,6 +185,23 @@ def _turned_about(clause: Clause) -> Clause:
     if at is None:
         raise InputError(f"'{clause.text}' does not say what is added to what")
     return Clause("add", "", _had(tokens[at + (linked is not None) :], tokens[:at]), clause.text)
+
+
+def _gathered_or_spread(clause: Clause) -> Clause:
+    """Things that come together, or further apart, as an order to move them.
+
+    Raises:
+        InputError: they are to be spread over somewhere.
+    """
+    tokens = [t for t in clause.tokens if t.text not in ("together", "apart")]
+    said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)))
+    placed = {str(found.value) for found in said if found is not None} - {"of"}
+    if clause.doing == "gather":
+        word = () if placed - _IN else (_TOGETHER,)
+        return Clause("move", "", (*tokens, *word), clause.text)
+    if placed - {"by", "from"}:
+        raise InputError(f"'{clause.text}': how things are spread over a place is not followed; say where each goes")
+    return Clause("move", "", (*tokens, _APART), clause.text)
 
 
 def _fewer(clause: Clause) -> Clause | None:
@@ -221,12 +250,28 @@ def _is_given(tokens: Sequence[Token], at: int) -> bool:
     return begins and grammar().at(tokens, at - 1, "prepositions") is None and tokens[at - 1].text not in _LINKS
 
 
+def _is_part(tokens: Sequence[Token], at: int) -> bool:
+    """Whether part of a thing is all that follows: "(on its) left side"."""
+    found = grammar().at(tokens, at, "parts")
+    return found is not None and at + found.length >= len(tokens)
+
+
 def _had(body: Sequence[Token], whose: Sequence[Token]) -> tuple[Token, ...]:
     """What is to be added to things that "should have" it: "a plant on it" is on them, "four chairs" go to them."""
     rest = [token for token in body if token.text not in ENDS]
+    own = next((n for n, t in enumerate(rest) if t.text in ("its", "their") and _is_part(rest, n + 1)), None)
+    if own is not None:
+        return (*rest[:own], replace(rest[own], text="the"), *rest[own + 1 :], _OF, *whose)
     if rest and rest[-1].text in ("it", "them"):
         return (*rest[:-1], *whose)
-    return (*rest, _TO, *whose)
+    spared = next((n for n in range(len(rest)) if _spares(rest, n)), len(rest))
+    return (*rest[:spared], _TO, *whose, *rest[spared:])
+
+
+def _spares(tokens: Sequence[Token], at: int) -> bool:
+    """Whether what is excepted begins there."""
+    found = grammar().at(tokens, at, "prepositions")
+    return found is not None and found.value == "except"
 
 
 def spoken(tokens: Sequence[Token], named: Mapping[int, str]) -> str:
@@ -502,7 +547,7 @@ def _settled(clause: Clause) -> Clause:
             break
     if doing == "put" and clause.doing in ("put", *_WANTS):
         for index in range(1, len(tokens)):
-            done = longest("done", tokens, index)
+            done = longest("done", tokens, index) if tokens[index - 1].text != "," else None
             if done is not None and _goes_on(tokens, index + done[1]):
                 _check_one(clause, tokens[:index])
                 return Clause(done[0], "", tuple(tokens[:index] + tokens[index + done[1] :]), clause.text)

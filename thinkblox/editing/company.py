@@ -1,11 +1,13 @@
 """What goes along with a thing that is moved or turned because the order says so: "the table with its chairs"."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.finding import Finder, nearest_to
-from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.goals import EXACT, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.spots import Pose
@@ -19,7 +21,9 @@ from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 
 ASIDE = 0.3
-"""How far it may then stand from where it stood to that thing [m]."""
+"""How far it may then stand from where it stood to that thing, at most half as far as it has come [m]."""
+SAME_GAP = 0.05
+"""By how much further than from another of its kind something may stand from what it belongs to [m]."""
 REACH = 0.8
 """How far from a thing its company stands at most [m]."""
 
@@ -49,6 +53,27 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     work.done.append(f"{', '.join(mates)} went along with {id}")
 
 
+def gathered(work: Work, finder: Finder, order: Order) -> Order:
+    """An order in which the seats that are named after their table go along with it: "turn the table and chairs"."""
+    if order.doing not in ("move", "put", "turn") or len(order.things) != 2 or order.mutual or order.split:
+        return order
+    head, seats = order.things
+    noun = seats.noun
+    plain = head.noun.kind == noun.kind == "thing" and not (head.places or seats.id or seats.spared or seats.share)
+    if not plain or order.together or order.scatter or noun.ordinal or noun.count or noun.det not in ("", "the", "all"):
+        return order
+    table = finder.matching(head.noun) if not head.id else [work.scene[head.id]]
+    found = [p for p in finder.matching(noun) if facts_of(p.category).is_in("seating")]
+    if len(table) != 1 or not facts_of(table[0].category).is_in("tables", "desks"):
+        return order
+    there = [p for p in found if measure(work.scene, "at", p.id, (table[0].id,)).holds]
+    if not there or (noun.det and len(there) < len(found)):
+        return order
+    its = replace(noun, det="my", plural=len(there) > 1, text=f"its {noun.word}")
+    head = replace(head, places=seats.places)
+    return replace(order, things=[head], company=[*order.company, NounPhrase(its)])
+
+
 def _mates(work: Work, finder: Finder, order: Order, id: str) -> list[str]:
     found: list[str] = []
     for phrase in order.company:
@@ -71,7 +96,8 @@ def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[st
         raise finder.nothing(noun.text)
     mark = things(work.scene, id)[0]
     away = {name: ground_gap(things(work.scene, name)[0], mark) for name in found}
-    by_it = [name for name in found if away[name] <= REACH]
+    rivals = [p.id for p in work.scene.placements if p.category == work.scene[id].category and p.id != id]
+    by_it = [name for name in found if away[name] <= REACH and not _is_of_another(work.scene, name, id, rivals)]
     if noun.count:
         by_it = sorted(found, key=lambda name: away[name])[: noun.count]
     if not by_it:
@@ -79,12 +105,26 @@ def mates_of(work: Work, finder: Finder, phrase: NounPhrase, id: str) -> list[st
     return by_it
 
 
+def _is_of_another(scene: Scene, name: str, id: str, rivals: Sequence[str]) -> bool:
+    """Whether something belongs to another thing of the same kind: it is drawn up to that, or stands nearer to it."""
+    if not rivals:
+        return False
+    at = [other for other in (id, *rivals) if measure(scene, "at", name, (other,)).holds]
+    if at:
+        return id not in at
+    mark = things(scene, name)[0]
+    away = {other: ground_gap(mark, things(scene, other)[0]) for other in (id, *rivals)}
+    return away[id] > min(away.values()) + SAME_GAP
+
+
 def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str) -> str:
     """Put one thing where it stood beside another, as that stands now; why not, where that cannot be."""
     old, asset = before[mate], work.assets[before[mate].asset]
-    kind = "at" if measure(before, "at", mate, (id,)).holds else "near"
+    seated = facts_of(old.category).is_in("seating") and measure(before, "at", mate, (id,)).holds
+    kind = "at" if seated else "near"
     pose = _along(old, before[id], work.scene[id])
-    goals: list[Goal] = [Related("at", (id,)) if kind == "at" else At(pose[0][:2], ASIDE)]
+    moved = math.dist(old.position[:2], pose[0][:2])
+    goals: list[Goal] = [Related("at", (id,)) if kind == "at" else At(pose[0][:2], min(ASIDE, max(moved / 2, EXACT)))]
     ties = (Tie(kind="around" if kind == "at" else "near", anchors=(id,)),)
     target = work.target(mate, old.category, ties, asset.attributes)
     reaching = Reaching(work, target, asset, goals, direct=(pose,), begin=pose)

@@ -15,16 +15,19 @@ from thinkblox.reading.tokens import Token
 
 _ANYWHERE = (
     "nearer", "farther", "clockwise", "anticlockwise", "elsewhere", "rest", "as_is", "so", "places", "present",
+    "centred",
 )  # fmt: skip
 _AT_END = ("round", "away", "places_of_both", "together", "there")
 _PUTTING = ("add", "put", "move", "ensure")
+_TO_A_PLACE = ("put", "move", "turn", "add")
+"""Orders in which "the nearest corner" is that which is nearest to what they are about."""
 _RANKED = ("the", "my", "that", "two", "both")
 _POINTING = ("the", "these", "those", "them", "my", "our")
 _SPACED = ("move", "put", "make", "keep", "free", "gap", "turn")
 """Orders in which a length by itself is a distance, or how large something is to be."""
 _AFTER_ORDER = (
     "by", "and", "so", "about", "a", "one", "half", "please", "then", "too", "now", "two", "but", "without", "while",
-    "plus", "also",
+    "plus", "also", "with",
 )  # fmt: skip
 _CLEARED = ("keep", "put", "ensure", "make", "free")
 """Orders in which "free" at the end is how something is to be."""
@@ -60,6 +63,7 @@ class ClauseCutter:
         self.shares: dict[int, float] = {}
         self._lexicon, self._doing, self._verb, self._named = lexicon, doing, verb, named
         self._ranked: dict[int, str] = {}
+        self._near: dict[int, str] = {}
         self._shared: dict[int, float] = {}
 
     def items(self, tokens: Sequence[Token]) -> list[Item]:
@@ -72,6 +76,7 @@ class ClauseCutter:
         while index < len(tokens):
             found = self._marked(tokens, index)
             taken = 0 if found is not None else self._rank(tokens, index, run) or self._share(tokens, index)
+            taken = taken or (0 if found is not None else self._nearest(tokens, index, run))
             if taken:
                 index += taken
                 continue
@@ -107,6 +112,17 @@ class ClauseCutter:
         self._ranked[tokens[after].start] = rank
         return after - at
 
+    def _nearest(self, tokens: Sequence[Token], at: int, run: Sequence[Token]) -> int:
+        """Read "nearest" of "the nearest corner", which is the one that is so to what is moved."""
+        key, pointed = means("nearest", tokens[at].text), bool(run) and run[-1].text in ("the", "its", "their")
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        if not key or not pointed or after is None or after.kind != "word" or self._doing not in _TO_A_PLACE:
+            return 0
+        if grammar().at(tokens, at + 1, "prepositions") is not None or after.text == "one":
+            return 0
+        self._near[after.start] = key
+        return 1
+
     def _share(self, tokens: Sequence[Token], at: int) -> int:
         """Read "all but two of", "most of" before a noun phrase; returns the tokens that it takes."""
         found = longest("shares", tokens, at)
@@ -138,6 +154,7 @@ class ClauseCutter:
                 chunk.id = next((self._named[s] for s in starts if s in self._named), chunk.id)
                 self.ranks[id(chunk)] = next((self._ranked[s] for s in starts if s in self._ranked), "")
                 chunk.degree = chunk.degree or self.ranks[id(chunk)]
+                chunk.degree = next((self._near[s] for s in starts if s in self._near), chunk.degree)
                 self.shares[id(chunk)] = next((self._shared[s] for s in starts if s in self._shared), 0.0)
             yield chunk
 
@@ -149,6 +166,9 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
+        part = longest("fractions", tokens, at) if self._doing == "make" else None
+        if part is not None:
+            return OrderMark("fractions", part[0], float(part[0])), part[1]
         times = longest("multiples", tokens, at) if self._doing == "make" else None
         if times is not None:
             return OrderMark("multiples", times[0], float(times[0])), times[1]

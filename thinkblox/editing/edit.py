@@ -17,17 +17,17 @@ from thinkblox.editing.grammar import means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.making import make
 from thinkblox.editing.moving import move, resite
-from thinkblox.editing.orders import Instruction, NounPhrase, Order
+from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
 from thinkblox.editing.reading import read_instruction
 from thinkblox.editing.rearranging import free, rearrange
-from thinkblox.editing.removing import clear, keep_only, remove
+from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
 from thinkblox.editing.spacing import space
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
 from thinkblox.editing.turns import in_turn
-from thinkblox.editing.wheres import named
+from thinkblox.editing.wheres import Bound, named, slots_of
 from thinkblox.editing.work import Work
 from thinkblox.episode import Edited, Episode, RoomState, Round, Undone, read_episode
 from thinkblox.errors import InputError
@@ -37,6 +37,7 @@ from thinkblox.plan import Plan
 from thinkblox.players import EXPERT, players
 from thinkblox.policies import Policy
 from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.placement import Placement
@@ -253,9 +254,35 @@ def _is_part_of(scene: Scene, made: Scene) -> bool:
 # --- carrying out
 
 
+def _made_room(work: Work, finder: Finder, order: Order) -> None:
+    """Take away what stands where something comes "instead of" it: "put a bowl on the table instead of the vase"."""
+    for phrase in order.things:
+        others = [w for w in phrase.places if w.text == INSTEAD and w.noun is not None and w.noun.kind == "thing"]
+        wanted = [w for w in phrase.places if not w.negated]
+        for where in others if wanted else ():
+            ids = finder.ids(NounPhrase(where.noun, id=where.noun.id)) if where.noun is not None else ()
+            there = [slot for w in wanted for id in ids[:1] for slot in slots_of(w, work.scene[id].category, finder)]
+            if not all(any(id not in b.anchors and _is_there(work.scene, b, id) for b in there) for id in ids):
+                continue
+            if _is_known(phrase) or order.doing == "move":
+                raise InputError(
+                    f"'{order.text}': {', '.join(ids)} is in its way there; say where that goes, or let the two swap"
+                    " places"
+                )
+            phrase.places = [w for w in phrase.places if w is not where]
+            take_away(work, work.touched(ids))
+            finder.scene = work.before = work.scene
+
+
+def _is_there(scene: Scene, there: Bound, id: str) -> bool:
+    """Whether an object takes a place, or rests on the thing that the place is a part of."""
+    return there.holds(scene, id) or bool(set(scene.carriers(id)) & set(there.anchors))
+
+
 def _put(work: Work, finder: Finder, order: Order) -> None:
     """Put what is there, or add what is new: "the vase", "a vase"."""
-    known = [_is_known(phrase) for phrase in order.things]
+    _made_room(work, finder, order)
+    known = [_is_known(p) or _is_all_there(finder, p, order.things[n + 1 :]) for n, p in enumerate(order.things)]
     if order.things and not any(known) and not order.rest:
         check_heeded(dataclasses.replace(order, doing="add", company=[]))
         bring(work, finder, order)
@@ -267,23 +294,58 @@ def _put(work: Work, finder: Finder, order: Order) -> None:
         move(work, finder, order)
 
 
+def _is_of_pair(finder: Finder, phrase: NounPhrase, later: Sequence[NounPhrase]) -> bool:
+    """Whether it is one of two that are there, of which the other is named next: "one stool here, the other there"."""
+    there = finder.matching(phrase.noun)
+    others = [p for p in later if p.noun.kind == "pronoun" and p.noun.value == "other"]
+    if len(there) != 2 or len(others) != 1:
+        return False
+    one, other = there
+    finder.seen.append(f"'{phrase.noun.text}' is taken to be {one.id}, and '{others[0].noun.text}' {other.id}")
+    phrase.noun = dataclasses.replace(phrase.noun, id=one.id)
+    phrase.id, others[0].id = one.id, other.id
+    others[0].noun = dataclasses.replace(phrase.noun, id=other.id)
+    return True
+
+
+def _is_all_there(finder: Finder, phrase: NounPhrase, later: Sequence[NounPhrase]) -> bool:
+    """Whether "one lamp on each nightstand" speaks of the lamps that are there: one for each place, and no more."""
+    noun, each = phrase.noun, [w for w in phrase.places if w.noun is not None and w.noun.each]
+    if noun.kind == "thing" and noun.count == 1 and not noun.det and _is_of_pair(finder, phrase, later):
+        return True
+    there = finder.matching(noun) if noun.kind == "thing" and noun.count == 1 and not noun.det and each else []
+    if len(there) < 2 or len(slots_of(each[0], there[0].category, finder)) != len(there):
+        return False
+    finder.seen.append(f"'{noun.text}' is taken to be each of {', '.join(p.id for p in there)}")
+    phrase.noun = dataclasses.replace(noun, det="all", count=None, plural=True)
+    return True
+
+
 def _is_known(phrase: NounPhrase) -> bool:
     """Whether a phrase points at something that is there."""
     noun = phrase.noun
-    return bool(phrase.id or noun.definite or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal)
+    pointed = noun.definite or noun.det in ("each", "all", "both", "half")
+    return bool(phrase.id or pointed or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal)
 
 
 def _bring(work: Work, finder: Finder, order: Order) -> None:
     """Move what is there; "bring a chair" where there is none adds one."""
+    _made_room(work, finder, order)
     if order.away:
         if order.lengths or order.slight:
             raise InputError(f"'{order.text}': away from what? Say 'away from the wall'")
         remove(work, finder, order)
         return
     fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
-    new = [p.noun.kind == "thing" and not p.noun.definite and not finder.matching(p.noun) for p in order.things]
+    new = [p.noun.kind == "thing" and not p.noun.definite and _is_more(finder, p.noun) for p in order.things]
     new = new if fetched else [False]
     (bring if order.things and all(new) else move)(work, finder, order)
+
+
+def _is_more(finder: Finder, noun: Noun) -> bool:
+    """Whether something that is fetched is not there yet: none is, or it is said to be one more."""
+    said = noun.text.lower().split()
+    return not finder.matching(noun) or noun.det == "another" or bool({"more", "extra", "additional"} & {*said})
 
 
 def _keep(work: Work, finder: Finder, order: Order) -> None:
@@ -369,11 +431,12 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         last = joined[-1] if joined else None
         if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
-            order.things, order.places, order.doing = [taken, *order.things[1:]], [], "move"
+            order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
             joined[-1] = order
             continue
         back = order.doing == "keep" or (order.doing in ("put", "move") and "back" in order.text.lower().split())
-        if last is not None and back and last.doing in _CARRYING and _keeps_by_it(order):
+        along = last is not None and order.doing in ("put", "move") and _is_with_it(order)
+        if last is not None and (along or (back and _keeps_by_it(order))) and last.doing in _CARRYING:
             last.company += [dataclasses.replace(phrase, places=[]) for phrase in order.things]
             continue
         if last is not None and last.doing == "remove" and _comes_there(order):
@@ -401,7 +464,7 @@ def _taken_off(order: Order) -> bool:
     """Whether "take the lamp off the desk" is all that is said: it is taken away."""
     off = [w for phrase in order.things for w in phrase.places if w.word == "from"]
     everything = order.rest and not order.things and [w.word for w in order.places] == ["from"]
-    taken = (_takes(order) and bool(off)) or (order.doing == "move" and everything)
+    taken = (_takes(order) and len(order.things) == 1 and bool(off)) or (order.doing == "move" and everything)
     return taken and order.text.lower().startswith("take ")
 
 
@@ -425,7 +488,7 @@ def _takes(order: Order) -> bool:
     """Whether an order names things to be moved and not where to."""
     alone = not (order.closer or order.apart or order.direction or order.facing or order.seated or order.away)
     places = [*order.places, *(w for phrase in order.things for w in phrase.places)]
-    return order.doing == "move" and alone and len(order.things) == 1 and all(w.word == "from" for w in places)
+    return order.doing == "move" and alone and bool(order.things) and all(w.word == "from" for w in places)
 
 
 def _is_of_it(order: Order) -> bool:
@@ -439,10 +502,21 @@ def _both(last: Order, order: Order) -> list[Where]:
     return [*last.things[-1].places, *last.places, *order.things[0].places, *order.places]
 
 
+def _is_with_it(order: Order) -> bool:
+    """Whether things are to come along with what was just named: "and bring the nightstands with it"."""
+    said = [w for phrase in order.things for w in phrase.places]
+    told = order.places or order.closer or order.apart or order.direction or order.facing
+    return bool(said) and not told and all(w.word == "with" and _is_that(w.noun) for w in said)
+
+
+def _is_that(noun: Noun | None) -> bool:
+    return noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them")
+
+
 def _keeps_by_it(order: Order) -> bool:
     """Whether an order keeps things where they stand to what was just named: "keep the chairs around it"."""
     nouns = [w.noun for phrase in order.things for w in phrase.places]
-    return bool(nouns) and all(n is not None and n.kind == "pronoun" and n.value in ("it", "them") for n in nouns)
+    return bool(nouns) and all(map(_is_that, nouns))
 
 
 # --- the outcome

@@ -7,7 +7,7 @@ from thinkblox.editing.clauses import Clause
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.reading.english.chunks import Noun
 
-_SHARING = ("move", "put", "make", "turn", "swap")
+_SHARING = ("move", "put", "make", "turn", "swap", "replace")
 _LINKS = (",", "and", "then", "but", "also")
 _TO = ("to", "into", "onto", "against", "over to")
 ReadClause = Callable[[Clause], Order]
@@ -63,6 +63,8 @@ def _are_two(first: Order, second: Order) -> bool:
     named = bool(first.things and second.things)
     if not named or second.things[0].noun.kind not in ("thing", "pronoun", "number") or _is_of_before(second):
         return False
+    if first.doing == "replace":
+        return bool(first.instead and second.instead) and second.things[0].noun.definite
     if first.doing == "swap":
         return first.split == second.split == 1 and len(first.things) == len(second.things) == 2
     if _at_spot(first) and any(phrase.places for phrase in second.things):

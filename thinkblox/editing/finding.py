@@ -6,8 +6,9 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
-from thinkblox.editing.grammar import rank_of, whose
+from thinkblox.editing.grammar import means, rank_of, whose
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.rows import row_of
 from thinkblox.errors import InputError
@@ -21,12 +22,15 @@ from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
+BY_IT = 0.3
+"""How far from what was spoken of something stands that belongs to it [m]."""
 SAME_SIZE = 0.05
 """How much a size may differ from what is said of it [m]."""
 ACROSS = 120.0
 """From which angle between two gazes on one looks at the other [degrees]."""
 LISTED = 40
 """Most kinds and objects that a message names."""
+_FILLED = frozenset(("with", "of"))
 Picks = Callable[[Sequence[Placement]], Sequence[Placement]]
 """Narrows several that a phrase fits down to those that an order can be about."""
 
@@ -80,8 +84,8 @@ class Finder:
         if noun.size is not None:
             found = self._of_size(noun, found)
         if noun.rows:
-            row = tuple(p.id for p in row_of(self.scene, found, noun, phrase.member))
-            return self._part(phrase, row) if phrase.share or phrase.left else row
+            row = tuple(p.id for p in row_of(self.scene, _of_rows(found), noun, phrase.member))
+            return self._part(phrase, row) if phrase.share or phrase.left or noun.every else row
         found = self._told_apart(phrase, found)
         if noun.total and noun.total != len(found):
             raise InputError(f"'{noun.text}': there are {len(found)}: {_ids(found)}")
@@ -150,6 +154,8 @@ class Finder:
     def _told_apart(self, phrase: NounPhrase, found: list[Placement]) -> list[Placement]:
         """Those that are meant by what was spoken of, by how large they are, or by whose they are."""
         noun = phrase.noun
+        if means("nearest", noun.degree):
+            found = self._nearest(noun, found)
         rank, along = (phrase.rank, phrase.along) if phrase.rank else rank_of(noun.degree)
         if noun.det == "other":
             found = self._others(noun, found)
@@ -158,6 +164,21 @@ class Finder:
         if whose(noun.text) and len(found) > 1:
             found = self._of_somebody(noun, found)
         return found
+
+    def _nearest(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+        """The one that is nearest to what is moved, or farthest from it.
+
+        Raises:
+            InputError: it is not said from what.
+        """
+        if self.about not in self.scene:
+            raise InputError(f"'{noun.text}': which is the {noun.degree} is not known; say what it is {noun.degree} to")
+        mark = things(self.scene, self.about)[0]
+        away = {p.id: ground_gap(things(self.scene, p.id)[0], mark) for p in found if p.id != self.about}
+        ordered = sorted((p for p in found if p.id in away), key=lambda p: away[p.id])
+        if not ordered:
+            raise self.nothing(noun.text)
+        return ordered[:1] if noun.degree in ("nearest", "closest") else ordered[-1:]
 
     def _of_somebody(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
         """The teacher's desk: the one that is turned to all others of its kind.
@@ -182,6 +203,8 @@ class Finder:
         """
         if noun.id:
             return [p for p in self.scene.placements if p.id == noun.id]
+        if (group := means("collectives", singular(noun.word.lower()))) and (noun.many or noun.det in ("all", "each")):
+            return [p for p in self.scene.placements if facts_of(p.category).is_in(group)]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
         alike = same or [p for p in self.scene.placements if are_alike(p.category, noun.value)]
         told = [word for word in noun.unshown if word != noun.degree] if not noun.named else []
@@ -193,7 +216,15 @@ class Finder:
         if len(exact) > 1 and len(exact) == (2 if noun.det == "both" else noun.count):
             return exact
         wide = wide or noun.many or noun.each or bool(noun.every or noun.rows) or noun.det in ("all", "both", "other")
-        return exact if exact and not wide else fitting
+        fitting = exact if exact and not wide else fitting
+        return fitting or ([] if wanted else self._with_more(noun))
+
+    def _with_more(self, noun: Noun) -> list[Placement]:
+        """Those that are such a thing with something: "the vase" is a vase with flowers, where no other is there."""
+        names = {noun.value, singular(noun.word.lower())}
+        return [
+            p for p in self.scene.placements if _FILLED & {*p.category.split("_")[1:]} and _head(p.category) in names
+        ]
 
     def nothing(self, text: str) -> InputError:
         """The error that nothing fits a phrase, with what there is."""
@@ -221,9 +252,23 @@ class Finder:
     def _spoken_of(self, noun: Noun) -> tuple[str, ...]:
         if not self.recent:
             raise InputError(f"{noun.text!r} points at nothing that was named before; name what you mean")
+        if noun.det == "other":
+            return self._other_of_kind(noun)
         one = noun.value in ("it", "one")
         there = [id for id in self.recent if id in self.scene]
         return tuple(there[-1:] if one and len(there) > 1 else there)
+
+    def _other_of_kind(self, noun: Noun) -> tuple[str, ...]:
+        """Those of the kind of what was named last that were not named: "take one away and put the other there".
+
+        Raises:
+            InputError: there are not just so many.
+        """
+        kinds = {id.rpartition("_")[0] for id in self.recent}
+        left = [p.id for p in self.scene.placements if p.id.rpartition("_")[0] in kinds and p.id not in self.recent]
+        if len(left) != (noun.count or 1):
+            raise InputError(f"'{noun.text}' could be {_listed(left)}; say which, by its place or its id")
+        return tuple(left)
 
     def _is_called(self, placement: Placement, noun: Noun) -> bool:
         category = placement.category.lower().replace(" ", "_").replace("-", "_")
@@ -254,8 +299,7 @@ class Finder:
         if len(found) > count:
             found = self._picked(found, picks, least=count)
         if len(found) > count:
-            spoken = [p for p in found if p.id in self.recent]
-            found = spoken if len(spoken) == count else found
+            found = self._of_context(noun, found, count)
         if len(found) > count and not _is_whichever(noun):
             says = ", ".join(self.described(p) for p in found[:LISTED])
             raise InputError(
@@ -264,6 +308,24 @@ class Finder:
         if len(found) > count:
             self._say_taken(noun, [p.id for p in found[-count:]], [p.id for p in found])
         return found[-count:]
+
+    def _of_context(self, noun: Noun, found: list[Placement], count: int) -> list[Placement]:
+        """Those of several that were spoken of, or that belong to what was: "turn the desk and push the chair in"."""
+        spoken = [p for p in found if p.id in self.recent]
+        if len(spoken) == count:
+            return spoken
+        by_them = [p for p in found if any(self._belongs(p, id) for id in self.recent)]
+        if len(by_them) != count or not noun.definite:
+            return found
+        self._say_taken(noun, [p.id for p in by_them], [p.id for p in found])
+        return by_them
+
+    def _belongs(self, placement: Placement, id: str) -> bool:
+        """Whether something rests on an object or stands by it."""
+        if id not in self.scene or id == placement.id:
+            return False
+        gap = ground_gap(things(self.scene, placement.id)[0], things(self.scene, id)[0])
+        return id in self.scene.carriers(placement.id) or (placement.support == "floor" and gap <= BY_IT)
 
     @staticmethod
     def _by_number(noun: Noun, found: Sequence[Placement]) -> list[Placement]:
@@ -407,10 +469,22 @@ def _check_told(phrase: NounPhrase, found: Sequence[Placement]) -> None:
         raise InputError(
             f"'{noun.text}': which of {_ids(found)} that are cannot be seen; say by place ('by the window') or id"
         )
-    if noun.degree and not phrase.rank and not rank_of(noun.degree)[0]:
+    if noun.degree and not phrase.rank and not rank_of(noun.degree)[0] and not means("nearest", noun.degree):
         raise InputError(f"'{noun.text}': which is the {noun.degree} is not known; name it by its place or its id")
     if noun.groups:
         raise InputError(f"'{noun.text}': groups of things are not known in a room; name them by place or id")
+
+
+def _of_rows(found: Sequence[Placement]) -> list[Placement]:
+    """Those of several that can form rows: of pupils' desks and one of the teacher the pupils'."""
+    counts = Counter(p.category for p in found)
+    return [p for p in found if counts[p.category] > 1] or list(found)
+
+
+def _head(category: str) -> str:
+    """What a kind of thing is before what it holds: "vase" of a vase with flowers, "stack" of a stack of books."""
+    words = category.split("_")
+    return "_".join(words[: next((n for n, word in enumerate(words) if n and word in _FILLED), len(words))])
 
 
 def _ids(found: Sequence[Placement]) -> str:

@@ -29,6 +29,8 @@ TO_WALL = 20.0
 """Largest angle between a gaze and the way to the wall that is looked at [degrees]."""
 MID_WALL = 0.1
 """How far from the middle of a wall something stands at most that is to be there [m]."""
+CENTRAL = 0.6
+"""How far from the middle of the room something stands at most that is to be there [m]."""
 LEVEL = 0.2
 """How far before or behind a thing something stands at most that is beside it [m]."""
 BEFORE_SEAT = 0.9
@@ -129,6 +131,41 @@ class MidWall(Related):
         along = [(w.coordinates(after[id].position[:2]), w.length) for w in after.room.walls if w.name in named]
         off = min(((away, abs(far - length / 2)) for (far, away), length in along), default=(0.0, math.inf))[1]
         return held and off <= MID_WALL, f"{says}, {off:.2f} m from its middle"
+
+
+@dataclass(frozen=True)
+class Central:
+    """It stands about the middle of the room."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far from it."""
+        x, y = after.room.polygon.centroid.coords[0]
+        off = math.dist(after[id].position[:2], (x, y))
+        return off <= CENTRAL, f"{id} {off:.2f} m from the middle of the room"
+
+    @property
+    def tie(self) -> Tie | None:
+        """None: the relation beside it says so."""
+        return None
+
+
+@dataclass(frozen=True)
+class MidOf:
+    """Its middle is on the line through the middle of a thing, along that thing's front or across."""
+
+    anchor: str
+    across: bool = False
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it is off that line."""
+        ahead, left = things(after, self.anchor)[0].to_local(after[id].position[:2])
+        off = abs(ahead if self.across else left)
+        return off <= MID_WALL, f"{id} {off:.2f} m off the middle of {self.anchor}"
+
+    @property
+    def tie(self) -> Tie | None:
+        """None: the language of plans has no word for it."""
+        return None
 
 
 @dataclass(frozen=True)

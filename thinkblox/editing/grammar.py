@@ -55,7 +55,7 @@ def verbs() -> tuple[str, ...]:
     """The verbs that an instruction can begin with, one for each thing that can be done."""
     first: dict[str, str] = {}
     for words, key in sections()["verbs"].items():
-        if key in ("unwanted", "seat"):
+        if key in ("unwanted", "seat", "gather", "spread", "copy"):
             continue
         first.setdefault(key, " ".join(words))
     return tuple(first.values())

@@ -7,6 +7,7 @@ from thinkblox.errors import InputError
 
 _WHERE = ("things", "places", "closer", "apart", "facing")
 _SHIFTED = (
+    "centred",
     "backs",
     "abreast",
     "company",
@@ -20,14 +21,14 @@ _SHIFTED = (
     "free",
 )
 _LOOKED = ("facing", "backs")
-_MOVED = (*_WHERE, *_SHIFTED, "rest", "spared")
+_MOVED = (*_WHERE, *_SHIFTED, "rest", "spared", "besides")
 HEEDED: Mapping[str, tuple[str, ...]] = {
-    "add": (*_WHERE, "there"),
+    "add": (*_WHERE, "there", "centred", "besides"),
     "ensure": (*_WHERE, "total"),
     "put": (*_MOVED, "turn", "sense"),
     "move": (*_MOVED, "away", "turn", "sense"),
     "turn": ("things", "places", *_LOOKED, "turn", "sense", "direction", "company", "mutual", "rest", "spared"),
-    "replace": ("things", "instead"),
+    "replace": ("things", "instead", "abreast"),
     "remove": ("things", "places", "rest", "spared", "away", "company"),
     "swap": ("things", "split", "company"),
     "rearrange": ("things", "places", "free", "into", "room", "rest", "spared"),
@@ -44,11 +45,13 @@ _WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite
 """Orders that are not begun where a word of them means nothing."""
 SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",
+    "besides": "which places are excepted",
     "spared": "what is excepted", "company": "what goes along", "mutual": "how they stand to each other",
     "together": "closer together", "scatter": "further apart", "facing": "what it faces", "turn": "an angle",
     "sense": "which way round", "direction": "a direction", "lengths": "a length", "change": "another size",
     "room": "the room", "ceiling": "the ceiling", "into": "what it becomes", "free": "what stays free",
     "rest": "everything else", "away": "away", "seated": "in or out", "looks": "another look", "space": "a space",
+    "centred": "the middle",
     "total": "how many there are to be", "split": "two groups", "times": "how many times", "there": "in its place",
     "backs": "what its back is to", "abreast": "side by side",
 }  # fmt: skip
@@ -65,7 +68,7 @@ def check_heeded(order: Order) -> None:
     over = [words for field, words in SAID.items() if getattr(order, field) and field not in heeded]
     if order.turn == 0.0:
         over.append("an angle of 0 degrees")
-    if order.lost and order.doing in _WHOLE:
+    if order.lost and (order.doing in _WHOLE or order.rest):
         raise InputError(f"'{order.text}': '{', '.join(order.lost)}' is not understood, so that nothing was done")
     if over:
         raise InputError(

@@ -67,7 +67,8 @@ def _remake_one(work: Work, id: str, order: Order) -> None:
         if asset.id == before.id:
             work.done.append(f"{id} stays: it is {looks_of(before)} already")
             return
+        tried = len(work.failed)
         if replace_one(work, id, asset, stays=True):
-            del work.failed[said:]
+            del work.failed[said:tried]
             return
         del work.failed[said + 1 :]

@@ -3,14 +3,25 @@
 import dataclasses
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
+from itertools import chain, permutations
 
 from msgspec import structs
 
 from thinkblox.assets import facts_of
-from thinkblox.editing.acting import backing, findings, looking, mark_names, reach_goals, related, say
+from thinkblox.editing.acting import (
+    backing,
+    centred,
+    findings,
+    looking,
+    mark_names,
+    reach_goals,
+    related,
+    say,
+    sideways,
+    stands_before,
+)
 from thinkblox.editing.carrying import usual_ties
-from thinkblox.editing.company import with_company
+from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
@@ -20,6 +31,7 @@ from thinkblox.editing.goals import (
     Apart,
     At,
     BackTo,
+    Central,
     Elsewhere,
     Free,
     Goal,
@@ -28,7 +40,7 @@ from thinkblox.editing.goals import (
     Related,
     Spot,
 )
-from thinkblox.editing.grammar import sections
+from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.scattering import scatter
@@ -45,7 +57,7 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import anchored, bound, named, slots_of, spare, spot_of
+from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -66,14 +78,20 @@ OTHER_CORNER = 1.5
 """How far from where it was something stands at least that goes to another corner [m]."""
 MIDDLE = 0.3
 """How far from the middle that is asked for something may stand that is left where it is [m]."""
+AT_IT = 0.06
+"""How far something may stand from what it is put against [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
+_RESTS = ("on", "from", "in", "inside", "on_top")
+MOST_SLOTS = 5
+"""Most things that are shared out to places so that as few as can be have to move."""
 STEPS = (0.3, 0.5, 0.2, 0.4, 0.7, 1.0, 0.1, 0.05)
 """How far something is moved where nobody says it [m]."""
 SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
 """The same for "a bit" [m]."""
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
+_LOOKS = ("facing", "opposite")
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
 """The same for "a bit"."""
 
@@ -86,12 +104,16 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
         return
+    if order.besides:
+        raise InputError(f"'{order.text}' excepts places of what is moved; say where it goes")
     seen: set[tuple[str, str]] = set()
+    order = gathered(work, finder, order)
     groups = list(_groups(work, finder, order))
     moving = {id for ids, _ in groups for id in ids}
     for ids, places in groups:
         _check_says_where(order, places)
         ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
+        ids = _by_slots(work, finder, ids, places)
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
@@ -143,6 +165,20 @@ def _groups(work: Work, finder: Finder, order: Order) -> Iterable[tuple[tuple[st
     return sorted(groups, key=lambda group: ranks[group[0][0]])
 
 
+def _by_slots(work: Work, finder: Finder, ids: Sequence[str], places: Sequence[Where]) -> tuple[str, ...]:
+    """Things in the order of the places that a phrase names for them, so that as few as can be have to move."""
+    if not 1 < len(ids) <= MOST_SLOTS or len(places) != 1 or places[0].word == "spot":
+        return tuple(ids)
+    finder.about = ids[0]
+    category = work.scene[ids[0]].category
+    slots = slots_of(places[0], category, finder)
+    if len(slots) != len(ids):
+        return tuple(ids)
+    goals = [related(slot, category) for slot in slots]
+    held = {(id, n): goal.check(work.scene, work.scene, id)[0] for id in ids for n, goal in enumerate(goals)}
+    return max(permutations(ids), key=lambda ordered: sum(held[id, n] for n, id in enumerate(ordered)))
+
+
 def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]) -> Sequence[str]:
     """Things that go one way, those in front first, so that none runs into the next."""
     if len(ids) < 2 or not (order.direction or order.closer):
@@ -180,8 +216,12 @@ def _check_says_where(order: Order, places: Sequence[Where]) -> None:
 
 def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str, ...], list[Where]]]:
     """What is moved, with what is said of where it goes."""
+    if order.rest and not order.things and (carried := _all_on(work, finder, order)) is not None:
+        yield carried
+        return
     if order.rest and not order.things:
-        everything = [p.id for p in work.scene.placements if p.support == "floor" and work.scene.asset_of(p).collides]
+        floor = [p for p in work.scene.placements if p.support == "floor"]
+        everything = [p.id for p in floor if order.direction or work.scene.asset_of(p).collides]
         destination = [w for w in order.places if w.word != "except"]
         yield work.touched(spare(finder, everything, order.spared)), destination
         return
@@ -196,6 +236,23 @@ def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str
         destination = anchored(finder, destination)
         ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
         yield work.touched(ids), destination
+
+
+def _all_on(work: Work, finder: Finder, order: Order) -> tuple[tuple[str, ...], list[Where]] | None:
+    """What rests on a thing, and where it goes: "everything on the desk to the shelf"; None where that is not said.
+
+    Raises:
+        InputError: nothing rests there.
+    """
+    here = next((w for w in order.places if w.word in _RESTS and not w.negated), None)
+    destination = [w for w in order.places if w is not here and w.word != "except"]
+    if here is None or here.noun is None or here.noun.kind not in ("thing", "pronoun") or not destination:
+        return None
+    carriers = finder.ids(NounPhrase(here.noun, id=here.noun.id))
+    resting = [p.id for p in work.scene.placements if p.support in carriers]
+    if not resting:
+        raise InputError(f"'{order.text}': nothing rests on {', '.join(carriers)}")
+    return work.touched(spare(finder, resting, order.spared)), destination
 
 
 def _split(
@@ -229,6 +286,8 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         return found
 
     def not_yet(found: Sequence[Placement]) -> Sequence[Placement]:
+        if any(_is_seen_from_it(w) for w in places):
+            return found
         wanted = [bound(w, found[0].category, finder) for w in places if not w.negated and w.word != "spot"]
         return [p for p in found if not all(b.holds(finder.scene, p.id) for b in wanted if not b.of_room)]
 
@@ -245,6 +304,12 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
         if count > 1:
             picks.append(nearest_to(finder.scene, name, count))
     return tuple(picks)
+
+
+def _is_seen_from_it(where: Where) -> bool:
+    """Whether a place depends on what is moved: "to the other side", "the nearest wall", "in each corner"."""
+    noun = where.noun
+    return noun is not None and (noun.det == "other" or noun.each or bool(means("nearest", noun.degree)))
 
 
 def _goals(
@@ -279,18 +344,30 @@ def _at_place(
         yield Elsewhere(OTHER_CORNER)
         return
     category = work.scene[id].category
-    slots = slots_of(where, category, finder)
+    slots = slots_for(where, category, finder, count)
     text = f"{where.text} {where.noun.text if where.noun else ''}"
     if len(slots) > max(count, 1):
         raise InputError(f"'{order.text}': '{text}' names {len(slots)} places, for {count} to be moved")
     there = slots[index % len(slots)]
     if id in there.anchors and not there.negated:
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
+    yield from _strictly(work, where, there, category)
+    if order.centred:
+        there, more = centred(work.scene, there)
+        yield from more
+    yield related(there, category, index, count)
+
+
+def _strictly(work: Work, where: Where, there: Bound, category: str) -> Iterator[Goal]:
+    """What a place asks for besides its relation: in the middle about there, against a thing close to it."""
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
     if there.upon:
         yield Related("on", (there.upon,))
-    yield related(there, category, index, count)
+    if there.kind == "in_centre" and there.anchors == ("centre",) and not there.negated:
+        yield Central()
+    if there.kind == "next_to" and where.word == "against" and not there.negated:
+        yield Apart(there.anchors, AT_IT, "le")
 
 
 def _is_any_other_corner(where: Where, noun: Noun) -> bool:
@@ -366,8 +443,23 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
             direct = chain(direct, likely(without(work.scene, [id]), work.asset_of(id), goals))
         if any(isinstance(goal, Apart) for goal in goals):
             direct = chain(_aside(work.scene, before, goals), direct)
-        done = reach_goals(work, id, goals, direct=direct, ask=True)
+        done = _reach_beside(work, id, goals, direct)
     say(work, id, before, done, goals)
+
+
+def _reach_beside(work: Work, id: str, goals: Sequence[Goal], direct: Iterator[Pose]) -> Reaching | None:
+    """As `reach_goals`; what is to be beside a thing stands at its left or right where it can."""
+    saved = work.saved()
+    done = reach_goals(work, id, goals, direct=direct, ask=True)
+    if done is not None or not stands_before(work.scene, id, goals):
+        return done
+    first = work.world
+    work.restore(saved)
+    for other in sideways(work.scene, goals):
+        if reach_goals(work, id, other, direct=_spots(work, id, other)) is None:
+            return None
+    work.world = first
+    return None
 
 
 def _is_so(work: Work, goal: Goal, id: str) -> bool:
@@ -489,17 +581,49 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
     if len(ids) < 2:
         raise InputError(f"'{order.text}' names one thing; say what it is to come closer to, or away from")
     if order.scatter and len(ids) > 2:
+        if _placed(order):
+            raise InputError(f"'{order.text}' says how far apart things are to be and where; give two orders")
         scatter(work, ids, by=order.lengths[0][0] if order.lengths else None, slight=order.slight)
         finder.recent = ids
         return
     fixed, *rest = sorted(ids, key=lambda id: -work.scene[id].size[0] * work.scene[id].size[1])
     by = order.lengths[0][0] if order.lengths else None
+    also = _also(work, finder, order, fixed)
+    if also:
+        move_one(work, order, fixed, also)
+    looks = [goal for goal in also if isinstance(goal, IntoRoom) or (isinstance(goal, Related) and goal.kind in _LOOKS)]
+    placed = [fixed]
     for id in rest:
         beside = order.mutual == "next_to"
-        next_to = Abreast("next_to", (fixed,)) if order.abreast else Related("next_to", (fixed,))
+        next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
-        move_one(work, order, id, [goal])
+        move_one(work, order, id, [goal, *looks])
+        placed.append(id)
     finder.recent = ids
+
+
+def _placed(order: Order) -> bool:
+    """Whether an order says where things go, besides how they stand to each other."""
+    told = (order.places, order.facing, order.backs, order.direction, order.company, order.there, order.free)
+    places = [w for phrase in order.things for w in phrase.places if w.word not in ("from", "of")]
+    return any(told) or any(not phrase.noun.many or len(order.things) == 1 for phrase in order.things if places)
+
+
+def _also(work: Work, finder: Finder, order: Order, id: str) -> list[Goal]:
+    """Where things that are brought together go besides, and what they face: the largest of them leads.
+
+    Raises:
+        InputError: the order says more than that of them.
+    """
+    told = {"direction": order.direction, "angle": order.turn, "seat": order.seated, "company": order.company,
+            "distance": order.closer or order.apart}  # fmt: skip
+    if over := ", ".join(name for name, said in told.items() if said):
+        raise InputError(f"'{order.text}' says how things stand to each other and a {over} too; give two orders")
+    places = next((p.places for p in reversed(order.things) if p.places), order.places)
+    known = [p for p in order.things if p.places is places]
+    _, destination = _split(finder, order, known[0], places) if known else ([], places)
+    finder.scene, finder.about = work.scene, id
+    return _goals(work, finder, dataclasses.replace(order, slight=False), id, destination, 0, 1)
 
 
 def resite(work: Work, finder: Finder, order: Order) -> None:

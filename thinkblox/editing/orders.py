@@ -12,6 +12,12 @@ Doing = Literal[
 ]  # fmt: skip
 
 
+INSTEAD = "instead of"
+"""The words of a place at which something is not to be: it may also be what makes room there."""
+SAME = "same"
+"""The degree of a new thing that is as large as what it comes in place of."""
+
+
 @dataclass
 class NounPhrase:
     """A noun phrase with where it is said to be, or to go: which of the two, only the room can tell.
@@ -59,6 +65,7 @@ class Order:
         company: what goes along with them.
         mutual: how they are to stand to each other.
         spared: what "everything" does not hold.
+        besides: at which of several places nothing is put.
         together: nearer to each other.
         scatter: further from each other.
         split: how many of its things are the first of two groups.
@@ -82,6 +89,7 @@ class Order:
         there: where something was that the order before has taken away.
         space: it speaks of the space at its places.
         total: it says how many there are to be ("only two chairs").
+        centred: at the middle of where they go.
         abreast: beside each other, turned the same way.
         purpose: what it is for, which is known but changes nothing.
         lost: words that mean nothing in it.
@@ -95,6 +103,7 @@ class Order:
     closer: list[tuple[bool, NounPhrase]] = field(default_factory=list)
     apart: list[tuple[float, NounPhrase]] = field(default_factory=list)
     spared: list[NounPhrase] = field(default_factory=list)
+    besides: list[NounPhrase] = field(default_factory=list)
     bound: str = ""
     company: list[NounPhrase] = field(default_factory=list)
     mutual: str = ""
@@ -122,6 +131,7 @@ class Order:
     total: bool = False
     there: bool = False
     split: int = 0
+    centred: bool = False
     abreast: bool = False
     purpose: list[Noun] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)

@@ -13,7 +13,9 @@ from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
-from thinkblox.editing.orders import Doing, Instruction, NounPhrase, Order
+from thinkblox.editing.lengths import is_number
+from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
+from thinkblox.editing.rewording import reworded, uncontracted, with_ids
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
@@ -31,7 +33,7 @@ _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "mak
 """Orders whose things are in the room already."""
 _MAKING = ("make", "leave", "keep")
 """Verbs of "make room", "leave some space"."""
-_OF_ALL = ("remove", "keep", "move", "free", "turn")
+_OF_ALL = ("remove", "keep", "move", "put", "free", "turn")
 """Orders that "everything" can be said with."""
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
@@ -40,12 +42,16 @@ _SPOT = ("where", "to where")
 """Words before what stood at a place: "where the wardrobe was"."""
 _COMPASS = ("north", "south", "east", "west")
 _IN_ROW = ("middle", "left", "right")
+_LESS = ("smaller", "shorter", "narrower", "lower")
 _SHAPES = ("round",)
+_OF_LOOKS = ("make", "replace", "add", "put", "ensure")
+"""Orders in which "in grey" is how something is to look."""
 """Prepositions that are looks where nothing follows."""
 _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
+_AT_BACK = (*_ASIDE, "on", "against")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
@@ -65,8 +71,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     """
     _check(text)
     lexicon = load("en")
-    plain, named = _without_ids(text, ids)
-    tokens = _without_commas([_corrected(lexicon, token) for token in lexicon.tokens(plain)])
+    plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
+    tokens = _without_commas(reworded([_corrected(lexicon, token) for token in lexicon.tokens(plain)]))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -149,11 +155,14 @@ def _with_rows(tokens: list[Token]) -> list[Token]:
     words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
     read = list(tokens)
     for index, token in enumerate(tokens[:-1]):
-        if token.text in words and tokens[index + 1].text == "row":
+        rows = tokens[index + 2].text == "rows" if index + 2 < len(tokens) and is_number(tokens[index + 1]) else False
+        if token.text in words and (tokens[index + 1].text == "row" or rows):
             read[index] = replace(token, text=words[token.text])
     for index in range(len(tokens) - 2):
         if (tokens[index + 1].text, tokens[index + 2].text) == ("round", "one"):
             read[index + 1] = replace(tokens[index + 1], text="circular")
+        if tokens[index].text in ("a", "an", "another") and tokens[index + 1].text == "lower":
+            read[index + 1] = replace(tokens[index + 1], text="lowest")
     return read
 
 
@@ -176,7 +185,8 @@ class _OrderReader:
     """Reads the words after one verb."""
 
     def __init__(self, lexicon: Lexicon, clause: Clause, named: Mapping[int, str], kinds: Collection[str] = ()) -> None:
-        verb = clause.text.split(" ", 1)[0].lower()
+        words = clause.text.lower().split()
+        verb = next((word for word in words if means("drawing", word)), words[0])
         self.order = Order(cast(Doing, clause.doing), clause.text, change=clause.change)
         told = [word.lower() for word in clause.text.split()[:4]]
         self.order.space = (
@@ -200,6 +210,10 @@ class _OrderReader:
         self._shared = False
         self._more = False
         self._up_to = False
+        self._only = False
+        self._fraction = 0.0
+        self._centring = bool(means("centring", words[0]))
+        self._piling = bool(means("piling", words[0]))
         self._had = any(token.text == "to" and token.start < 0 for token in clause.tokens)
 
     def read(self) -> Order:
@@ -233,6 +247,13 @@ class _OrderReader:
 
     def _finish(self) -> None:
         order = self.order
+        order.slight &= not order.lengths
+        if self._fraction and order.change and not order.change.endswith("="):
+            order.times = 1.0 + (-self._fraction if order.change in _LESS else self._fraction)
+        elif self._fraction:
+            order.lost.append("by a part of it")
+        self._by_verb()
+        self._closer_around()
         if self._pending is False and order.direction:
             self._pending = None
         if self._pending is not None:
@@ -249,17 +270,53 @@ class _OrderReader:
             order.doing = "ensure"
         self._looked()
 
+    def _by_verb(self) -> None:
+        """What a verb says of the place: "centre the table" in the room, and "stack the books" is not followed."""
+        order = self.order
+        order.centred |= self._centring and order.doing in ("move", "put")
+        if order.centred and order.things and not (self._places() or order.closer or order.direction):
+            middle = Noun("place", "centre", 0, 0, "the middle of the room", det="the")
+            order.things[-1].places.append(Where("in", middle, text="in"))
+        if self._piling and (len(order.things) > 1 or any(phrase.noun.many for phrase in order.things)):
+            order.lost.append(order.text.split(" ", 1)[0].lower())
+
+    def _closer_around(self) -> None:
+        """Read "closer around the table" as closer to it."""
+        around = next((w for w in self._places() if w.word == "around" and w.noun is not None), None)
+        if not self._pending or around is None or around.noun is None:
+            return
+        self.order.closer.append((True, NounPhrase(around.noun)))
+        for held in (self.order.places, *(phrase.places for phrase in self.order.things)):
+            held[:] = [w for w in held if w is not around]
+        self._pending = None
+
     def _looked(self) -> None:
         """Tell a wish about looks, and what is to face something, from an order to move."""
         order = self.order
         if order.doing == "put" and order.things and self._is_about_looks():
             order.doing = "make"
+        if order.doing == "make" and self._is_other_count():
+            order.doing, order.things, order.total = "ensure", order.things[1:], True
         if order.doing == "make" and (order.facing or order.backs or order.mutual) and order.things and not order.room:
             order.doing = "turn"
         if self._around and order.facing:
             order.turn = None
+        if self._around and order.backs:
+            order.turn = None
+        if order.doing == "remove" and order.facing and order.things:
+            order.things[-1].places += [Where("facing", noun, text="facing") for noun in order.facing]
+            order.facing = []
+        if order.doing == "turn" and order.closer and not order.lengths and not any(near for near, _ in order.closer):
+            order.backs += [phrase.noun for _, phrase in order.closer]
+            order.closer = []
         if order.doing == "put" and self._only_looks():
             order.doing = "turn"
+
+    def _is_other_count(self) -> bool:
+        """Whether it is said how many there are to be: "make it three chairs"."""
+        phrases = [phrase.noun for phrase in self.order.things]
+        pointed = len(phrases) == 2 and phrases[0].kind == "pronoun" and phrases[0].value in ("it", "them", "that")
+        return pointed and phrases[1].kind == "thing" and bool(phrases[1].count) and not phrases[1].definite
 
     def _spaced(self) -> None:
         """Read what is said of the space between things, or of more space at one of them."""
@@ -291,7 +348,8 @@ class _OrderReader:
         said = any(
             getattr(order, field) for field in SAID if field not in ("facing", "backs", "company", "rest", "spared")
         )
-        known = all(phrase.noun.definite or phrase.id for phrase in order.things)
+        whole = ("each", "all", "both")
+        known = all(phrase.noun.definite or phrase.id or phrase.noun.det in whole for phrase in order.things)
         placed = any(phrase.places for phrase in order.things)
         return bool((order.facing or order.backs) and order.things) and known and not placed and not said
 
@@ -350,6 +408,8 @@ class _OrderReader:
                 self._how(mark)
             case "lengths":
                 self._length(mark)
+            case "fractions":
+                self._fraction = mark.value
             case "turn" | "multiples":
                 setattr(order, "turn" if mark.sort == "turn" else "times", mark.value)
             case "directions":
@@ -391,7 +451,9 @@ class _OrderReader:
         """Read "in the front row" of what was named last."""
         phrase = self._excepted or (self.order.things[-1] if self.order.things else None)
         last = phrase.places[-1] if phrase is not None and phrase.places else None
-        if last is not None and last.noun is not None and last.noun.kind == "thing":
+        if last is not None and last.whole is not None and last.whole.kind == "thing":
+            last.whole = replace(last.whole, rows=1, ordinal=number, plural=last.whole.many or last.whole.each)
+        elif last is not None and last.noun is not None and last.noun.kind == "thing":
             several = last.noun.many or last.noun.each
             last.noun = replace(last.noun, rows=1, ordinal=number, plural=several)
         elif phrase is None or phrase.noun.kind != "thing":
@@ -423,7 +485,7 @@ class _OrderReader:
                 self._round()
             case "elsewhere":
                 order.doing = "resite"
-            case "away" | "rest" | "there":
+            case "away" | "rest" | "there" | "centred":
                 setattr(order, key, True)
             case "so" | "unblock":
                 self._mode, self._so = key, []
@@ -439,7 +501,7 @@ class _OrderReader:
             order.turn, self._around = 180.0, True
         elif order.doing == "make":
             order.looks.append("round")
-        else:
+        elif order.doing != "swap":
             order.lost.append("round")
 
     def _noun(self, noun: Noun) -> None:
@@ -481,7 +543,8 @@ class _OrderReader:
     @staticmethod
     def _is_back(item: Item | None) -> bool:
         """Whether it is the back of what is spoken of."""
-        return isinstance(item, Noun) and item.kind == "part" and item.value in ("back", "head") and item.det == "my"
+        named = isinstance(item, Noun) and item.det == "my" and item.value in ("back", "head")
+        return named and isinstance(item, Noun) and item.kind in ("part", "thing")
 
     def _behind(self) -> Noun | None:
         """Read "(its back) is to the window"."""
@@ -489,7 +552,7 @@ class _OrderReader:
         verb = self._items[at] if at < len(self._items) else None
         at += isinstance(verb, Connector) and verb.sort in ("verbs", "participles")
         link, noun = (self._items[n] if n < len(self._items) else None for n in (at, at + 1))
-        if not isinstance(link, Connector) or link.value not in (*_ASIDE, "on") or not isinstance(noun, Noun):
+        if not isinstance(link, Connector) or link.value not in _AT_BACK or not isinstance(noun, Noun):
             return None
         self._at = at + 2
         return self._merged(noun)
@@ -513,6 +576,8 @@ class _OrderReader:
                 order.free.append(noun)
             else:
                 order.places.append(where)
+        elif self._mode == "instead" and order.instead and noun.word == "size" and "same" in noun.text.split():
+            order.instead[-1].noun = replace(order.instead[-1].noun, degree=SAME)
         elif noun.kind in ("abstract", "part") and order.doing in ("make", "replace") and means("looks", noun.word):
             self._look_of(noun)
         else:
@@ -548,6 +613,8 @@ class _OrderReader:
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
             if order.things and _is_theirs(order.things[-1].noun) and noun.kind == "thing" and not noun.det:
                 phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
+            if order.things and order.things[-1].noun.rows and noun.kind == "thing" and not (noun.det or noun.count):
+                phrase.noun = replace(noun, det="my", text=f"their {noun.text}")
             order.things.append(phrase)
             self._anchors = []
         else:
@@ -570,7 +637,10 @@ class _OrderReader:
         """Read "and another on the shelf" as one more of what was named last."""
         last = self.order.things[-1].noun if self.order.things else None
         new = self.order.doing in ("add", "put") and last is not None and last.kind == "thing" and not last.definite
-        if not (noun.kind == "pronoun" and noun.det == "another" and new) or last is None:
+        bare = (
+            noun.kind == "pronoun" and noun.value == "one" and not noun.det and (last is None or (last.count or 1) == 1)
+        )
+        if not (noun.kind == "pronoun" and (noun.det == "another" or bare) and new) or last is None:
             return noun
         return replace(last, det="another", count=noun.count, plural=False, text=f"another {last.word}")
 
@@ -594,6 +664,12 @@ class _OrderReader:
         if noun.kind == "number" and noun.ordinal and whole and isinstance(following, Noun):
             self._at += 1
             return replace(following, ordinal=noun.ordinal, det="the", text=f"{noun.text} {following.text}")
+        if noun.kind == "pronoun" and noun.value == "all" and noun.text.lower() == "all" and whole:
+            self._at += 1
+            return replace(cast(Noun, following), det="all", plural=True, text=f"{noun.text} {following.text}")  # type: ignore[union-attr]
+        if noun.kind == "number" and noun.ordinal and isinstance(following, Noun) and following.rows > 1:
+            self._at += 1
+            return replace(noun, rows=following.rows, text=f"{noun.text} {following.text}")
         located = isinstance(following, Connector) and following.sort == "prepositions"
         if noun.kind == "pronoun" and noun.value == "them" and noun.count and located:
             noun = replace(noun, kind="number", det="the")
@@ -668,6 +744,8 @@ class _OrderReader:
                 self._preposition(link)
             case "negations" if link.value == "not":
                 self._negated = True
+            case "negations" if link.value == "only" and self._mode == "instead":
+                self._only = True
             case "negations" if link.value == "only" and self.order.doing in ("keep", "ensure"):
                 self.order.total |= not self.order.rest
             case "verbs" if link.value in ("face", *_BEING):
@@ -730,6 +808,8 @@ class _OrderReader:
         ):
             self.order.mutual = link.value
             self.order.abreast |= link.text.lower() == "side by side"
+        elif link.value == "next_to" and self.order.doing == "replace" and self._mode == "instead":
+            self.order.abreast = True
         else:
             self._lose(link)
 
@@ -761,7 +841,8 @@ class _OrderReader:
         if not isinstance(following, Noun):
             self._without_noun(link, following)
             return
-        if link.value in ("with", "so") and self._is_back(following):
+        self._narrowed()
+        if (link.value in ("with", "so") and self._is_back(following)) or self._with_all_on_it(link, following):
             return
         towards = link.text.lower() in ("towards", "toward")
         if self._comes_instead(link, following):
@@ -772,7 +853,7 @@ class _OrderReader:
             self._at += 1
         elif towards and order.doing in ("move", "put"):
             self._pending = True
-        elif order.doing == "turn" and link.value == "at" and not towards and self._faces_later():
+        elif order.doing == "turn" and link.value == "at" and not towards and (self._excepted or self._faces_later()):
             self._placed(self._where(link))
         elif order.doing == "turn" and (towards or link.value in ("to", "facing", "at", "in_front_of")):
             self._face()
@@ -818,7 +899,7 @@ class _OrderReader:
             return
         if text in _SHAPES and order.doing in ("make", "put") and order.things:
             order.looks.append(text)
-        elif (isinstance(following, Adjective) and order.doing == "make" and link.value in ("to", "in")) or (
+        elif (isinstance(following, Adjective) and order.doing in _OF_LOOKS and link.value in ("to", "in")) or (
             link.value == "of" and isinstance(following, Noun | OrderMark)
         ):
             pass
@@ -832,15 +913,22 @@ class _OrderReader:
         if where.word == "except" and where.noun is not None:
             noun = where.noun
             self._excepted = NounPhrase(noun, id=noun.id)
+            if order.doing in ("add", "put", "ensure") and any(w.noun and w.noun.each for w in self._places()):
+                order.besides.append(self._excepted)
+                return
             (order.things[-1].spared if order.things else order.spared).append(self._excepted)
             return
         if where.word == "instead" and where.noun is not None:
             self._instead_of(where, where.noun)
             return
+        if where.word == "as" and where.noun is not None and where.noun.value == "possible":
+            self._utmost(self._places()[-1] if self._places() else where)
+            return
         if "possible" in where.text.lower().split():
-            order.lost.append("as possible")
+            self._utmost(where)
+        on_it = where.noun is not None and _is_it(where.noun)
         self._refer(where)
-        if self._goes_along(where):
+        if self._goes_along(where) or (on_it and self._rides(where)):
             return
         if self._distance and where.noun is not None and order.lengths and where.word not in ("between", "to", "along"):
             self._distance = False
@@ -851,12 +939,53 @@ class _OrderReader:
                 return
         self._attach(where)
 
+    def _narrowed(self) -> None:
+        """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
+        if self._mode == "instead" and self._only:
+            self._mode, self._only = "things", False
+
+    def _rides(self, where: Where) -> bool:
+        """Take "the cabinet and the printer on it" as the cabinet, with which the printer goes along."""
+        order = self.order
+        if where.word not in ("on", "in", "inside") or order.doing not in _WITH_ALONG or len(order.things) != 2:
+            return False
+        head, rider = order.things
+        if rider.places or head.places or not rider.noun.definite or where.noun is not head.noun:
+            return False
+        order.company.append(order.things.pop())
+        return True
+
+    def _utmost(self, where: Where) -> None:
+        """Read "as far from it as possible" as the corner farthest from it, "as near as possible" as beside it."""
+        if where.word == "far" and where.noun is not None and where.noun.kind in ("thing", "place"):
+            where.word, where.second, where.text = "in", where.noun, "in"
+            where.noun = Noun("place", "corner", 0, 0, "the corner", det="the")
+        elif where.word in ("near", "next_to", "by"):
+            where.word = "next_to"
+        else:
+            self.order.lost.append("as possible")
+
+    def _with_all_on_it(self, said: Connector, noun: Noun) -> bool:
+        """Whether "with everything on it" says that what rests on the thing is meant too."""
+        everything = said.value == "with" and noun.kind == "pronoun" and noun.value == "all"
+        link, it = (self._items[n] if n < len(self._items) else None for n in (self._at + 1, self._at + 2))
+        on_it = isinstance(link, Connector) and link.value == "on" and isinstance(it, Noun) and _is_it(it)
+        if not everything or not on_it or not self.order.things:
+            return False
+        self._at += 3
+        for phrase in self.order.things:
+            phrase.laden = True
+        return True
+
     def _instead_of(self, where: Where, noun: Noun) -> None:
         """Read "on the stand instead of the table", "add a stool instead of the chair"."""
         order = self.order
         places = order.things[-1].places if order.things else order.places
-        if places:
-            places.append(Where(places[-1].word, noun, negated=True, text=places[-1].text))
+        known = bool(order.things) and (order.things[-1].noun.definite or bool(order.things[-1].id))
+        if "place" in where.text.lower().split() and known and not places and order.doing in ("put", "move"):
+            places.append(Where("spot", noun, text="where"))
+        elif places:
+            places.append(Where(places[-1].word, noun, negated=True, text=INSTEAD))
         elif order.doing in ("add", "put", "ensure") and order.things and self._is_other_number(noun):
             order.doing, order.total = "ensure", True
         elif order.doing in ("add", "put", "ensure") and order.things and noun.kind == "thing":
@@ -898,7 +1027,10 @@ class _OrderReader:
         order = self.order
         if following.kind not in ("thing", "number") or not order.things:
             return False
-        new = following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
+        pointed = following.of_known or following.definite or following.id or following.det in ("the", "other")
+        new = not pointed and (
+            following.det in ("a", "another", "") or (following.kind == "number" and not following.rows)
+        )
         if order.doing == "replace":
             return link.value in ("with", "by", "for") or (link.value in ("in", "to") and new)
         if order.doing == "swap" and (link.value == "for" or (link.value == "with" and new)) and new:
@@ -927,7 +1059,7 @@ class _OrderReader:
         noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
         beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
         cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
-        if not cornered or noun is None or where.whole is not None:
+        if not cornered or noun is None or where.whole is not None or self._told_by(where, noun, link, beside):
             return where
         each = noun.each or noun.plural
         if each and (
@@ -942,6 +1074,8 @@ class _OrderReader:
             or link.value not in (*_ASIDE, *_ACROSS, "behind")
         ):
             return where
+        if beside.kind in ("number", "pronoun"):
+            beside = self._merged(beside)
         if beside.kind not in ("place", "thing"):
             return where
         if each and beside.kind != "place":
@@ -952,6 +1086,29 @@ class _OrderReader:
         else:
             where.whole = beside
         return where
+
+    def _told_by(self, where: Where, noun: Noun, link: Item | None, beside: Item | None) -> bool:
+        """Read "the corner where the plant is", "the wall with the window"; whether it was that."""
+        if isinstance(link, Connector) and link.text.lower() in _SPOT:
+            self._at += 1
+            where.whole = self._spot()
+            self._at -= where.whole is None
+            return True
+        if not noun.value.startswith("wall") or not self._is_wall_of(noun, link, beside):
+            return False
+        self._at += 2
+        where.noun = replace(noun, text="the wall by", states=[], unshown=[])
+        where.whole = cast(Noun, beside)
+        return True
+
+    @staticmethod
+    def _is_wall_of(wall: Noun, link: Item | None, item: Item | None) -> bool:
+        """Whether a wall is told by what is at it: "the same wall as the door", "the wall with the window"."""
+        word = "as" if "same" in wall.text.lower().split() else "with"
+        if not isinstance(link, Connector) or link.value != word or not isinstance(item, Noun):
+            return False
+        opening = item.kind == "place" and item.value.split()[0] in ("window", "door")
+        return opening or (item.kind == "thing" and item.definite)
 
     def _is_and(self) -> bool:
         item = self._items[self._at] if self._at < len(self._items) else None
@@ -991,6 +1148,10 @@ class _OrderReader:
     def _of_result(self, where: Where) -> None:
         """Read "so that it is next to the bed", "so that nothing stands in the centre", "so there is room in it"."""
         said = self._so[-1].noun if self._so else None
+        apart = where.word == "between" and where.second is not None and where.noun is not None and _is_it(where.noun)
+        if apart and self.order.lengths and where.second is not None:
+            self.order.apart.append((self.order.lengths.pop()[0], NounPhrase(where.second, id=where.second.id)))
+            return
         kept_clear = said is None or said.kind in ("room", "abstract") or said.text.lower().startswith(("no", "more"))
         if kept_clear and where.noun is not None:
             self.order.free.append(where.noun)

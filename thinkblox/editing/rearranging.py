@@ -1,5 +1,6 @@
 """Orders on many things at once: keep a part of the room free, rearrange the room or a region of it."""
 
+import math
 from collections.abc import Callable, Sequence
 
 from thinkblox.assets import facts_of
@@ -22,10 +23,13 @@ from thinkblox.scene.free_parts import parts
 from thinkblox.scene.landmarks import corners, things
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
 CORNER_REACH = 1.7
 """How far from its corner a thing's middle may be to belong to that corner of the room [m]."""
+SAME, SAME_YAW = 0.1, 5.0
+"""How far something has moved [m] and turned [degrees] at most that stands as it did."""
 ABOUT = 1.0
 """How far beyond a thing its surroundings reach [m]."""
 AMID = ("in_centre",)
@@ -155,9 +159,16 @@ def _arranged(work: Work, ids: Sequence[str], goals_of: GoalsOf, what: str) -> N
     if why:
         work.failed.append(f"no other arrangement was found for {what}: {why}")
         return
-    _say_moved(work, before, movers)
-    if all(work.scene[id] == before[id] for id in movers):
+    if not all(_is_as_good_as(before[id], work.scene[id]) for id in movers):
+        _say_moved(work, before, movers)
+    else:
+        work.world = work.world.with_scene(before)
         work.failed.append("the arrangement is the same as before; another seed may find another one")
+
+
+def _is_as_good_as(old: Placement, new: Placement) -> bool:
+    """Whether something stands about where it stood."""
+    return math.dist(old.position, new.position) < SAME and turn_between(old.yaw, new.yaw) < SAME_YAW
 
 
 def _say_moved(work: Work, before: Scene, ids: Sequence[str]) -> None:

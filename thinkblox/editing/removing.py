@@ -24,17 +24,27 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
     if not order.things:
         raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
     ids: dict[str, None] = {}
-    for phrase in order.things:
+    for number, phrase in enumerate(order.things):
         if phrase.noun.kind in ("place", "part"):
             raise InputError(f"'{phrase.noun.text}' is no thing that can be taken away; there {finder.listed()}")
-        meant = named(finder, phrase, phrase.places)
+        meant = _meant(finder, phrase, next((p.places for p in order.things[number:] if p.places), []))
         ids |= dict.fromkeys(meant)
         if phrase.laden:
             ids |= dict.fromkeys(rider.id for id in meant for rider in work.scene.riders(id))
     for phrase in order.company:
         ids |= dict.fromkeys(mate for id in tuple(ids) for mate in mates_of(work, finder, phrase, id))
     take_away(work, work.touched(ids))
-    finder.recent = []
+    finder.recent = list(ids)
+
+
+def _meant(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> tuple[str, ...]:
+    """What a phrase means; what is said behind the last of several says also which of the others: "from the desk"."""
+    try:
+        return named(finder, phrase, phrase.places)
+    except InputError:
+        if phrase.places or not places:
+            raise
+    return named(finder, phrase, places)
 
 
 def keep_only(work: Work, finder: Finder, order: Order) -> None:
@@ -109,7 +119,8 @@ def clear(work: Work, finder: Finder, order: Order) -> None:
         return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is to be cleared; say a thing, or a part of the room")
-    for id in dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)):
+    cleared = list(dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)))
+    for id in cleared:
         riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
         take_away(work, riders)
         if riders:
@@ -118,7 +129,7 @@ def clear(work: Work, finder: Finder, order: Order) -> None:
             work.done.append(f"nothing rests on {id} that could be taken away: it is so already")
         else:
             take_away(work, work.touched((id,)))
-    finder.recent = []
+    finder.recent = [id for id in cleared if id in work.scene]
 
 
 def take_away(work: Work, ids: Sequence[str]) -> None:

@@ -5,13 +5,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace as replace_fields
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import MOST, add_one, category_of, sized
+from thinkblox.editing.adding import MOST, add_one, add_with, category_of, sized
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
-from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import At, Goal, Related
+from thinkblox.editing.finding import SAME_SIZE, Finder
+from thinkblox.editing.goals import Abreast, At, Goal, Related
 from thinkblox.editing.grammar import means
 from thinkblox.editing.moving import move_one
-from thinkblox.editing.orders import NounPhrase, Order
+from thinkblox.editing.orders import SAME, NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.remaking import MORE, compared, otherwise
 from thinkblox.editing.removing import take_away
@@ -22,6 +22,7 @@ from thinkblox.errors import InputError
 from thinkblox.judging import asset_for, style_seed
 from thinkblox.plan import Target
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.actions import Replace, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
@@ -60,26 +61,38 @@ def replace(work: Work, finder: Finder, order: Order) -> None:
             _place(work, finder, order, id, first)
     if ids[count:]:
         take_away(work, ids[count:])
-    _bring_more(work, order, before, ids, count)
+    _bring_more(work, finder, order, before, ids, count)
     finder.recent = [id for id in ids if id in work.scene]
 
 
-def _bring_more(work: Work, order: Order, before: Scene, ids: Sequence[str], count: int) -> None:
+def _bring_more(work: Work, finder: Finder, order: Order, before: Scene, ids: Sequence[str], count: int) -> None:
     """Add what comes in place of things besides what stands where they stood: of two for one the second."""
     by, first = ids[0] if ids else "", order.instead[0].noun
     for noun in [first] * (count - len(ids)) + [phrase.noun for phrase in order.instead[1:]]:
-        for _ in range(1 if noun is first else noun.count or 1):
+        for _ in range(noun.count or 1 if noun is not first and not by else 1):
             if not by:
-                add_one(work, category_of(work, noun, ()), noun, [])
-            elif work.scene[by].asset != before[by].asset or noun is not first:
-                _add_another(work, by, noun, like=noun is first)
+                there: list[Goal] = [At(finder.vacated, NEW_PLACE)] if finder.vacated is not None else []
+                add_one(work, category_of(work, noun, ()), noun, there)
+            elif noun is not first:
+                finder.scene = work.scene
+                add_with(work, finder, order, [by], [Where("with", noun, text="with")])
+            elif work.scene[by].asset != before[by].asset:
+                _add_another(work, by, noun, beside=order.abreast)
 
 
-def _add_another(work: Work, by: str, noun: Noun, *, like: bool) -> None:
-    """Add another one of what has come in place of a thing, or what comes besides."""
+def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
+    """Add another one of what has come in place of a thing: beside it where that can be."""
     new = noun if noun.kind == "thing" else replace_fields(noun, value=work.scene[by].category, kind="thing")
-    asset = work.asset_of(by) if like else None
-    add_one(work, category_of(work, new, ()), new, [Related("near", (by,))], asset=asset)
+    category, asset, said = category_of(work, new, ()), work.asset_of(by), len(work.failed)
+    walled = [[Related("against_wall", walls)] for walls in [_walls_at(work.scene, by, asset)] if walls]
+    near: list[list[Goal]] = [[Abreast("next_to", (by,))], [Related("near", (by,))]]
+    walls_: list[Goal] = [Related("against_wall", ("wall",))]
+    last = [] if beside else [[*near[1], *walls_], walls_] if walled else near[1:]
+    first = [[*near[0], *wall] for wall in walled]
+    for goals in [*first, near[0], *last]:
+        del work.failed[said:]
+        if add_one(work, category, new, goals, asset=asset):
+            return
 
 
 def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
@@ -95,18 +108,20 @@ def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
 def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
     """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
     said = len(work.failed)
-    for factor in MORE if new.degree else MORE[:1]:
+    for factor in MORE if new.degree and new.degree != SAME else MORE[:1]:
+        tried = len(work.failed)
         if replace_one(work, id, _successor(work, id, new, factor)):
-            del work.failed[said:]
+            del work.failed[said:tried]
             return True
         del work.failed[said + 1 :]
-    asset, riders = _successor(work, id, new, MORE[0]), work.scene.riders(id)
-    smaller = new.size is None and not new.degree
-    if (smaller and replace_one(work, id, _as_small(work, id, asset))) or (
-        riders and replace_one(work, id, asset, bare=True)
-    ):
-        del work.failed[said]
-        return True
+    asset = _successor(work, id, new, MORE[0])
+    again = [(_as_small(work, id, asset), False)] if new.size is None and not new.degree else []
+    again += [(asset, True)] if work.scene.riders(id) else []
+    for other, bare in again:
+        tried = len(work.failed)
+        if replace_one(work, id, other, bare=bare):
+            del work.failed[said:tried]
+            return True
     del work.failed[said + 1 :]
     return False
 
@@ -115,6 +130,8 @@ def _as_small(work: Work, id: str, asset: Asset) -> Asset:
     """What is to come in place of an object, no longer and no deeper than that, as far as such a thing is made so."""
     old, (least, _) = work.asset_of(id).size, work.source.size_range(asset.category)
     depth, width, height = (max(min(own, there), low) for own, there, low in zip(asset.size, old, least, strict=True))
+    if abs(asset.size[0] - asset.size[1]) < SAME_SIZE:
+        depth = width = max(min(depth, width), least[0], least[1])
     return work.source.fit(asset, (depth, width, max(height, asset.size[2])))
 
 
@@ -137,6 +154,8 @@ def _successor(work: Work, id: str, new: Noun, factor: float) -> Asset:
         degree = "larger" if size == "1" else "smaller"
         rest = [word for word in new.attributes if not means("sizes", word)]
         return _compared(work, old, category, replace_fields(new, degree=degree, attributes=rest), factor)
+    if new.degree == SAME:
+        return _as_large(work, old, category, new)
     if new.degree:
         return _compared(work, old, category, new, factor)
     if same and new.attributes and new.size is None:
@@ -156,6 +175,20 @@ def _successor(work: Work, id: str, new: Noun, factor: float) -> Asset:
             f"{id}: there is no other {category.replace('_', ' ')} to come in its place; say what it is to be"
         )
     return made
+
+
+def _as_large(work: Work, old: Asset, category: str, new: Noun) -> Asset:
+    """Another thing of the size that the old one has.
+
+    Raises:
+        InputError: it is not made so large or so small.
+    """
+    made = work.source.make(category, seed=style_seed(work.scene), attributes=tuple(new.attributes))
+    fitted = work.source.fit(made, old.size)
+    if max(abs(a - b) for a, b in zip(fitted.size, old.size, strict=True)) > SAME_SIZE:
+        sizes = [" by ".join(f"{side:.2f}" for side in size) for size in (old.size, fitted.size)]
+        raise InputError(f"'{new.text}' is not made as large as {sizes[0]} m; the nearest is {sizes[1]} m")
+    return fitted
 
 
 def _otherwise(work: Work, old: Asset, new: Noun) -> Asset:

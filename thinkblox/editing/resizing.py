@@ -23,7 +23,7 @@ def resize(work: Work, finder: Finder, order: Order) -> None:
 
     Doors and windows stay where they are in their walls. What hangs on a wall that moves, goes with it.
     """
-    east, north, up = _changes(work.scene.room, order)
+    east, north, up = _changes(work.scene.room, order, long_east=_is_long_east(work.start.room))
     if not (east or north or up):
         work.done.append("the room has that size already")
         return
@@ -64,8 +64,13 @@ def _words(old: Room, new: Room) -> str:
     return f"{c:g} m by {d:g} m by {new.height:g} m (it was {a:g} m by {b:g} m by {old.height:g} m)"
 
 
-def _changes(room: Room, order: Order) -> tuple[float, float, float]:
-    """By how much the room grows to the east, to the north and up [m]."""
+def _is_long_east(room: Room) -> bool:
+    """Whether the length of a room is that from west to east."""
+    return room.extent[0] >= room.extent[1]
+
+
+def _changes(room: Room, order: Order, *, long_east: bool) -> tuple[float, float, float]:
+    """By how much the room grows to the east, to the north and up [m]; its length is that which it had at first."""
     if order.times:
         raise InputError(f"'{order.text}': say by how many metres, such as 'one metre longer'")
     if not order.lengths and (not order.change or order.change.endswith("=")):
@@ -74,7 +79,6 @@ def _changes(room: Room, order: Order) -> tuple[float, float, float]:
     if order.direction:
         return _to_one_side(order, lengths[0])
     across, along = room.extent
-    long_east = across >= along
     absolute = order.change.endswith("=") or not order.change
     change = order.change.removesuffix("=")
     if len(lengths) >= 2 and absolute:

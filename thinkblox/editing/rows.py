@@ -71,6 +71,8 @@ def row_of(scene: Scene, found: Sequence[Placement], noun: Noun, member: int = 0
     Raises:
         InputError: the things form no such row, or it is not said which.
     """
+    if {"column", "columns", "file"} & {*noun.text.lower().split()}:
+        raise InputError(f"'{noun.text}': only rows are told, from the front to the back; name the things by id")
     rows = rows_of(scene, found) if found else rows_of_all(scene)
     if len(rows) < 2:
         names = f"{', '.join(p.id for p in found)} do" if found else "the things of the room do"

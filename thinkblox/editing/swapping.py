@@ -5,9 +5,12 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
+from msgspec import structs
+
 from thinkblox.committing import commit
 from thinkblox.editing.acting import moved_words
 from thinkblox.editing.carrying import place_anew, put_back, take
+from thinkblox.editing.company import REACH, mates_of, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, Goal, Region, Within
 from thinkblox.editing.orders import NounPhrase, Order
@@ -19,6 +22,8 @@ from thinkblox.episode import Round
 from thinkblox.errors import InputError
 from thinkblox.judging import Proposal, Try
 from thinkblox.scene.actions import Swap
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.nearby import nearest_poses
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
@@ -40,18 +45,21 @@ GROUPED = 0.6
 
 def _on_each(finder: Finder, order: Order) -> list[tuple[str, ...]]:
     """Read "the lamps on desk_1 and desk_2" as that on the one and that on the other; empty where it is not that."""
-    things = [p for p in order.things if p.noun.kind == "thing"]
-    if len(things) != 2 or order.split or not things[0].noun.many or len(things[0].places) != 1 or things[1].places:
+    said = [p for p in order.things if p.noun.kind == "thing"]
+    if len(said) != 2 or order.split or not said[0].noun.many or len(said[0].places) != 1 or said[1].places:
         return []
-    where, one = things[0].places[0], dataclasses.replace(things[0].noun, plural=False, det="the")
-    if where.noun is None or where.noun.kind != "thing" or where.noun.value != things[1].noun.value:
+    where, one = said[0].places[0], dataclasses.replace(said[0].noun, plural=False, det="the")
+    if where.noun is None or where.noun.kind != "thing" or where.noun.value != said[1].noun.value:
         return []
-    second = dataclasses.replace(where, noun=dataclasses.replace(things[1].noun, id=things[1].id or things[1].noun.id))
+    second = dataclasses.replace(where, noun=dataclasses.replace(said[1].noun, id=said[1].id or said[1].noun.id))
     return [named(finder, NounPhrase(one), [place]) for place in (where, second)]
 
 
 def swap(work: Work, finder: Finder, order: Order) -> None:
-    """Let two things change places."""
+    """Let two things change places, with what the order names along."""
+    if order.company:
+        _swap_with_company(work, finder, order)
+        return
     groups = _on_each(finder, order) or [named(finder, phrase, phrase.places) for phrase in order.things]
     ids = list(dict.fromkeys(id for group in groups for id in group))
     if len(work.touched(ids)) < len(ids) and ids:
@@ -100,6 +108,27 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
     finder.recent = ids
 
 
+def _swap_with_company(work: Work, finder: Finder, order: Order) -> None:
+    """Let two things change places, and what belongs to one of them go along with it: "the desk and its chair"."""
+    ids = [id for phrase in order.things for id in named(finder, phrase, phrase.places)]
+    alone = dataclasses.replace(order, company=[])
+    owner = next((id for id in reversed(ids) if _has_all(work, finder, order, id)), "")
+    if len(ids) != 2 or not owner:
+        said = " and ".join(phrase.noun.text for phrase in order.company)
+        raise InputError(f"'{order.text}': which of {', '.join(ids)} {said} goes along with is not known")
+    with_company(work, finder, order, owner, lambda: swap(work, finder, alone))
+
+
+def _has_all(work: Work, finder: Finder, order: Order, id: str) -> bool:
+    """Whether everything that is to go along stands by an object."""
+    for phrase in order.company:
+        mates = mates_of(work, finder, phrase, id)
+        mark = things(work.scene, id)[0]
+        if any(ground_gap(mark, things(work.scene, mate)[0]) > REACH for mate in mates):
+            return False
+    return True
+
+
 def _swap_nearby(work: Work, one: str, other: str) -> str:
     """Put each as near to the other's place as it can stand; says why where that is not near enough."""
     before, saved = work.scene, work.saved()
@@ -142,6 +171,7 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
     before, saved = work.scene, work.saved()
     taken = take(work, (*ones, *others))
     where = {id: _middle(before, group) for group, ids in ((others, ones), (ones, others)) for id in ids}
+    partners = _partners(before, ones, others)
     reach = {id: GROUPED + _reach(before, ones) + _reach(before, others) for id in where}
     for id in sorted(where, key=lambda id: -before[id].size[0] * before[id].size[1]):
         old, asset, (x, y) = before[id], work.assets[before[id].asset], where[id]
@@ -150,7 +180,11 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
         goals: list[Goal] = [Within(Region((x, y), reach[id], name))]
         target = work.target(id, old.category, (), asset.attributes)
         begin: Pose = ((x, y, old.position[2]), before[group[0]].yaw)
-        poses = _about(work, id, placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1]))
+        pose = placed_at(work.scene, asset, id=id, position=begin[0], yaw=begin[1])
+        if id in partners:
+            partner = before[partners[id]]
+            pose, goals = structs.replace(pose, position=partner.position, yaw=partner.yaw), [At(partner.position[:2])]
+        poses = _about(work, id, pose)
         reaching = Reaching(work, target, asset, goals, direct=poses, ask=False, begin=begin, tries=SWAP_TRIES)
         if not reaching.run():
             work.restore(saved)
@@ -163,6 +197,19 @@ def swap_groups(work: Work, ones: Sequence[str], others: Sequence[str]) -> None:
                 work.failed.append(f"{lost} could not go along with {id}")
                 return
     work.done += [moved_words(before[id], work.scene[id]) for id in where]
+
+
+def _partners(scene: Scene, ones: Sequence[str], others: Sequence[str]) -> dict[str, str]:
+    """Which thing of the other group each takes the place of, where both hold the same kinds: in their order."""
+    kinds = [sorted(scene[id].category for id in group) for group in (ones, others)]
+    if kinds[0] != kinds[1]:
+        return {}
+    pairs: dict[str, str] = {}
+    for kind in dict.fromkeys(kinds[0]):
+        group = [[id for id in ids if scene[id].category == kind] for ids in (ones, others)]
+        for one, other in zip(*(sorted(ids, key=lambda id: scene[id].position[:2]) for ids in group), strict=True):
+            pairs |= {one: other, other: one}
+    return pairs
 
 
 def _middle(scene: Scene, ids: Sequence[str]) -> Vec2:

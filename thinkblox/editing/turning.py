@@ -1,10 +1,11 @@
 """Orders that turn things: by an angle, until they face something, or to each other."""
 
+import dataclasses
 import math
 from collections.abc import Iterator, Sequence
 
 from thinkblox.editing.acting import backing, findings, looking, reach_goals, related, say
-from thinkblox.editing.company import with_company
+from thinkblox.editing.company import gathered, with_company
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import At, BackTo, Goal, Related, Turned
 from thinkblox.editing.orders import Order
@@ -30,6 +31,7 @@ SLIGHT_TURN = 15.0
 def turn(work: Work, finder: Finder, order: Order) -> None:
     """Turn things by an angle, or until they face something."""
     seen: set[str] = set()
+    order = gathered(work, finder, order)
     for ids, places in _turned(work, finder, order):
         for id in (i for i in ids if i not in seen):
             seen.add(id)
@@ -38,6 +40,10 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
             looks = [looking(finder, noun) for noun in order.facing]
             looks += [backing(finder, noun) for noun in order.backs]
             looks += [_look(finder, w, placement.category) for w in places]
+            if looks and order.turn is not None and (sense := _way_to(work, id, looks)):
+                by = dataclasses.replace(order, sense=sense, direction="", facing=[])
+                with_company(work, finder, order, id, lambda id=id, by=by: turn_by(work, id, by))  # type: ignore[misc]
+                continue
             if looks and order.turn is not None:
                 raise InputError(f"'{order.text}' says both how far and what to face; say one of them")
             if looks:
@@ -47,6 +53,17 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _way_to(work: Work, id: str, looks: Sequence[Goal]) -> int:
+    """Which way round a thing comes to look at another: 1 counter-clockwise, -1 clockwise, 0 where none is known."""
+    names = [name for goal in looks if isinstance(goal, Related) and goal.kind == "facing" for name in goal.anchors]
+    marks = [mark for name in names for mark in things(work.scene, name)]
+    if len(looks) != 1 or not marks:
+        return 0
+    here = things(work.scene, id)[0]
+    off = (bearing(work.scene[id].position[:2], marks[0].centre) - here.gaze + 180.0) % 360.0 - 180.0
+    return 1 if off > 0 else -1
 
 
 def _look(finder: Finder, where: Where, category: str) -> Goal:

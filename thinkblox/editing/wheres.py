@@ -12,7 +12,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder, Picks, usual_anchor
 from thinkblox.editing.goals import PartOfTop
-from thinkblox.editing.grammar import rank_of
+from thinkblox.editing.grammar import means, rank_of
 from thinkblox.editing.orders import NounPhrase
 from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
@@ -132,6 +132,15 @@ def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
     return start[ids[0]]
 
 
+def slots_for(where: Where, category: str, finder: Finder, count: int | None) -> list[Bound]:
+    """The places that a phrase names for so many things: "in the corners" any of them, where these are not as many."""
+    slots, noun = slots_of(where, category, finder), where.noun
+    corners_ = noun is not None and noun.kind == "place" and noun.value.split()[0] == "corner"
+    if corners_ and noun is not None and noun.plural and not (noun.each or noun.count or noun.det in ("all", "both")):
+        return slots if count is None or count >= len(slots) else [Bound("in_corner", ("corner",))]
+    return slots
+
+
 def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     """The places that a phrase names, one for each where it speaks of each: "in every corner", "on both sides of"."""
     noun = where.noun
@@ -147,13 +156,12 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
         return _sides(where, noun, finder, category)
     if noun.kind == "place":
         name = noun.value.split()[0]
-        one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
-        names = {"corner": "corner", "window": "window", "door": "door"}.get(name, name)
-        marks = [mark.name for mark in things(scene, names)]
-        if noun.count and noun.count != len(marks) and name != "corner":
-            raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
         if name == "corner":
             return [Bound("in_corner", walls) for walls in _each_corner(finder, where, noun)]
+        one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
+        marks = [mark.name for mark in things(scene, name)]
+        if noun.count and noun.count != len(marks):
+            raise InputError(f"'{noun.text}': the room has {len(marks)} of them")
         return [dataclasses.replace(one, anchors=(mark,)) for mark in marks]
     found = _thing(where, noun, category, finder, ())
     singles = [dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", id=id)) for id in found.anchors]
@@ -174,7 +182,7 @@ def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ..
         [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
     )
     spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
-    if where.whole is not None:
+    if where.whole is not None and where.whole.kind != "room":
         openings = [o for o in scene.room.openings if o.kind == where.whole.value]
         found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
     if noun.states == ["empty"]:
@@ -195,7 +203,7 @@ def _speaks_of_each(where: Where, noun: Noun) -> bool:
     if noun.kind == "part":
         return noun.value in _TWO_SIDED and where.whole is not None and (several or noun.plural)
     if noun.kind == "place" and noun.value.split()[0] == "corner":
-        return several or (noun.plural and bool(noun.count))
+        return several or noun.plural
     if noun.kind == "thing":
         return several or (noun.plural and where.second is None and where.word in _OF_ONE and not noun.share)
     return noun.kind == "place" and several
@@ -217,6 +225,11 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         deep, wide, _ = finder.scene[anchor].size
         across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
+        small = [facts_of(name).is_in("small") for name in (category, finder.scene[anchor].category)]
+        if small == [True, False] and finder.scene.asset_of(finder.scene[anchor]).surfaces:
+            parts: tuple[PartOfTop, ...] = ("left", "right") if across else ("front", "back")
+            bounds += [Bound("on", (anchor,), part=part) for part in parts]
+            continue
         if facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in("tables", "desks"):
             bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
         else:
@@ -262,7 +275,11 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
     if noun.value == "side" and noun.det == "other":
-        return Bound(_other_side(finder, where, anchors[0]), anchors, where.negated)
+        side = _other_side(finder, where, anchors[0])
+        drawn = facts_of(category).is_in("seating") and load_habits().is_in(
+            finder.scene[anchors[0]].category, "tables", "desks"
+        )
+        return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
     return Bound(cast(RelationKind, kind), anchors, where.negated)
 
@@ -307,7 +324,9 @@ def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor
 
 def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     name, *walls = noun.value.split()
-    if (noun.states or noun.unshown) and not where.negated:
+    nearest = bool(means("nearest", noun.degree))
+    told = [word for word in noun.unshown if word != noun.degree]
+    if (noun.states or (told if nearest else noun.unshown)) and not where.negated:
         raise InputError(
             f"'{_text(where)}': which that is is not known; name the wall, the corner or what is beside it"
         )
@@ -322,7 +341,7 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
     if name in _COMPASS and where.whole is not None and where.whole.kind in ("thing", "pronoun"):
         return _side_by_compass(where, where.whole, name, finder)
     if name in _OPENINGS:
-        meaning = _opening(where, name, finder)
+        meaning = _opening(where, noun, name, finder)
     elif name == "corner":
         beside = _corner_beside(where, noun, finder)
         meaning = Meaning("in_corner", beside) if beside else corner(where.word, noun, walls, 0)
@@ -332,6 +351,35 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
         return None
     anchors = tuple(_walls_of(finder.scene, str(anchor)) for anchor in meaning.anchors)
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
+
+
+def opening_named(scene: Scene, noun: Noun) -> str:
+    """The door or window that a phrase means by the side of the room that it is at: "the north window"; else its kind.
+
+    Raises:
+        InputError: none is at that side, or several are.
+    """
+    kind = noun.value.split()[0]
+    side = next((word for word in noun.text.lower().split() if f"{word}_wall" in _COMPASS), "")
+    if kind not in _OPENINGS or not side:
+        return kind
+    found = [o.id for o in scene.room.openings if o.kind == kind and scene.room.walls[o.wall].name.startswith(side)]
+    if len(found) != 1:
+        raise InputError(f"'{noun.text}': the room has {len(found)} such: {', '.join(found) or 'none'}")
+    return found[0]
+
+
+def _nearest_mark(finder: Finder, noun: Noun, marks: Sequence[Landmark]) -> str:
+    """The name of the wall, corner, door or window that is nearest to what is moved, or farthest from it.
+
+    Raises:
+        InputError: the room has none, or nothing is moved.
+    """
+    if not marks:
+        raise InputError(f"the room has no {noun.word}")
+    here = things(finder.scene, _here(finder, f"the {noun.degree} {noun.word}").id)[0]
+    ordered = sorted(marks, key=lambda mark: round(ground_gap(here, mark), 3))
+    return (ordered[0] if means("nearest", noun.degree) == "nearest" else ordered[-1]).name
 
 
 def _between_places(where: Where, name: str, second: Noun, finder: Finder) -> Bound:
@@ -359,17 +407,28 @@ def _side_by_compass(where: Where, whole: Noun, name: str, finder: Finder) -> Bo
     return Bound("left_of" if across > 0 else "right_of", ids, where.negated)
 
 
-def _opening(where: Where, name: str, finder: Finder) -> Meaning | None:
+def _opening(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None:
+    if any("sill" in word for word in noun.text.lower().split()):
+        raise InputError(f"'{_text(where)}': sills carry nothing here; name what stands by the window, or a shelf")
     if not any(o.kind == name for o in finder.scene.room.openings):
         raise InputError(f"the room has no {name}")
-    return Meaning("under", (name,)) if where.word == "under" else opening(where.word, name)
+    named = opening_named(finder.scene, noun)
+    mark = _nearest_mark(finder, noun, things(finder.scene, name)) if means("nearest", noun.degree) else named
+    return Meaning("under", (mark,)) if where.word == "under" else _of_mark(opening(where.word, name), mark)
+
+
+def _of_mark(meaning: Meaning | None, mark: str) -> Meaning | None:
+    return dataclasses.replace(meaning, anchors=(mark,)) if meaning is not None else None
 
 
 def _wall(where: Where, noun: Noun, name: str, finder: Finder) -> Meaning | None:
     meaning = wall(where.word, noun, name, 0, each=noun.each)
     if meaning is None:
         return None
-    if noun.degree:
+    if means("nearest", noun.degree):
+        marks = things(finder.scene, "wall")
+        meaning = dataclasses.replace(meaning, anchors=(_nearest_mark(finder, noun, marks),))
+    elif noun.degree:
         meaning = dataclasses.replace(meaning, anchors=_walls_by_length(finder.scene, noun))
     if meaning.anchors == ("opposite_wall",) or where.second or _is_beside(where, name):
         meaning = dataclasses.replace(meaning, anchors=(_opposite_wall(finder, where),))
@@ -403,6 +462,9 @@ def _is_beside(where: Where, name: str) -> bool:
 def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] | None:
     """The walls of "the corner by the window", "the corner opposite the door", "the other corner"."""
     other = noun.det == "other" or "opposite" in noun.text.lower().split()
+    if means("nearest", noun.degree):
+        mark_name = _nearest_mark(finder, noun, corners(finder.scene.room, noun.value.split()[1:]))
+        return tuple(mark_name.removeprefix("corner of ").split(" and "))
     mark = where.whole or where.second
     mark = None if mark is not None and mark.kind == "room" else mark
     if not other and (mark is None or mark.kind not in ("place", "thing")):
@@ -413,7 +475,8 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
         nearest = min(corners(finder.scene.room), key=lambda c: math.dist(c.centre, here.position[:2]))
         found = [c for c in found if c.name != nearest.name]
     if mark is not None:
-        name = mark.value if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
+        by = opening_named(finder.scene, mark) if mark.value in _OPENINGS else mark.value
+        name = by if mark.kind == "place" else finder.ids(NounPhrase(mark, id=mark.id))[0]
         if not things(finder.scene, name) or not found:
             raise InputError(f"the room has no corner {where.text} {mark.text}")
         found = _corners_by(finder.scene, found, name)
@@ -593,6 +656,8 @@ NEARNESS = (
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""
+AS_NEAR = 0.3
+"""How much further than the nearest of several another may be that is one of the nearest [m]."""
 CROWDED = 1.7
 """How far from a corner what stands in it is counted [m]."""
 
@@ -667,6 +732,9 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
 
 
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
+    if (sided := next((w for w in said if _is_of_side(w)), None)) is not None and sided.noun is not None:
+        phrase = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, side=sided.noun.value))
+        said = [where for where in said if where is not sided]
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
@@ -699,6 +767,13 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     return finder.ids(phrase, picks=picks, among=found)
 
 
+def _is_of_side(where: Where) -> bool:
+    """Whether it says which of several by their side: "the chairs on the left"."""
+    noun = where.noun
+    plain = noun is not None and noun.kind == "part" and not (where.whole or where.negated or noun.owner)
+    return plain and noun is not None and noun.value in ("left", "right") and noun.det == "the" and where.word == "on"
+
+
 def _by_distance(
     finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement], *, far: bool
 ) -> list[Placement]:
@@ -706,12 +781,14 @@ def _by_distance(
     noun = where.noun
     if noun is None or noun.kind not in ("place", "thing", "pronoun"):
         raise InputError(f"'{_text(where)}' is no place to be near to")
-    names = (noun.value.split()[0],) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
+    names = (opening_named(finder.scene, noun),) if noun.kind == "place" else finder.ids(NounPhrase(noun, id=noun.id))
     marks = [mark for name in names for mark in things(finder.scene, name)]
     if not marks:
         raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks) for p in found}
     ordered = sorted((p for p in found if p.id not in names), key=lambda p: -away[p.id] if far else away[p.id])
+    if phrase.noun.plural and not phrase.noun.count and phrase.noun.det != "both":
+        return [p for n, p in enumerate(ordered) if n < 2 or abs(away[p.id] - away[ordered[0].id]) <= AS_NEAR]
     return ordered[: 2 if phrase.noun.det == "both" else phrase.noun.count or 1]
 
 

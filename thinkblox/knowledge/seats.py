@@ -4,12 +4,19 @@ import tomllib
 from functools import lru_cache
 from pathlib import Path
 
+from thinkblox.assets import kind_of
 from thinkblox.knowledge.rooms import Usual, read_usual
 
 
 def usual_seat(category: str) -> Usual | None:
     """The seats at a thing: how many, of which kind and in which relation; None where nobody sits at it."""
     return _seats().get(category)
+
+
+def places_at(category: str) -> int:
+    """How many have a place on such a seat, or at such a desk or bench."""
+    drawn = usual_seat(category)
+    return max(1, kind_of(category).seats, drawn.count if drawn else 1)
 
 
 @lru_cache(maxsize=1)

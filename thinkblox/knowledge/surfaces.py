@@ -65,6 +65,13 @@ class Finishes(Value, frozen=True, kw_only=True):
     rooms: dict[str, UsualFinish]
     styles: dict[str, UsualFinish]
     finished_like: dict[str, tuple[str, ...]] = {}
+    rough: dict[str, str] = {}
+
+    def is_rough(self, room: str) -> bool:
+        """Whether floor and walls of such a room are what its work needs, whatever its style."""
+        rough = self.rough.get("rooms", "").split(", ")
+        finished = [usual for usual, names in self.finished_like.items() if room in names]
+        return any(name in rough for name in (room, *finished, room_type(room).like))
 
     def of(self, room: str) -> UsualFinish | None:
         """What a type of room is usually finished with: as such, or as what it is like; None for a type not known."""

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from msgspec.structs import replace
 
-from thinkblox.assets import facts_of
+from thinkblox.assets import facts_of, kind_of
 from thinkblox.brief import Brief
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import counts_as
@@ -36,6 +36,8 @@ _COUNTER_BONUS = 2.0
 """What a counter counts for: there is room behind it before tables take the floor [m2]."""
 _SCREEN_BONUS = 1.0
 """What a screen counts for on a desk: the rest lies about it [m2]."""
+_LOW, _WIDE = 0.6, 1.2
+"""What hangs lower and is wider and higher than that takes a wall as large furniture does [m]."""
 _STAGES = {"floor": 0, "wall": 3, "ceiling": 4, "surface": 5}
 _Rank = tuple[int, float, int]
 
@@ -182,14 +184,23 @@ def _is_dependent(member: Member) -> bool:
     return any(is_object(anchor) for tie in member.ties for anchor in tie.anchors)
 
 
+def _is_wall_wide(member: Member) -> bool:
+    """Whether it hangs as wide and low as large furniture stands, which would leave no wall for it: a mirror wall."""
+    kind = kind_of(member.category)
+    _, width, height = kind.size
+    return member.mount == "wall" and kind.hanging.middle - height / 2 < _LOW and min(width, height) > _WIDE
+
+
 def _rank(member: Member, number: int, *, arranged: bool) -> _Rank:
     """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something."""
-    stage = 2 if member.flat else _STAGES[member.mount]
+    wall = _is_wall_wide(member)
+    stage = 0 if wall else 2 if member.flat else _STAGES[member.mount]
     dependent = _is_dependent(member)
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
     shared_out = any(tie.spread for tie in member.ties)
     beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)
     weight = member.footprint + _NAMED_PLACE_BONUS * (named + shared_out) + _ASKED_BONUS * beside
+    weight += _NAMED_PLACE_BONUS * wall
     weight += _COUNTER_BONUS * (stage == 0 and load_habits().is_in(member.category, "served_over"))
     weight += _SCREEN_BONUS * (member.mount == "surface" and load_habits().is_in(member.category, "screens"))
     late = arranged and not member.request.asked

@@ -83,9 +83,9 @@ def _usual(brief: Brief) -> UsualFinish:
     for word in brief.style:
         style = known.styles.get(word)
         if style is not None:
-            wet = brief.room_type in ("bathroom", "laundry_room")
+            rough = known.is_rough(brief.room_type)
             kept = {name: value for name in ("accent", "palettes") if (value := getattr(style, name))}
-            if not wet:
+            if not rough:
                 kept |= {name: value for name in ("floor", "walls", "dado") if (value := getattr(style, name))}
             usual = replace(usual, **kept)
     return usual

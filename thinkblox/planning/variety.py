@@ -1,6 +1,6 @@
-"""What a prompt leaves open may differ from room to room: other things besides those that everybody expects."""
+"""What a prompt leaves open differs from room to room: other things besides those that everybody expects."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import cast
 
 import numpy as np
@@ -8,77 +8,253 @@ from msgspec.structs import replace
 
 from thinkblox.assets import kind_of
 from thinkblox.brief import Brief, Relation, RelationKind, Request
+from thinkblox.fills import Fill
 from thinkblox.knowledge.dressing import dressing
-from thinkblox.knowledge.rooms import Usual, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike, counts_as
+from thinkblox.knowledge.variety import Option, varieties
+from thinkblox.planning.rooms import is_open
+from thinkblox.planning.space import furniture_area
 
 _BARE = 1
 """Things that a prompt names at most, of which most is left open."""
 _LEAST = 4
 """Kinds of things that are assumed at least where a room is furnished for its name."""
-_OUT, _IN = (0, 1, 2), (1, 2, 3)
-"""How many kinds of things are left out, and how many come in."""
+_SKETCHED = 5
+"""Who names so many kinds of things has said what the room holds."""
+_OUT, _IN = (0, 1, 2, 3), (1, 2, 3, 4)
+"""How many kinds of things are left out where all is open, and how many come in."""
+_IN_SKETCHED = (1, 2, 3)
+"""How many kinds of things come in where some are named."""
+_CLOSE = 1.3
+"""By how much more floor than there is what a room needs may take by the handbook."""
+_FIRST = 3
+"""The first of so many parts of what a room usually holds is what it is for."""
+_FEWER = 0.4
+"""How often there is one less of what there may be."""
 _DRAWN_UP = ("at", "around")
 """Relations of seats without which nobody sits at a table."""
-_PLACES = frozenset({"wall", "corner", "centre", "window", "door"})
+_ALONE = ("above", "under", "at_foot_of", "in_front_of", "opposite", "in_centre")
+"""Relations whose space is taken by whatever came first."""
+_PLACES = frozenset({"wall", "long_wall", "short_wall", "corner", "centre", "window", "door"})
 _SALT = 2_000_003
 
 
-def varied(brief: Brief, seed: int) -> Brief:
-    """The brief with some of what it assumes for a mere name of a room left out, and with some more.
+def varied(brief: Brief, seed: int, fill: Fill = "essentials") -> Brief:
+    """The brief with some of what it assumes left out, and with some more, as rooms of its type differ.
 
-    What a prompt names stays, with what that needs, and what every such room has; so does a brief that assumes little.
-    The same seed gives the same.
+    What a prompt names stays, with what that needs, and what every such room has. Who names many things, says how they
+    stand to each other, or wants nothing else, gets these. The same seed gives the same.
+
+    Args:
+        brief: what is asked for, with what that takes for granted.
+        seed: of the choices.
+        fill: what the room is filled with; shelves of a lived-in one are left for the books that will be put there.
     """
-    assumed = [request for request in brief.requests if not request.asked]
-    if brief.empty or len(brief.requests) - len(assumed) > _BARE or len(assumed) < _LEAST:
+    bare = _is_bare(brief)
+    if brief.empty or not (bare or _is_sketched(brief)):
         return brief
     rng = np.random.default_rng((seed, _SALT))
-    loose = [request for request in assumed if _is_loose(brief, request)]
+    gone: set[str] = set()
+    if bare:
+        brief, gone = _lessened(brief, rng)
+        brief = _fewer(brief, rng)
+    brief = _complete(brief, rng, fill)
+    if _is_sparse(brief):
+        return brief
+    options = [option for option in _options(brief) if is_open(brief) or not _is_laid(option)]
+    count = int(rng.choice(_IN if bare else _IN_SKETCHED))
+    for at in map(int, rng.permutation(len(options))):
+        wanted = _wanted(brief, options[at], gone)
+        if count and wanted and _has_room(brief, more := _with(brief, wanted, fill)):
+            brief, count = more, count - 1
+    return brief
+
+
+def _complete(brief: Brief, rng: np.random.Generator, fill: Fill) -> Brief:
+    """The brief with what a room of its type has in one form or another."""
+    choices = varieties().of(brief.room_type)
+    for need in choices.needs if choices is not None else ():
+        if any(need.is_met_by(request.category) for request in brief.requests):
+            continue
+        forms = [_with(brief, found, fill) for option in need.options if (found := _wanted(brief, option, ()))]
+        forms = [form for form in forms if _has_room(brief, form, _CLOSE)]
+        brief = forms[int(rng.integers(len(forms)))] if forms else brief
+    return brief
+
+
+def _is_bare(brief: Brief) -> bool:
+    """Whether little but the room is named, and it is furnished for its name."""
+    assumed = sum(not request.asked for request in brief.requests)
+    return len(brief.requests) - assumed <= _BARE and assumed >= _LEAST
+
+
+def _is_sketched(brief: Brief) -> bool:
+    """Whether a few things are named, and not how what such a room is for stands to others."""
+    asked = [request for request in brief.requests if request.asked]
+    few = len({request.category for request in asked}) < _SKETCHED
+    if brief.room_type in ("", UNKNOWN_ROOM) or not asked or not few:
+        return False
+    keys = {request.key for request in asked}
+    arranged = any(r.asked and not keys.isdisjoint(r.anchors) for r in brief.relations)
+    essentials = [usual.category for usual in room_type(brief.room_type).expected]
+    return not (arranged and any(are_alike(e, request.category) for e in essentials for request in asked))
+
+
+def _is_sparse(brief: Brief) -> bool:
+    return not set(varieties().sparse.split(", ")).isdisjoint(brief.style)
+
+
+def _lessened(brief: Brief, rng: np.random.Generator) -> tuple[Brief, set[str]]:
+    """The brief with some of what it assumes left out, and the keys of that."""
+    loose = [request for request in brief.requests if _is_loose(brief, request)]
     count = min(int(rng.choice(_OUT)), len(loose))
     gone = {loose[int(at)].key for at in rng.permutation(len(loose))[:count]}
-    brief = replace(
-        brief,
-        requests=tuple(r for r in brief.requests if r.key not in gone),
-        relations=tuple(r for r in brief.relations if r.subject not in gone),
-    )
-    more = list(_more(brief, gone))
-    for at in sorted(map(int, rng.permutation(len(more))[: int(rng.choice(_IN))])):
-        brief = _with(brief, more[at])
-    return brief
+    requests = tuple(r for r in brief.requests if r.key not in gone)
+    relations = tuple(r for r in brief.relations if r.subject not in gone)
+    return replace(brief, requests=requests, relations=relations), gone
 
 
 def _is_loose(brief: Brief, request: Request) -> bool:
     """Whether nothing else stands to it, nobody sits on it at a table, and no such room must have it."""
     needed = any(request.key in relation.anchors for relation in brief.relations)
     needed |= any(r.kind in _DRAWN_UP and r.subject == request.key for r in brief.relations)
-    essential = any(are_alike(usual.category, request.category) for usual in room_type(brief.room_type).expected)
-    first = room_type(brief.room_type).usual[0].category
-    return not needed and not essential and not are_alike(first, request.category)
+    usual = room_type(brief.room_type).usual
+    first = usual[: max(1, len(usual) // _FIRST)]
+    essential = _is_essential(brief, request) or any(are_alike(u.category, request.category) for u in first)
+    return not (request.asked or needed or essential)
 
 
-def _more(brief: Brief, gone: set[str]) -> Iterator[Usual]:
-    """What else such a room may hold that it does not yet, and that stands by itself or by what is there."""
-    there = {request.category for request in brief.requests}
-    for usual in dressing().furniture(brief.room_type):
-        known = any(are_alike(usual.category, name) or counts_as(usual.category, name) for name in (*there, *gone))
+def _is_essential(brief: Brief, request: Request) -> bool:
+    return any(are_alike(usual.category, request.category) for usual in room_type(brief.room_type).expected)
+
+
+def _fewer(brief: Brief, rng: np.random.Generator) -> Brief:
+    """The brief with one less of some things of which it assumes several, and of what each of them has."""
+    known = varieties().fewer.split(", ")
+    for request in brief.requests:
+        open_ = not request.asked and request.count > 1 and request.category in known
+        if open_ and not _is_essential(brief, request) and rng.random() < _FEWER:
+            brief = _lowered(brief, request)
+    return brief
+
+
+def _lowered(brief: Brief, request: Request) -> Brief:
+    """The brief with one less of a thing; unchanged where not all that belongs to it is assumed and one for each."""
+    before = request.count
+    ties = [r for r in brief.relations if request.key in r.anchors]
+    subjects = [brief.request(r.subject) for r in ties]
+    shared = all(r.each and not s.asked and s.count % before == 0 for r, s in zip(ties, subjects, strict=True))
+    if not shared:
+        return brief
+    counts = {s.key: s.count // before * (before - 1) for s in subjects} | {request.key: before - 1}
+    requests = tuple(replace(r, count=counts.get(r.key, r.count)) for r in brief.requests)
+    return replace(brief, requests=requests)
+
+
+def _options(brief: Brief) -> Iterator[Option]:
+    """What such a room may hold besides: what is said of its type; else what it usually holds, or lived in."""
+    choices = varieties().of(brief.room_type)
+    if choices is not None:
+        yield from choices.options
+        return
+    for usual in room_type(brief.room_type).usual:
+        yield (usual,)
+    if not kinds_of_room(brief.room_type).isdisjoint(dressing().rooms):
+        for usual in dressing().furniture(brief.room_type):
+            count = min(usual.count, 2) if kind_of(usual.category).mount == "wall" else 1
+            yield (Usual(count, usual.category, usual.relations),)
+
+
+def _is_laid(option: Option) -> bool:
+    """Whether it lies on what would have to grow for it."""
+    return any(kind == "on" for kind, _, _ in option[0].relations)
+
+
+def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str]) -> Option:
+    """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent."""
+    there = [request.category for request in brief.requests]
+    first = option[0].category
+    if any(are_alike(first, name) or counts_as(first, name) for name in (*there, *gone)):
+        return ()
+    wanted: list[Usual] = []
+    for usual in option:
+        drawn_up = any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
+        if usual.category in there and not drawn_up:
+            continue
+        named = any(request.asked and request.category == usual.category for request in brief.requests)
         unwanted = any(counts_as(usual.category, name) or are_alike(usual.category, name) for name in brief.excluded)
-        if not known and not unwanted and all(_anchor(brief, anchors) for _, anchors, _ in usual.relations):
-            yield usual
+        found = [(kind, _anchor(brief, anchors, wanted)) for kind, anchors, _ in usual.relations]
+        if named or unwanted or not all(anchor for _, anchor in found) or _is_taken(brief, usual, found):
+            return ()
+        wanted.append(usual)
+    return tuple(wanted)
 
 
-def _anchor(brief: Brief, anchors: str) -> str:
+def _is_taken(brief: Brief, usual: Usual, found: Sequence[tuple[str, str]]) -> bool:
+    """Whether something of its mount has the place that it is to have."""
+    kind = kind_of(usual.category)
+    taken = [
+        (relation.kind, anchor)
+        for relation in brief.relations
+        if kind_of((subject := brief.request(relation.subject)).category).mount == kind.mount
+        and kind_of(subject.category).flat == kind.flat
+        for anchor in relation.anchors
+    ]
+    return any(relation in _ALONE and (relation, anchor) in taken for relation, anchor in found)
+
+
+def _anchor(brief: Brief, anchors: str, besides: Sequence[Usual] = ()) -> str:
     """The first of "a|b" that is there: the key of a request, or a place of the room; empty where none is."""
-    keys = {request.category: request.key for request in brief.requests}
-    return next((keys.get(name, name) for name in anchors.split("|") if name in keys or name in _PLACES), "")
+    keys = {usual.category: usual.category for usual in besides}
+    keys |= {request.category: request.key for request in reversed(brief.requests)}
+    for name in anchors.split("|"):
+        if name in keys:
+            return keys[name]
+        if name in _PLACES:
+            return "" if name in brief.free else name
+    return ""
 
 
-def _with(brief: Brief, usual: Usual) -> Brief:
-    """The brief with one kind of thing more."""
-    count = min(usual.count, 2) if kind_of(usual.category).mount == "wall" else 1
-    request = Request(key=usual.category, category=usual.category, count=count, asked=False)
-    relations = tuple(
-        Relation(kind=cast(RelationKind, kind), subject=request.key, anchors=(_anchor(brief, anchors),), asked=False)
-        for kind, anchors, _ in usual.relations
-    )
-    return replace(brief, requests=(*brief.requests, request), relations=(*brief.relations, *relations))
+def _has_room(brief: Brief, more: Brief, factor: float = 1.0) -> bool:
+    """Whether a floor that is given, or is to be small, is large enough for more that stands on it.
+
+    It is taken for `factor` times as large.
+    """
+    if is_open(brief):
+        return True
+    area = brief.area or (brief.width or 0.0) * (brief.depth or 0.0)
+    needed = furniture_area(more)
+    return needed <= max(factor * area, furniture_area(brief))
+
+
+def _with(brief: Brief, option: Option, fill: Fill) -> Brief:
+    """The brief with some things more."""
+    for usual in option:
+        taken = [request.key for request in brief.requests]
+        numbered = (f"{usual.category}-{number}" for number in range(2, len(taken) + 3))
+        key = next(name for name in (usual.category, *numbered) if name not in taken)
+        count, relations = usual.count, []
+        for kind, anchors, each in usual.relations:
+            anchor = _anchor(brief, anchors)
+            owner = next((request for request in brief.requests if request.key == anchor), None)
+            count *= owner.count if each and owner is not None else 1
+            relations.append(
+                Relation(
+                    kind=cast(RelationKind, kind),
+                    subject=key,
+                    anchors=(anchor,),
+                    each=each and owner is not None and owner.count > 1,
+                    asked=False,
+                )
+            )
+        filled = fill == "essentials" and usual.category in varieties().filled.split(", ")
+        request = Request(
+            key=key,
+            category=usual.category,
+            count=count,
+            asked=False,
+            attributes=("filled",) if filled else (),
+        )
+        brief = replace(brief, requests=(*brief.requests, request), relations=(*brief.relations, *relations))
+    return brief

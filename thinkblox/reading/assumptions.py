@@ -29,7 +29,7 @@ _SINGLE = "single"
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     if fill == "named" and not draft.empty:
-        _carry(draft)
+        _carry(draft, seated=False)
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
         sketched = _is_sketched(draft)
@@ -43,7 +43,7 @@ def assume(draft: Draft, fill: Fill) -> None:
                 _fill(draft, theme.expected(draft.room))
         _staff(draft)
         _give_places(draft)
-        _carry(draft)
+        _carry(draft, seated=True)
 
 
 def anticipated(draft: Draft) -> frozenset[str]:
@@ -91,14 +91,22 @@ def draw_up(draft: Draft) -> None:
     for table in [t for t in draft.things if t.asked and not t.seats and _is_for_one(draft, t)]:
         kind, seat, each = _usual_seat(draft.room, table.noun)
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
-        if kind == "around" and served:
-            continue  # A table beside loungers is theirs.
+        if kind == "around" and (served or (taken and _is_worked_on(draft, table))):
+            continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
         count = each * (table.count or 1)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
         elif seat and not drawn and not free and not any(counts_as(seat, noun) for noun in draft.excluded):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
+
+
+def _is_worked_on(draft: Draft, table: Mention) -> bool:
+    """Whether what is to stand on it belongs on a worktop."""
+    habits = load_habits()
+    carried = [b.subject for b in draft.bonds if b.asked and b.kind == "on" and table in b.anchors]
+    usual = (habit for thing in carried for habit in habits.of(thing.noun)[:1] if habit.kind == "on")
+    return any(habits.is_in(name, "worktops") for habit in usual for name in habit.anchors[:1])
 
 
 def _has_its_table(draft: Draft, seat: Mention) -> bool:
@@ -157,7 +165,7 @@ def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
             if anchor == noun and kind in ("at", "around") and load_habits().is_in(usual.category, "drawn_aside"):
                 tables = sum(other.count for other in usuals if other.category == anchor) or 1
                 return relation_kind(kind), usual.category, max(1, usual.count // tables)
-    drawn = usual_seat(noun)
+    drawn = usual_seat(noun) or usual_seat(stand_in(noun).like)
     return (relation_kind(drawn.relations[0][0]), drawn.category, drawn.count) if drawn else ("at", "", 0)
 
 
@@ -196,7 +204,20 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         for (kind, _, each), place in zip(usual.relations, places, strict=True):
             anchors = (made.get(place, place),) if place else ()
             draft.bonds.append(Bond(relation_kind(kind), thing, anchors, each=each, asked=False))
+    for usual in wanted:
+        _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
+    """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
+    seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
+    for kind, anchors, each in usual.relations:
+        place = made.get(_place(anchors, made))
+        if len(seats) == 1 and kind in _SEATED and each and place is not None and not place.asked:
+            if place.count != seats[0].count:
+                _multiply(draft, place, seats[0].count or 1)
+            draft.bonds.append(Bond(relation_kind(kind), seats[0], (place,), asked=False))
 
 
 def _place(anchors: str, made: Mapping[str, Mention]) -> str:
@@ -214,11 +235,16 @@ def _serves(noun: str, usual: Usual) -> bool:
 def _have_places(draft: Draft, category: str) -> bool:
     """Whether a thing is a place of one's own where the prompt names tables or loungers for the people."""
     loungers = [t for t in draft.things if t.asked and load_habits().is_in(t.noun, "lounges")]
-    if load_habits().is_in(category, "lounges") and sum(t.count or 1 for t in loungers) >= _ENOUGH_SEATS:
+    said = sum(t.count or (_ENOUGH_SEATS if t.rows else 1) for t in loungers)
+    if load_habits().is_in(category, "lounges") and said >= _ENOUGH_SEATS:
         return True
     if load_habits().is_in(category, "meal_tables") and _has(draft, "sat_in"):
         return True
-    named = any(thing.asked and load_habits().is_in(thing.noun, "meal_tables") for thing in draft.things)
+    named = any(
+        t.asked
+        and (load_habits().is_in(t.noun, "meal_tables") or (t.many and load_habits().is_in(t.noun, "worked_at")))
+        for t in draft.things
+    )
     return category == room_type(draft.room).place and named
 
 
@@ -339,8 +365,8 @@ def _has(draft: Draft, group: str) -> bool:
     return any(load_habits().is_in(thing.noun, group) for thing in draft.things)
 
 
-def _carry(draft: Draft) -> None:
-    """Something to put small things on, where the prompt names nothing that could carry them."""
+def _carry(draft: Draft, *, seated: bool) -> None:
+    """Something to put small things on, where the prompt names nothing that could carry them; a desk with its seat."""
     _build_in(draft)
     for thing in [t for t in draft.things if load_habits().is_in(t.noun, "small")]:
         if _lies_somewhere(draft, thing):
@@ -349,7 +375,11 @@ def _carry(draft: Draft) -> None:
         if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
-                _add(draft, noun, 1)
+                carrier, drawn = _add(draft, noun, 1), usual_seat(noun)
+                worked_at = seated and load_habits().is_in(noun, "worked_at")
+                if drawn is not None and worked_at and not _has(draft, "drawn_aside"):
+                    seat = _add(draft, drawn.category, 1)
+                    draft.bonds.append(Bond(relation_kind(drawn.relations[0][0]), seat, (carrier,), asked=False))
 
 
 def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:

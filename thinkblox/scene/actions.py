@@ -87,10 +87,10 @@ def outcome(scene: "Scene", action: Action) -> Applied:
     """Do an action.
 
     Raises:
-        KeyError: an id that the scene does not have.
-        InputError: an id that it has already (to add), a pose that is none, an object swapped with itself or with what
-            rests on it.
+        InputError: an id that the scene does not have, or has already (to add), a pose that is none, an object swapped
+            with itself or with what rests on it.
     """
+    _check_there(scene, action)
     match action:
         case Add():
             return Applied(_added(scene, action))
@@ -107,6 +107,14 @@ def outcome(scene: "Scene", action: Action) -> Applied:
             return _swapped(scene, action.id, action.other)
         case _:
             raise InputError(f"a {type(action).__name__} is no action: Add, Move, Turn, Replace, Remove, Swap")
+
+
+def _check_there(scene: "Scene", action: Action) -> None:
+    ids = (action.id, action.other) if isinstance(action, Swap) else (getattr(action, "id", None),)
+    unknown = [id for id in ids if id is not None and id not in scene]
+    if unknown and not isinstance(action, Add):
+        there = ", ".join(p.id for p in scene.placements) or "none"
+        raise InputError(f"the scene has no object {unknown[0]!r}; there are {there}")
 
 
 def _added(scene: "Scene", action: Add) -> "Scene":

@@ -76,8 +76,8 @@ class Scene(Arrangement, frozen=True, kw_only=True):
         What rests on a moved thing rides along; `thinkblox.scene.actions.outcome` says what did, and what was left.
 
         Raises:
-            KeyError: an id that the scene does not have; the message lists those that it has.
-            InputError: an action that cannot be done, such as adding an id that exists.
+            InputError: an id that the scene does not have, which lists those that it has, or an action that cannot be
+                done, such as adding an id that exists.
         """
         return outcome(self, action).scene
 

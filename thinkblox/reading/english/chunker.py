@@ -224,13 +224,14 @@ class Cutter:
     def _words(self) -> Chunk:
         if (said := self._set_phrase()) is not None:
             return said
-        link = self._link()
         noun = self._phrases.read(self.at, after_preposition=self._after_preposition())
+        of_room = noun is not None and self._names_room()
+        link = None if of_room else self._link()
         if self.tokens[self.at].text == "in" and self._after_noun() and self._text_at(self.at + 1) == "which":
             named = self.made[-1]
             if isinstance(named, Noun) and named.kind == "thing":
                 return Connector("prepositions", "in", self.at, self.at + 1, "in")
-        if (doing := self._participle()) is not None:
+        if (doing := None if of_room else self._participle()) is not None:
             return doing
         if noun is not None and (link is None or (not self._is_placing(link) and self._is_noun(noun, link))):
             return noun
@@ -248,6 +249,11 @@ class Cutter:
         if adjective is not None:
             return adjective
         return Stray(self.at, self.at + 1, self.tokens[self.at].shown)
+
+    def _names_room(self) -> bool:
+        """Whether words that begin with what is done somewhere are the name of a room: "waiting room"."""
+        named = self.lexicon.longest(self.tokens, self.at)
+        return named.length > 1 and named.entry("room") is not None
 
     def _described(self) -> Adjective | None:
         """Read what hyphens join after the noun that it describes: "a TV wall-mounted opposite the sofa"."""

@@ -1,7 +1,9 @@
 """Prepositions that say something else than where: "of", "for", "as", "without"."""
 
+import math
 from dataclasses import replace
 
+from thinkblox.knowledge.seats import places_at
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -155,8 +157,8 @@ class Prepositions(Negation):
         if noun.kind in ("people", "number") and noun.count and thing is not None:
             if thing.seats and thing.seats != noun.count:
                 self._lose(link.start, noun.end)
-            elif self.habits.is_in(thing.noun, "tables", "desks"):
-                thing.seats = noun.count
+            else:
+                self._serve(thing, noun.count)
             self._go_past(noun)
         elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
             self._for_people(noun)
@@ -177,6 +179,18 @@ class Prepositions(Negation):
             self._go_past(noun)
             if noun.kind == "thing" and thing is not None and noun.definite:
                 self._lose(link.start, noun.end)
+
+    def _serve(self, thing: Mention, people: int) -> None:
+        """Let it be for so many: a table has as many places, and there are enough of what each has one of."""
+        if self._are_places(thing):
+            thing.count = math.ceil(people / places_at(thing.noun))
+        elif self.habits.is_in(thing.noun, "tables", "desks"):
+            thing.seats = people
+
+    def _are_places(self, thing: Mention) -> bool:
+        """Whether it is seats, or what people work at, of which nobody says how many: "chairs for eight people"."""
+        bare = thing.count is None and thing.plural
+        return bare and self.habits.is_in(thing.noun, "seats", "worked_at")
 
     def _is_contents(self, noun: Noun) -> bool:
         """Whether it is what something is for and holds: "a mug for pens"."""

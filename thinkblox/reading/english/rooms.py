@@ -6,13 +6,14 @@ from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.repaint import LOOKS
 from thinkblox.assets.sizing import people
-from thinkblox.knowledge.rooms import room_type
+from thinkblox.knowledge.rooms import kinds_of_room, room_type
 from thinkblox.reading.draft import Gap
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
+from thinkblox.reading.lexicon import ENGLISH, load
 from thinkblox.reading.sizes import Size
 
 _THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
@@ -34,7 +35,7 @@ class Rooms(Memberships):
             self.draft.rooms.append(noun.text)
             return
         if not self.draft.room or self.draft.room == "room":
-            self.draft.room = noun.value
+            self.draft.room = self._room_of_whole(noun) or noun.value
         self.draft.room_attributes += [a for a in noun.attributes if not people((a,))]
         self.draft.people = self.draft.people or people(noun.attributes)
         self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
@@ -43,6 +44,19 @@ class Rooms(Memberships):
         if not self.draft.things:
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
+
+    def _room_of_whole(self, noun: Noun) -> str:
+        """The hotel lobby of "lobby of a small hotel", as what has both words in its name; empty where nothing has."""
+        whole = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        words = whole.text.lower().replace("'s", "").split() if whole is not None else []
+        for word in reversed(words):
+            known = load(ENGLISH)
+            tokens = known.tokens(f"{word} {noun.text.lower().split()[-1]}")
+            found = known.longest(tokens, 0)
+            room = found.entry("room") if found.length == len(tokens) else None
+            if room is not None and noun.value in kinds_of_room(room.value):
+                return room.value
+        return ""
 
     def _go_on_with_room(self) -> None:
         """Let the room have what is told next: "a piano in a living room with a sofa"."""

@@ -1,0 +1,73 @@
+"""Values of USD attributes as numbers, or a refusal that names the attribute."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Gf
+
+from thinkblox.errors import InputError
+
+_QUATERNIONS = (Gf.Quath, Gf.Quatf, Gf.Quatd)
+
+
+def number_of(attribute: Any, otherwise: float) -> float:
+    """The number that an attribute has; `otherwise` where it has none.
+
+    Raises:
+        InputError: it is no number.
+    """
+    value = _value(attribute)
+    if value is None:
+        return otherwise
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not a number")
+    return float(value)
+
+
+def numbers_of(attribute: Any, otherwise: Iterable[float]) -> NDArray[np.float64]:
+    """The numbers of a vector, or of an array of them; `otherwise` where it has none.
+
+    Raises:
+        InputError: they are no numbers.
+    """
+    value = _value(attribute)
+    if value is None:
+        return np.array(tuple(otherwise), np.float64)
+    try:
+        return np.array(value, np.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not made of numbers") from error
+
+
+def turn_of(attribute: Any) -> NDArray[np.float64]:
+    """The rotation that a quaternion says (3, 3); none where there is no quaternion.
+
+    Raises:
+        InputError: it is something else.
+    """
+    value = _value(attribute)
+    if value is None:
+        return np.eye(3)
+    if not isinstance(value, _QUATERNIONS):
+        raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not a quaternion")
+    return np.array(Gf.Matrix3d(Gf.Quatd(value).GetNormalized())).T
+
+
+def word_of(attribute: Any, words: Iterable[str], otherwise: str) -> str:
+    """Which one of some words an attribute says; `otherwise` where it says nothing.
+
+    Raises:
+        InputError: it says something else.
+    """
+    value, known = _value(attribute), tuple(words)
+    if value is None or value == "":
+        return otherwise
+    if value not in known:
+        raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is none of {', '.join(known)}")
+    return str(value)
+
+
+def _value(attribute: Any) -> Any:
+    return attribute.Get() if attribute else None

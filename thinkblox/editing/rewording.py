@@ -1,0 +1,106 @@
+"""What an instruction says in other words, put into those that are read; "desk 2" as the object of that number."""
+
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from thinkblox.assets.plurals import singular
+from thinkblox.editing.grammar import longest
+from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.tokens import Token, tokenise
+
+_NUMBERED = re.compile(
+    r"\b([a-z]+(?:[ -][a-z]+){0,2})\s+(?:no\.?\s*|nr\.?\s*|number\s+|#\s*)?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I
+)
+_SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
+_CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
+_AFTER = re.compile(r"\s*([a-z°%'\"]+)", re.I)
+_MEASURE = re.compile(r"\s*by\s*[0-9.,]+\s*(?:m|cm|mm|met|cent|feet|foot|ft|inch)", re.I)
+"""After "the desk 2" in "2 by 1 m"."""
+_UNITS = frozenset(
+    "m cm mm metre metres meter meters centimetre centimetres centimeter centimeters feet foot ft inch inches in yard"
+    " yards degree degrees deg ° % percent times x".split()
+)
+"""Words after a number that make it a length, an angle or a share; "in" is one before no noun phrase."""
+
+
+def reworded(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens, with what they say in other words put into the words that are read; each keeps how it was written."""
+    left: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        found = longest("same", tokens, at)
+        if found is None:
+            left.append(tokens[at])
+            at += 1
+            continue
+        words, (first, *more) = " ".join(t.shown for t in tokens[at : at + found[1]]), tokenise(found[0])
+        left.append(replace(first, shown=words, start=tokens[at].start))
+        left += [replace(token, start=-1) for token in more]
+        at += found[1]
+    return left
+
+
+def uncontracted(text: str) -> str:
+    """The text with "it's" and "they're" in full, which are told from "its" and "there" by that alone."""
+    return _CONTRACTED.sub(lambda found: f"{found[1]} {'is' if found[1].lower() == 'it' else 'are'}", text)
+
+
+def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
+    """The text with "desk 2" and "desk number 2" as the id of that object, where there is one.
+
+    Args:
+        lexicon: of its language, by which the words for a kind are known.
+        text: the instruction.
+        ids: of the objects that are there.
+    """
+    text = _SERIES.sub(lambda found: _each_numbered(lexicon, found, ids), text)
+    written, end = "", 0
+    for match in _NUMBERED.finditer(text):
+        after = _AFTER.match(text, match.end())
+        if match.start() < end or (after is not None and _counts(lexicon, after[1].lower(), text[after.end() :])):
+            continue
+        if _MEASURE.match(text, match.end()):
+            continue
+        words = re.split(r"[ -]", match[1])
+        for count in range(len(words)):
+            name = " ".join(words[count:])
+            id = _id(_kinds(lexicon, name), match[2], ids)
+            if id:
+                begin = match.start() + len(match[1]) - len(name)
+                written += text[end:begin] + id
+                end = match.end()
+                break
+    return written + text[end:]
+
+
+def _each_numbered(lexicon: Lexicon, found: re.Match[str], ids: Collection[str]) -> str:
+    """What "desks 1, 2 and 3" are as the ids of these; as it was where one of them is not there."""
+    kinds = [*_kinds(lexicon, singular(found[1].lower())), singular(found[1].lower())]
+    named = [_id(kinds, number, ids) for number in re.findall(r"[0-9]+", found[2])]
+    return f"{', '.join(named[:-1])} and {named[-1]}" if all(named) else found[0]
+
+
+def _counts(lexicon: Lexicon, word: str, rest: str) -> bool:
+    """Whether a number before a word says how much or how many: "2 m", "4 plates"."""
+    if word == "in":
+        return not rest.lstrip().lower().startswith(("the", "a ", "front", "its", "their"))
+    named = lexicon.longest(list(lexicon.tokens(word)), 0).entry("object")
+    return word in _UNITS or (named is not None and named.plural)
+
+
+def _id(kinds: Sequence[str], number: str, ids: Collection[str]) -> str:
+    """The object of one of these kinds with that number; of "chair 2" also the only office chair with it."""
+    for kind in kinds:
+        if (id := f"{kind}_{number}") in ids:
+            return id
+    like = [id for id in ids for kind in kinds[:1] if id.endswith(f"_{kind}_{number}")]
+    return like[0] if len(like) == 1 else ""
+
+
+def _kinds(lexicon: Lexicon, name: str) -> list[str]:
+    """The categories that words name, and the words themselves."""
+    tokens = list(lexicon.tokens(name))
+    found = lexicon.longest(tokens, 0)
+    named = [entry.value for entry in found.entries if entry.sort == "object"] if found.length == len(tokens) else []
+    return [name.lower().replace(" ", "_"), *named]

@@ -1,0 +1,88 @@
+"""What rooms of a type may hold besides what all of them do, and what they have one or another of."""
+
+import tomllib
+from functools import lru_cache
+from pathlib import Path
+
+import msgspec
+
+from thinkblox.errors import InputError
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import Usual, read_usual, room_type, room_types
+from thinkblox.knowledge.things import are_alike, counts_as
+from thinkblox.value import Value
+
+Option = tuple[Usual, ...]
+"""Things that come together, what they are for first."""
+
+
+class Need(Value, frozen=True, kw_only=True):
+    """What a type of room has in one form or another.
+
+    Attributes:
+        one_of: the forms, in the notation of `RoomChoices.may`.
+        unless: categories, and groups of them after an "@", that will do as well, separated by commas.
+    """
+
+    one_of: tuple[str, ...]
+    unless: str = ""
+
+    @property
+    def options(self) -> tuple[Option, ...]:
+        """The forms, read."""
+        return tuple(_option(line) for line in self.one_of)
+
+    def is_met_by(self, category: str) -> bool:
+        """Whether a room with such a thing lacks nothing of it."""
+        names = [name for name in self.unless.split(", ") if name]
+        groups = [name.removeprefix("@") for name in names if name.startswith("@")]
+        others = [name for name in names if not name.startswith("@")]
+        firsts = [option[0].category for option in self.options]
+        alike = any(are_alike(category, name) for name in firsts)
+        return alike or load_habits().is_in(category, *groups) or any(counts_as(category, name) for name in others)
+
+
+class RoomChoices(Value, frozen=True, kw_only=True):
+    """What a type of room has one or another of, and what it may hold besides: "<line> + <line>" of rooms.toml."""
+
+    needs: tuple[Need, ...] = ()
+    may: tuple[str, ...] = ()
+
+    @property
+    def options(self) -> tuple[Option, ...]:
+        """What it may hold besides, read."""
+        return tuple(_option(line) for line in self.may)
+
+
+class Varieties(Value, frozen=True, kw_only=True):
+    """All that is known of it.
+
+    Attributes:
+        sparse: words about rooms that are to hold little, separated by commas.
+        filled: categories that come full of books, separated by commas.
+        fewer: categories of which a room may have one less, separated by commas.
+        rooms: choices by type of room.
+    """
+
+    sparse: str
+    filled: str
+    fewer: str
+    rooms: dict[str, RoomChoices]
+
+    def of(self, room: str) -> RoomChoices | None:
+        """The choices of a type of room, or of the wider one that it is one of; None where there are none."""
+        return self.rooms.get(room) or self.rooms.get(room_type(room).like)
+
+
+@lru_cache(maxsize=1)
+def varieties() -> Varieties:
+    """The table."""
+    text = Path(__file__).with_name("variety.toml").read_text(encoding="utf-8")
+    read = msgspec.convert(tomllib.loads(text), Varieties)
+    if unknown := read.rooms.keys() - room_types().keys():
+        raise InputError(f"variety: no type of room {min(unknown)!r}")
+    return read
+
+
+def _option(line: str) -> Option:
+    return read_usual(tuple(line.split(" + ")))
