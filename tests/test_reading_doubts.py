@@ -23,6 +23,29 @@ from thinkblox.reading import read_brief
          ["1 mirror above washbasin", "1 wall_shelf above toilet"]),
         ("An island; on it a cutting board with a loaf of bread, left of it two tomatoes.",
          ["2 tomato left_of cutting_board"]),
+        # What a pronoun means is weighed: what can bear the relation, how lately it was named, and as what.
+        ("A sink, a bath and a counter with a sponge, a stove and a kettle on it.", ["1 kettle on counter"]),
+        ("A counter, a mannequin beside the counter, a spool rack above it.", ["1 shelving_unit above counter"]),
+        ("A laboratory with two workbenches, a washbasin between the benches and a first aid kit above it.",
+         ["1 first_aid_kit above washbasin"]),
+        ("Twin beds with a nightstand between them and a lamp on it.", ["1 table_lamp on nightstand"]),
+        ("A pinball machine and a jukebox along the left wall, a table tennis table opposite them.",
+         ["1 table_tennis opposite pinball_machine jukebox"]),
+        ("A bench, four hooks above it with coats, three pairs of boots under it.", ["3 boots under bench"]),
+        ("A bed against the left wall and a wardrobe on the same wall as the bed.",
+         ["1 wardrobe against_wall left_wall"]),
+        ("A fridge with a sign on its door.", ["1 sign on fridge"]),
+        ("A car in the middle, a bench with a saw and a hammer to the right of the car.",
+         ["1 bench right_of car", "1 hammer on bench"]),
+        ("A small altar with a bell and a candle opposite the door.", ["1 altar opposite door", "1 candle on altar"]),
+        ("A boiler in the corner, a mop and a bucket beside it.", ["1 mop next_to boiler", "1 bucket next_to boiler"]),
+        ("A sorting table, three crates with apples under it.", ["3 crate under sorting_table"]),
+        ("A table with a bowl with apples on it.", ["1 bowl on dining_table"]),
+        ("An island; on the island are a cutting board with a knife on it and a bowl of lemons.",
+         ["1 fruit_bowl on kitchen_island"]),
+        ("Three tables, each with a lamp, two chairs and a crate of bottles.", ["3 crate_of_bottles on dining_table"]),
+        ("A vanity with a lit mirror.", ["1 mirror above dressing_table"]),
+        ("A bed, a dresser with a mirror above it opposite the bed.", ["1 dresser opposite bed"]),
         # Where a whole list is, and where only its last thing.
         ("A nightstand with an alarm clock on the right of the bed.", ["1 nightstand right_of bed"]),
         ("A shelf with six stuffed animals above the dresser.", ["1 wall_shelf above dresser"]),
@@ -131,3 +154,14 @@ def test_a_pattern_is_asked_of_the_thing(prompt: str) -> None:
 def test_a_stack_says_how_things_lie() -> None:
     (books,) = (r for r in read_brief("A stack of three plates on a table.").requests if r.category == "plate")
     assert (books.count, books.states) == (3, ("stacked",))
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A bench between two stools, an amp on the right of the bench, a stack of boxes left of a table, a drum on it.",
+        "A desk under the window, a chair next to a cabinet, a plant behind it.",
+    ],
+)
+def test_what_may_mean_either_of_two_is_said(prompt: str) -> None:
+    assert any(" or " in said for said in read_brief(prompt).unknown)

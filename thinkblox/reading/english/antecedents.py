@@ -13,15 +13,17 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from thinkblox.assets import revision
+from thinkblox.assets import kind_of, revision
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Draft, Mention
 from thinkblox.reading.english.chunks import Chunk
 from thinkblox.reading.english.referents import Referents, is_small
-from thinkblox.reading.english.survey import Naming, Survey, survey
+from thinkblox.reading.english.survey import Occurrence, Survey, survey
 
 _WINDOW = 60
 """How many chunks back a pronoun can reach."""
+_BESIDE = ("next_to", "left_of", "right_of", "in_front_of", "behind", "near")
+"""Relations that nothing has to what it lies on."""
 _FAINT = 0.25
 """How much of a part of a sentence counts once another sentence has begun."""
 _NEAR = 6
@@ -29,7 +31,7 @@ _NEAR = 6
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class Antecedent:
     """A thing that may be meant, and how much speaks for it; `several` where it is more than "it" can be."""
 
     thing: Mention
@@ -38,7 +40,7 @@ class Candidate:
 
 
 @dataclass(frozen=True, slots=True)
-class Unclear:
+class OpenReference:
     """Words from token `start` to `end` that may point back to either of two things."""
 
     start: int
@@ -65,7 +67,8 @@ class Antecedents:
         self._chunks = chunks
         self._starts = [chunk.start for chunk in chunks]
         self.pointed: dict[int, Mention] = {}
-        self.unclear: list[Unclear] = []
+        self.unclear: list[OpenReference] = []
+        self._seen: tuple[int, Survey] | None = None
 
     def choose(
         self,
@@ -83,14 +86,14 @@ class Antecedents:
         """
         by = weights()
         ranked = [
-            Candidate(c.thing, c.score + by["reader"] * (c.thing is found and not (one and c.several)))
+            Antecedent(c.thing, c.score + by["reader"] * (c.thing is found and not (one and c.several)))
             for c in self.ranked(where[0], kind, subjects, noun, one=one)
         ]
         if found not in [c.thing for c in ranked]:
             return found
         best, *others = sorted(ranked, key=lambda candidate: -candidate.score)
         if others and best.score - others[0].score < by["margin"]:
-            self.unclear.append(Unclear(*where, best.thing, others[0].thing))
+            self.unclear.append(OpenReference(*where, best.thing, others[0].thing))
             best = next(c for c in ranked if c.thing is found) if others[0].thing is found else best
         if not self._is_owner(best.thing, where[0]):
             self.pointed[where[0]] = best.thing
@@ -103,7 +106,7 @@ class Antecedents:
         owners = [t for o in own.owners for t in self._meant.get(o.start, ())] if own is not None else []
         return own is not None and own.role == "member" and thing in owners
 
-    def ranked(self, start: int, kind: str, subjects: Sequence[Mention], noun: str, *, one: bool) -> list[Candidate]:
+    def ranked(self, start: int, kind: str, subjects: Sequence[Mention], noun: str, *, one: bool) -> list[Antecedent]:
         """What the words at token `start` may point back to, the likeliest first.
 
         Args:
@@ -116,19 +119,20 @@ class Antecedents:
         seen = self._survey(start)
         last = next((n for n in reversed(seen.named) if self._means_any(n, subjects)), None)
         besides = {id(t) for s in subjects for t in self._referents.clan(s)}
-        scores: dict[int, Candidate] = {}
+        kept = set(map(id, self._draft.things[-_WINDOW:]))
+        scores: dict[int, Antecedent] = {}
         for named in seen.named:
             for thing in self._meant.get(named.noun.start, ()):
-                if id(thing) in besides or thing not in self._draft.things:
+                if id(thing) in besides or id(thing) not in kept:
                     continue
                 score = worth(kind or "next_to", noun, thing.noun)
                 several = not self._is_one(thing, named, last, seen)
                 if one and several:
-                    score += weights()["several"] + self._place(named, None, seen)
+                    score += weights()["several"] + self._place(kind, named, None, seen)
                 else:
-                    score += self._place(named, last, seen)
+                    score += self._place(kind, named, last, seen)
                 if id(thing) not in scores or scores[id(thing)].score < score:
-                    scores[id(thing)] = Candidate(thing, score, several)
+                    scores[id(thing)] = Antecedent(thing, score, several)
         return sorted(scores.values(), key=lambda candidate: -candidate.score)
 
     def choose_several(
@@ -143,14 +147,15 @@ class Antecedents:
         by = weights()
         scores = self._sets(where[0], kind, subjects, noun)
         mine = frozenset(found)
-        if mine not in scores:
+        lone = len(found) == 1 and not found[0].many
+        if not scores or (mine not in scores and not lone):
             return found
-        scores[mine] = (scores[mine][0] + by["reader_several"], found)
+        if mine in scores:
+            scores[mine] = (scores[mine][0] + by["reader_several"], found)
         best, *others = sorted(scores.values(), key=lambda entry: -entry[0])
         near = next((e for e in others if best[0] - e[0] < by["margin"]), None)
         if near is not None:
-            one, other = (next(t for t in e[1] if t not in o[1] or e is o) for e, o in ((best, near), (near, best)))
-            self.unclear.append(Unclear(*where, one, other))
+            self.unclear.append(OpenReference(*where, _apart(best[1], near[1]), _apart(near[1], best[1])))
             return found if found in (best[1], near[1]) else best[1]
         return best[1]
 
@@ -174,24 +179,25 @@ class Antecedents:
         for named in before:
             things = [p for t in self._meant[named.noun.start] for p in self._referents.family(t)]
             if len(things) > 1 or any(t.many for t in things):
-                weigh(self._place(named, own, seen) + by["family"] * (len(things) > 1), things)
+                weigh(self._place(kind, named, own, seen) + by["family"] * (len(things) > 1), things)
         for at, named in enumerate(before):
             for other in before[max(0, at - _NEAR) : at]:
                 pair = [t for n in (other, named) for t in self._meant[n.noun.start]]
                 tied = "joined" if named.joined is other.noun else "told" if named.of is other.noun else "beside"
                 apart = tied == "beside" and (kind != "between" or {named.role, other.role} != {"head"})
-                if len(pair) == 2 and other.sentence == named.sentence and not (apart or any(t.many for t in pair)):
-                    score = (self._place(named, own, seen) + self._place(other, own, seen)) / 2
+                apart |= tied != "joined" and any(t.many for t in pair)
+                if len(pair) == 2 and other.sentence == named.sentence and not apart:
+                    score = (self._place(kind, named, own, seen) + self._place(kind, other, own, seen)) / 2
                     weigh(score + by[f"pair_{tied}"], pair)
         return scores
 
-    def _is_small(self, named: Naming) -> bool:
+    def _is_small(self, named: Occurrence) -> bool:
         return all(is_small(thing) for thing in self._meant.get(named.noun.start, ()))
 
-    def _means_any(self, named: Naming, things: Sequence[Mention]) -> bool:
+    def _means_any(self, named: Occurrence, things: Sequence[Mention]) -> bool:
         return any(t in things for t in self._meant.get(named.noun.start, ()))
 
-    def _is_one(self, thing: Mention, named: Naming, own: Naming | None, seen: Survey) -> bool:
+    def _is_one(self, thing: Mention, named: Occurrence, own: Occurrence | None, seen: Survey) -> bool:
         """Whether "it" may be said of a thing: of one, or of each of several."""
         if named.noun.start in seen.spread or thing in self._referents.shared or thing.rows or thing.groups:
             return True
@@ -199,20 +205,24 @@ class Antecedents:
             return True
         return not (thing.many or (named.noun.many and not self._referents.is_apart(thing)))
 
-    def _place(self, named: Naming, own: Naming | None, seen: Survey) -> float:
+    def _place(self, kind: str, named: Occurrence, own: Occurrence | None, seen: Survey) -> float:
         """How much speaks for a thing by where it was named."""
         by = weights()
         back = seen.sentence - named.sentence
         score = by[named.role] + by["sentence"] * back
         score += by["part"] * (seen.part - named.part if not back else _FAINT * max(0, seen.last - named.part))
-        if own is not None and named.noun in own.owners:
+        lies = own is not None and own.listed and kind in _BESIDE and self._is_small(own)
+        if own is not None and named.noun in own.owners and not lies:
             owner = by["owner"] if named.noun is own.owners[0] else by["outer"]
             score += owner * (by["listed"] if own.listed else 1.0)
         if seen.topics.get(named.sentence) is named.noun and back < 2:
             first = by["first"] if named.noun.start in seen.loose else by["topic"]
             score += first if not back or seen.sentence not in seen.topics else 0.0
-        if own is not None and own.joined is named.noun and (own.owners or self._is_small(named)):
+        carries = kind in ("on", "inside", "above", "under") and not self._is_small(named)
+        if own is not None and own.paired and own.joined is named.noun and (own.owners or not carries):
             score += by["joined"]
+        if named.role == "head" and own is None and named.part == seen.part - 1 and not back:
+            score += by["before"]
         if named.role == "anchor":
             score += by["known"] * named.noun.definite
             score += by["latest"] * (named.noun.definite and named.part == seen.part - 1 and not back)
@@ -221,7 +231,7 @@ class Antecedents:
         score += self._centre(named, seen)
         return score
 
-    def _centre(self, named: Naming, seen: Survey) -> float:
+    def _centre(self, named: Occurrence, seen: Survey) -> float:
         """How much speaks for what a pronoun meant lately."""
         by, things = weights(), self._meant.get(named.noun.start, ())
         told = [at for start, at in seen.links.items() if self.pointed.get(start) in things]
@@ -235,8 +245,15 @@ class Antecedents:
 
     def _survey(self, start: int) -> Survey:
         """What was named before token `start`."""
-        end = bisect_left(self._starts, start)
-        return survey(self._chunks[max(0, end - _WINDOW) : end], self._meant)
+        if self._seen is None or self._seen[0] != start:
+            end = bisect_left(self._starts, start)
+            self._seen = (start, survey(self._chunks[max(0, end - _WINDOW) : end], self._meant))
+        return self._seen[1]
+
+
+def _apart(things: Sequence[Mention], others: Sequence[Mention]) -> Mention:
+    """What tells some things from others."""
+    return next((thing for thing in things if thing not in others), things[0])
 
 
 def worth(kind: str, noun: str, to: str) -> float:
@@ -253,7 +270,8 @@ def _worth(kind: str, noun: str, to: str, revision: int) -> float:
             continue
         if "of" in row and not (noun and habits.is_in(noun, *row["of"])):
             continue
-        if row["to"] == ["other"] or habits.is_in(to, *row["to"]):
+        groups = [g for g in row["to"] if g != "small" or max(kind_of(to).size) <= weights()["small"]]
+        if row["to"] == ["other"] or (groups and habits.is_in(to, *groups)):
             return usual or float(row["by"])
     return usual
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.antecedents import Unclear
+from thinkblox.reading.english.antecedents import OpenReference
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.corrections import Corrections
 from thinkblox.reading.english.grammar import grammar
@@ -37,8 +37,8 @@ class Doubts(Corrections):
             if said := self._hardly(bond):
                 self.draft.unknown.append(said)
         self.draft.unknown += [*self._grouped(), *self._untied(), *self._carried_twice(), *self._on_and_beside()]
-        for unclear in self.antecedents.unclear:
-            self._doubt_referent(unclear)
+        for reference in self.antecedents.unclear:
+            self._doubt_referent(reference)
         self._doubt_circles()
         for noun, thing in self.unsure:
             if thing in self.draft.things and (thing.count or 1) > 1 and thing not in self.referents.shared:
@@ -50,7 +50,7 @@ class Doubts(Corrections):
             if not any(bond.kind == "around" for bond in self.draft.bonds_of(thing)):
                 self._lose(link.start, link.end)
 
-    def _doubt_referent(self, said: Unclear) -> None:
+    def _doubt_referent(self, said: OpenReference) -> None:
         """Say of words that they may point back to either of two things."""
         kept = said.one in self.draft.things and said.other in self.draft.things
         if kept and not self.account.is_any_lost(said.start, said.end):

@@ -31,6 +31,8 @@ _WHOLE_BY = {"head": "at_foot_of", "foot": "at_foot_of", "long_side": "at_long_s
 """The relation that tells which thing has such a part."""
 
 
+_FAR_PARTS = ("head", "foot", "end", "side", "short_side", "long_side", "front", "back")
+"""Parts of things across from which something else may stand."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
 _ROUNDED = {"round", "oval", "square"}
@@ -95,6 +97,9 @@ class Meanings:
         match said.kind:
             case "part":
                 return self._part(where, said, subjects, likely, noun)
+            case "place" if said.value in _OPENINGS and said.text.lower().split()[0] == "its":
+                found = self._single("on", subjects, likely, noun, one=True)
+                return Meaning("on", (found,), told=True) if found is not None else None
             case "place":
                 self.anchor = None
                 self.place = self._place(where, said, subjects, likely, noun)
@@ -274,6 +279,8 @@ class Meanings:
         kind, loose = ("at", True) if one_side else (kind, loose)
         if said.value == "in_shelf":
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
+        if where.word == "opposite" and said.value in _FAR_PARTS and said.det == "the" and not said.plural:
+            return Meaning("opposite", meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
         kind = where.word if _is_at_end(where, said) else kind
         lying = is_small(subjects[-1]) if subjects else is_small_name(noun)
         if where.word == "on" and kind == "next_to" and lying and any(w in said.text.lower() for w in ("edge", "rim")):

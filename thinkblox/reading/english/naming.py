@@ -200,7 +200,8 @@ class Naming(Several):
     def _same(self, noun: Noun, besides: list[Mention]) -> tuple[Mention, ...]:
         """Things of that name that were mentioned, where nothing says that others are meant."""
         if not noun.det and noun.plural and noun.count is None and not noun.attributes:
-            every = [t for t in self.referents.every(noun) if t not in besides and t.noun == noun.value]
+            every = [t for t in self.referents.every(noun) if t not in besides]
+            every = [t for t in every if t.noun == noun.value or (t.many and last_word(t) == noun.word)]
             if every:
                 return tuple(every)
         if noun.det in ("a", "") and not noun.plural and noun.count in (None, 1):

@@ -52,6 +52,7 @@ class Positions(Subjects):
             chunk = replace(chunk, kind="part", value="inside")
         where.noun = chunk
         self.at = index + 1
+        self._same_wall(where, chunk)
         if chunk.kind in ("part", "place", "abstract") and self._is_link(self.peek(), "prepositions", "of"):
             where.whole = self._next_noun(1)
             if where.whole is not None:
@@ -63,6 +64,19 @@ class Positions(Subjects):
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
             where.whole = self._whole_of_other_side(chunk)
         return where
+
+    def _same_wall(self, where: Where, wall: Noun) -> None:
+        """Read "on the same wall as the bed": the wall that the bed was said to be on."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "as") else None
+        if noun is None or noun.kind != "thing" or wall.kind != "place" or "same" not in wall.text.lower().split():
+            return
+        thing = self.referents.named(noun)
+        walls = [b.anchors[0] for b in self.draft.bonds_of(thing)] if thing is not None else []
+        told = next((w for w in walls if isinstance(w, str) and w.endswith("_wall")), "")
+        if told:
+            self._spend(noun)
+            self._go_past(noun)
+            where.noun = replace(wall, value=told, text="the wall")
 
     def _whole_of_other_side(self, side: Noun) -> Noun | None:
         """The tank of "one on the left and one on the right of the tank"."""
@@ -345,6 +359,9 @@ class Positions(Subjects):
             self._ask_all_the_same(where)
             return
         self._mount(subjects, where)
+        partner = self._partner(node, where, meaning)
+        if partner is not None:
+            self._relate([partner], replace(meaning), negated=where.negated)
         self._relate(subjects, meaning, negated=where.negated)
         if meaning.loose:
             self._lose_where(where)

@@ -150,7 +150,7 @@ class SecondOpinion:
 
     def _has_place(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
         """Whether any of the subjects is somewhere, as a place or a pronoun says."""
-        if place.to is not None and place.to.kind == "place" and place.whole is None:
+        if place.to is not None and place.to.kind == "place" and place.whole is None and place.to.det != "my":
             on_wall = all(load_habits().is_in(thing.noun, "wallpieces") for thing in subjects)
             return on_wall or any(
                 (b.anchors and isinstance(b.anchors[0], str)) or b.kind == "in_centre" for b in self._bonds(subjects)

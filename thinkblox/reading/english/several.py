@@ -41,6 +41,10 @@ class Several(Boundaries):
         """The part of some known things that a number, "the left one" or "the other" means."""
         self._spend(noun)
         whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._whole(besides)
+        if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
+            told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
+            if told and (whole is None or whole not in self.sides):
+                return told[-1]
         if whole is None:
             return None
         parts = self.referents.parts.get(whole, [])

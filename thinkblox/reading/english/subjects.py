@@ -4,7 +4,8 @@ from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
-from thinkblox.reading.english.nodes import Listed, Node, Where
+from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
+from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import is_small
 
 _PAIR = 2
@@ -48,7 +49,9 @@ class Subjects(Having):
             return self.subject
         if where.text.lower().startswith("all ") and self.separator:
             every = [t for m in self.clause.members if m in self.draft.things for t in self.referents.family(m)]
-            if len(every) > 1:
+            last = nodes[0].things[-1]
+            rows = last.many and (last.rows != 0 or any(b.kind == "in_rows" for b in self.draft.bonds_of(last)))
+            if len(every) > 1 and not rows:
                 return Node(list(dict.fromkeys(every)), self.clause)
         inner = nodes[0]
         if inner.frame is None:
@@ -73,7 +76,7 @@ class Subjects(Having):
         thing, noun = inner.things[-1], where.noun
         if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
             return True
-        if frame.contents and len(frame.members) == 1:
+        if frame.contents and (len(frame.members) == 1 or frame.closing):
             return True
         if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
             return not frame.each and not self.habits.is_in(thing.noun, "seats")
@@ -86,6 +89,8 @@ class Subjects(Having):
             return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
                 noun is not None and self._is_beside_head(thing, frame, head, where, noun)
             )
+        if self._is_rather_of_head(thing, frame, head, where):
+            return True
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
             return not any(member.many for member in frame.members if member is not thing)
         if where.word not in (*_BY_OWNER, "above", "under") or noun is None or noun.kind != "pronoun":
@@ -94,6 +99,21 @@ class Subjects(Having):
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_rather_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether "it" is neither the head nor in its list, or not said: "three crates with parcels under it"."""
+        noun = where.noun
+        if noun is None:
+            seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
+            return where.word in ("opposite", "behind") and seated and not frame.each
+        if noun.kind != "pronoun" or noun.value != "it" or frame.each or not self._is_held(thing, frame):
+            return False
+        owner = head.things[-1]
+        nested = head.frame is not None and head.frame.head is not None and self._contains(owner) and is_small(owner)
+        if where.word in ("on", "on_top") and nested and len(frame.members) == 1:
+            return True
+        several = owner.many and not (owner.rows or owner.groups or owner in self.referents.shared)
+        return several and where.word not in ("on", "in") and len(frame.members) == 1
 
     def _is_at_room_part(self, where: Where) -> bool:
         """Whether "at the front", "at the other" says where in the room something stands."""
@@ -112,15 +132,20 @@ class Subjects(Having):
             return False
         if where.noun.value in ("middle", "top", "inside", "in_shelf"):
             return False
-        held = self._is_held(thing, frame) and not frame.each
+        held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
         return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+
+    def _is_told_of(self, thing: Mention, head: Node) -> bool:
+        """Whether a pronoun told where it is to the head: "a bench with a can under it by the door"."""
+        return any(b.told and not b.negated and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing))
 
     def _is_place_of_head(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether a place is where the owner stands: "a desk with a chair by the window"."""
         if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
             return False
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
-        on_surface = on_surface and not self._is_held(thing, frame)
+        within = any(b.told and b.kind == "inside" for b in self.draft.bonds_of(thing))
+        on_surface = on_surface and not self._is_held(thing, frame) and not within
         return not on_surface and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
 
     def _is_within(self, noun: Noun, frame: Listed) -> bool:
@@ -145,6 +170,9 @@ class Subjects(Having):
         held = held and where.word in ("above", "under", "against", "by", "at")
         if where.word == "on" and self.habits.is_in(noun.value, "covers") and self.habits.is_in(thing.noun, "seats"):
             return not frame.each
+        told = where.word in _BY_OWNER and noun.kind == "thing" and not frame.each and self._is_told_of(thing, head)
+        if told and not (self._is_head(noun, head) or self._is_within(noun, frame)):
+            return True
         if not (where.word in _BY_OWNER or held) or noun.kind != "thing" or self._is_head(noun, head):
             return False
         lying = self.habits.is_in(noun.value, "small") and not self.habits.is_in(noun.value, "built_in")
@@ -203,7 +231,11 @@ class Subjects(Having):
         thing = inner.things[-1]
         if carries and self._is_at_room_part(where):
             return inner
-        if self.habits.is_in(thing.noun, "covers") or (self._is_pronominal(where) and where.word == "between"):
+        lying = carries and is_small(subject.things[-1]) and not is_small(thing)
+        between = self._is_pronominal(where) and where.word == "between"
+        if between and lying:
+            return inner
+        if between or self.habits.is_in(thing.noun, "covers"):
             return subject
         if (
             where.noun is not None
@@ -214,7 +246,8 @@ class Subjects(Having):
             return inner
         if self._is_pronominal(where) and where.noun is not None:
             aside = not is_small(thing) and is_small(subject.things[-1])
-            return subject if aside and (inner.known or where.word not in _BY_OWNER) else inner
+            beside = where.word in _BY_OWNER or where.noun.value in SIDES
+            return subject if aside and (inner.known or not beside) else inner
         return inner
 
     def _joined(self, node: Node, where: Where) -> Node:
@@ -237,7 +270,7 @@ class Subjects(Having):
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
-        if group is None and (pair := self._pair(node, frame, where)) is not None:
+        if (group is None or any_kind) and (pair := self._pair(node, frame, where)) is not None:
             return pair
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
@@ -261,7 +294,10 @@ class Subjects(Having):
         if alone and self._is_pronominal(where) and is_small(other) and is_small(node.things[-1]):
             known = any(b for b in self.draft.bonds_of(other)) or any(other in b.anchors for b in self.draft.bonds)
             return None if known or frame.head is not None or where.noun is None else Node([other, *node.things], frame)
-        if not alone or where.word not in _SHARED or any(not b.implied for b in self.draft.bonds_of(other)):
+        wall = where.word == "on" and where.noun is not None and where.noun.value.endswith("wall")
+        upright = not is_small(node.things[-1]) or self.habits.is_in(node.things[-1].noun, "built_in")
+        shared = where.word in _SHARED or (wall and upright)
+        if not alone or not shared or any(not b.implied for b in self.draft.bonds_of(other)):
             return None
         noun = where.noun
         if noun is None or noun.kind not in ("thing", "place") or frame.head is not None or noun.value == "centre":
@@ -270,6 +306,20 @@ class Subjects(Having):
             return None
         anchors = self.referents.named(noun)
         return None if anchors is other else Node([other, *node.things], frame)
+
+    def _partner(self, node: Node, where: Where, meaning: Meaning) -> Mention | None:
+        """What is beside the same thing, as it is joined to it: "a boiler by the door, a mop and a pail beside it"."""
+        frame = node.frame
+        alone = self.separator != "and" and self._is_joined_before(self._began) and len(node.things) == 1
+        if frame is None or frame.head is not None or len(frame.members) < _PAIR or not alone:
+            return None
+        if where.noun is None or where.noun.kind != "pronoun" or where.word not in _SHARED:
+            return None
+        other = frame.members[-2]
+        told = any(not b.implied for b in self.draft.bonds_of(other)) or any(
+            other in b.anchors for b in self.draft.bonds
+        )
+        return None if told or other in meaning.anchors or other not in self.draft.things else other
 
     def _is_furniture(self, thing: Mention) -> bool:
         """Whether it stands on the floor."""

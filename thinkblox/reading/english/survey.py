@@ -12,7 +12,7 @@ Role = Literal["head", "anchor", "member"]
 
 
 @dataclass
-class Naming:
+class Occurrence:
     """Where a thing was named.
 
     Attributes:
@@ -21,7 +21,7 @@ class Naming:
         role: as what.
         owners: what has it, the likeliest first.
         listed: it goes on with a list of what these have.
-        joined: what it is joined to by "and".
+        joined: what it is joined to by "and"; `paired` where the two do not just end a list of which nothing is told.
         of: what was said to stand to it.
     """
 
@@ -32,6 +32,7 @@ class Naming:
     owners: Sequence[Noun] = ()
     listed: bool = False
     joined: Noun | None = None
+    paired: bool = False
     of: Noun | None = None
 
 
@@ -49,7 +50,7 @@ class Survey:
         having: where the last word of having stood.
     """
 
-    named: list[Naming] = field(default_factory=list)
+    named: list[Occurrence] = field(default_factory=list)
     sentence: int = 0
     part: int = 0
     last: int = 0
@@ -80,6 +81,7 @@ class _Surveyor:
         self._each: Noun | None = None
         self._owners: list[Noun] = []
         self._role: Role = "head"
+        self._here = self._after_told = False
         self._told = self._closing = self._parted = self._anchored = self._apart = False
         self._before: Chunk | None = None
         self._beside: Chunk | None = None
@@ -102,7 +104,7 @@ class _Surveyor:
         elif is_having(link):
             self._have(link)
         elif is_spatial(link) or is_link(link, "prepositions", "to"):
-            self._role, self._told = "anchor", True
+            self._role, self._told, self._here = "anchor", True, True
             self._head = self._last if self._apart else self._head
             self.seen.links[link.start] = (self.seen.sentence, self.seen.part, link.value)
         elif is_link(link, "prepositions", "of"):
@@ -113,9 +115,12 @@ class _Surveyor:
         self.seen.sentence, self.seen.part = self.seen.sentence + 1, 0
         self._head = self._last = None
         self._owners, self._role = [], "head"
+        self._here = self._after_told = False
 
     def _end_part(self, link: Connector) -> None:
         clause = is_link(link, "mark", "semicolon")
+        self._after_told = self._here if is_link(link, "mark") else self._after_told
+        self._here = False
         self.seen.part += 2 if clause else not is_link(self._before, "mark", "comma")
         self._role = "head"
         if clause:
@@ -155,10 +160,12 @@ class _Surveyor:
         owners = self._owners if self._role == "member" or listed else []
         loose = self._role == "member" and not owners
         self._role = "head" if loose else self._role
-        joined = self._last if is_link(self._before, "joins", "and") and self._last is self._beside else None
+        pair = is_link(self._before, "joins", "and") and self._last is self._beside
+        joined = self._last if pair else None
+        paired = pair and (bool(owners) or self._after_told)
         of = (self._head or self._last) if self._role == "anchor" else None
         seen = self.seen
-        seen.named.append(Naming(noun, seen.sentence, seen.part, self._role, owners, listed, joined, of))
+        seen.named.append(Occurrence(noun, seen.sentence, seen.part, self._role, owners, listed, joined, paired, of))
         if self._role == "head":
             self._head = self._head if listed else noun
             seen.topics.setdefault(seen.sentence, noun)

@@ -55,6 +55,11 @@ class Ties(Relating):
 
     def _goes_on(self, frame: Listed, thing: Mention, noun: Noun) -> bool:
         told = self._told_of(frame, thing)
+        bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
+        if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
+            return True
+        if frame.contents and noun.det and self.separator in ("comma", "comma_and"):
+            return False
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False
         if told and frame.closing and frame.each and self.separator == "comma" and not self._is_told_by_pronoun():
@@ -74,8 +79,11 @@ class Ties(Relating):
             return frame.each and self.separator == "comma_and" and tie in ("at", "around") and not self._told_apart()
         if tie is None or (self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each):
             return False
-        pair = frame.each and self.separator == "and" and len(frame.members) == 1 and not self._told_apart()
+        pair = frame.each and self.separator == "and" and not self._told_apart()
+        pair &= len(frame.members) == 1 or not (frame.told or frame.closing or self._is_told_next())
         if tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members and not pair:
+            return False
+        if frame.told and is_small(head) and not frame.each:
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
@@ -108,11 +116,11 @@ class Ties(Relating):
             return frame.times > 1
         match noun.kind:
             case "pronoun":
-                return not self._are_all(frame, noun, thing)
+                return not (self._are_all(frame, noun, thing) or self._is_of_another(frame, noun))
             case "thing" if noun.definite:
                 return self._is_beside_with(frame, thing, noun) or self._is_of(frame, noun)
             case "part":
-                return self._is_part_of(frame, index, noun)
+                return self._lies_by_part(frame, thing, index) or self._is_part_of(frame, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if self._may_share_place(frame, noun, thing) else False
         return None
@@ -130,17 +138,53 @@ class Ties(Relating):
         """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
         head = frame.head.thing if frame.head is not None else None
         seated = head is not None and self.habits.tie(thing.noun, head.noun) in ("at", "around")
+        on_it = self._is_link(self.peek(), "prepositions", "on", "in", "on_top")
+        if head is not None and not (frame.each or on_it) and self._lies_with(thing, head, frame, place):
+            return True
         if frame.each:
             return place.value.split()[0] == "wall"
         return seated and self.separator == "and" and frame.kind == "with"
 
+    def _lies_by_part(self, frame: Listed, thing: Mention, index: int) -> bool:
+        """Whether a part of another thing tells where the head is: "a bench with a vise and a saw left of the car"."""
+        head = frame.head.thing if frame.head is not None else None
+        link, part, whole = self.peek(index), self._next_noun(index + 1), self._next_noun(index + 3)
+        if head is None or part is None or frame.each or frame.kind != "with" or self.separator != "and":
+            return False
+        if not is_small(thing) or not self._carries_before(thing, head, frame):
+            return False
+        if self._is_link(self.peek(index + 2), "prepositions", "of") and whole is not None and whole.kind == "thing":
+            named = self.referents.named(whole) if whole.definite else None
+            return named is not None and not is_small(named) and named not in (head, *frame.members)
+        return (
+            part.det == "the" and part.value in ("end", "back", "front") and self._is_link(link, "prepositions", "at")
+        )
+
+    def _lies_with(self, thing: Mention, head: Mention, frame: Listed, place: Noun) -> bool:
+        """Whether it lies where the thing before it lies: "an altar with a statue and incense opposite the door"."""
+        low = is_small(thing) and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
+        pair = (
+            self.separator == "and"
+            and frame.kind == "with"
+            and place.value.split()[0] not in ("wall", "floor", "ceiling")
+        )
+        return pair and low and self._carries_before(thing, head, frame)
+
     def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
         """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""
         head = frame.head.thing if frame.head is not None else None
-        if not frame.each or noun.value != "them" or head is None or not head.many or thing.many:
+        if not frame.each or noun.value != "them" or head is None or not head.many:
             return False
         carried = frame.kind in ("on", "hold", "carry", "inside") and not is_small(thing)
-        return carried or (self.separator == "comma_and" and not any(member.many for member in frame.members))
+        apart = self.separator == "comma_and" and not any(member.many for member in frame.members)
+        return carried or apart or (self.separator != "and" and thing.rows != 0)
+
+    def _is_of_another(self, frame: Listed, noun: Noun) -> bool:
+        """Whether "it" cannot be the head, which is several: "a bench, four hooks with coats, boots under it"."""
+        head = frame.head
+        if noun.value != "it" or head is None or head.thing is None or frame.each or not head.thing.many:
+            return False
+        return not (head.thing.rows or head.thing.groups or head.thing in self.referents.shared)
 
     def _is_part_of(self, frame: Listed, index: int, part: Noun) -> bool | None:
         """Whether "on the side" is of the head: not "of the bed", and not "at the front", which is of the room."""
@@ -175,6 +219,8 @@ class Ties(Relating):
         if thing.count is None:
             return tie in ("on", "at", "around")
         if any(1 < (member.count or 0) < head.count for member in frame.members if member is not thing):
+            return False
+        if thing.count == 1 and any(m.count is None or m.plural for m in frame.members):
             return False
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
@@ -215,6 +261,9 @@ class Ties(Relating):
             return "inside"
         if usual:
             return usual
+        basin = self.habits.is_in(head.noun, "basins") or last_word(head) in grammar().lists["basins"]
+        if basin and self.habits.is_in(thing.noun, "wallpieces"):
+            return "above"
         upright = not self.habits.is_in(thing.noun, "lounges") or self.habits.is_in(head.noun, "lounged_at")
         if upright and self.habits.is_in(thing.noun, "seats", "chairs") and (seated := self._seated(head)):
             return seated
