@@ -16,7 +16,7 @@ Option = tuple[Usual, ...]
 """Things that come together, what they are for first."""
 
 
-class Need(Value, frozen=True, kw_only=True):
+class RoomNeed(Value, frozen=True, kw_only=True):
     """What a type of room has in one form or another.
 
     Attributes:
@@ -45,7 +45,7 @@ class Need(Value, frozen=True, kw_only=True):
 class RoomChoices(Value, frozen=True, kw_only=True):
     """What a type of room has one or another of, and what it may hold besides: "<line> + <line>" of rooms.toml."""
 
-    needs: tuple[Need, ...] = ()
+    needs: tuple[RoomNeed, ...] = ()
     may: tuple[str, ...] = ()
 
     @property
