@@ -102,6 +102,7 @@ from thinkblox.reading import read_brief
         ("A fireplace. On each side of the fireplace is an armchair, and a rug lies in front of it.",
          ["1 rug in_front_of fireplace"]),
         ("Six recliners, all facing a projector screen.", ["6 recliner facing projector_screen"]),
+        ("A conference hall with a stage and a screen behind it.", ["1 projector_screen behind stage"]),
         ("Three tables, each with a stool beside it and a cabinet.", ["3 cabinet next_to dining_table"]),
         ("36 desks, each with one chair, and a table at the front.", ["1 dining_table against_wall near_wall"]),
         ("A sink with a mirror over it, a toilet beside the sink, and a stack of towels on a stool.",
