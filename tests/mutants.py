@@ -14,6 +14,12 @@ VALUES = (
 """What an attribute of XML is made."""
 NUMBERS = "0 -1 7 0.001 1e308 -1e308 1e-308 1e9 2147483648 inf -inf 1e4 90 -0.3".split()
 _NUMBER = r'(?<=[" ])-?(?:\d+\.?\d*|\.\d+)(?=[" ])'
+_USD_NUMBER = r"(?<=[ (\[])-?(?:\d+\.?\d*|\.\d+)(?=[,)\]\n])"
+USD_WORDS = (
+    *"PhysicsRevoluteJoint PhysicsPrismaticJoint PhysicsFixedJoint PhysicsJoint PhysicsRigidBodyAPI Cube Mesh".split(),
+    *"Sphere Cone Cylinder Plane Xform PhysicsScene float double3 </World> </World/Objects> </nothing>".split(),
+)
+"""What a type or a path of USD is made."""
 TAGS = "body geom joint freejoint site mesh replicate frame include link robot flexcomp composite attach plugin".split()
 ODD: tuple[Any, ...] = (
     None, True, -1, 0, 1e300, -1e300, 1e-300, 2**63, 10**400, -1e-17, float("nan"), float("inf"), "", "floor", "a\nb",
@@ -110,6 +116,39 @@ def numberless_json(text: bytes, rng: random.Random) -> bytes:
 def numberless_xml(text: str, rng: random.Random) -> str:
     """A text of XML in which one number is none."""
     return _replaced(text, _NUMBER, rng.choice(("x", "1.0.0", "nan", "inf", "?")), rng)
+
+
+def mutated_usd(text: str, rng: random.Random, times: int) -> str:
+    """A text of USD with some values, types or lines changed, left out or doubled."""
+    for _ in range(times):
+        kind = rng.randrange(5)
+        if kind == 0:
+            text = _replaced(text, _USD_NUMBER, rng.choice(NUMBERS), rng)
+        elif kind == 1:
+            text = _replaced(text, r'"[^"]*"', f'"{rng.choice(VALUES[:-2])}"', rng)
+        elif kind == 2:
+            text = _replaced(
+                text, r"\b(Physics\w+|Cube|Mesh|Xform|float3?|double3?|<[^>]*>)", rng.choice(USD_WORDS), rng
+            )
+        else:
+            lines = text.split("\n")
+            at = rng.randrange(1, len(lines))
+            lines[at : at + 1] = lines[at : at + 1] * rng.choice((0, 0, 2))
+            text = "\n".join(lines)
+    return text
+
+
+def nudged_usd(text: str, rng: random.Random, times: int) -> str:
+    """A text of USD with other numbers in it."""
+    for _ in range(times):
+        match = rng.choice(list(re.finditer(_USD_NUMBER, text)))
+        text = f"{text[: match.start()]}{_nudged(float(match[0]), rng):.9g}{text[match.end() :]}"
+    return text
+
+
+def numberless_usd(text: str, rng: random.Random) -> str:
+    """A text of USD in which one number is none; infinity is one there."""
+    return _replaced(text, _USD_NUMBER, rng.choice(("x", "1.0.0", "nan", "?")), rng)
 
 
 def places(document: Any) -> Iterator[tuple[Any, Any]]:

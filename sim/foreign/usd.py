@@ -7,7 +7,7 @@ from typing import Any
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics
+from pxr import Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics
 
 from thinkblox.errors import InputError
 from thinkblox.sim.build import COLLISION, COLLISION_GROUP, ROLL, TORSION, VISUAL, new_spec
@@ -65,6 +65,10 @@ def _opened(path: Path, folder: Path) -> Any:
     try:
         if path.stat().st_size > MAX_BYTES:
             raise InputError(f"{path}: is larger than {MAX_BYTES // 1_000_000} MB")
+        # OpenUSD would go on with what it once read of a file that something still refers to.
+        known = Sdf.Layer.Find(str(path))
+        if known:
+            known.Reload(force=True)
         stage = Usd.Stage.Open(str(path))
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
@@ -154,10 +158,12 @@ class _Stage:
         for scene in self._scenes[:1]:
             direction = self._frames.upright @ numbers_of(scene.GetGravityDirectionAttr(), (0.0, 0.0, 0.0))
             magnitude = number_of(scene.GetGravityMagnitudeAttr(), -np.inf)
+        if np.isinf(direction).any() or magnitude == np.inf:
+            raise InputError(f"{self._scenes[0].GetPath()}: has a gravity that is not made of finite numbers")
         # Of a direction of length 0 and a magnitude below 0 UsdPhysics says: down, and as on earth.
         length = float(np.linalg.norm(direction))
         down = direction / length if length > 0.0 else np.array([0.0, 0.0, -1.0])
-        pull = down * (magnitude * self._frames.metre if 0.0 <= magnitude < np.inf else EARTH)
+        pull = down * (magnitude * self._frames.metre if magnitude >= 0.0 else EARTH)
         return float(pull[0]), float(pull[1]), float(pull[2])
 
     def _is_fixed_thing(self, prim: Any) -> bool:

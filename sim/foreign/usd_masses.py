@@ -129,14 +129,17 @@ def _said(prim: Any, frames: Frames) -> tuple[float | None, Floats | None, Float
     centre = numbers_of(api.GetCenterOfMassAttr(), (-np.inf, -np.inf, -np.inf))
     moments = numbers_of(api.GetDiagonalInertiaAttr(), (0.0, 0.0, 0.0))
     turn = turn_of(api.GetPrincipalAxesAttr())
+    if np.isinf(moments).any() or (moments < 0.0).any() or np.isposinf(centre).any():
+        raise InputError(f"{prim.GetPath()}: has a centre of mass or an inertia that no body has")
     place = None
-    if np.isfinite(centre).all():
+    # UsdPhysics' own value of a centre that nobody said.
+    if not np.isneginf(centre).all():
         place = rigid(world)[:3, :3].T @ world[:3, :3] @ centre
     inertia = None
-    if np.isfinite(moments).all() and (moments > 0.0).any():
+    if moments.any():
         inertia = moments * frames.kilogram * frames.metre**2
     axes = None
-    if inertia is not None and np.isfinite(turn).all():
+    if inertia is not None:
         axes = np.zeros(4)
         mujoco.mju_mat2Quat(axes, np.ascontiguousarray(turn).ravel())
     return None if mass is None else mass * frames.kilogram, place, inertia, axes

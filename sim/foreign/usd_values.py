@@ -21,7 +21,7 @@ def number_of(attribute: Any, otherwise: float) -> float:
     value = _value(attribute)
     if value is None:
         return otherwise
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if isinstance(value, bool) or not isinstance(value, int | float) or np.isnan(value):
         raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not a number")
     return float(value)
 
@@ -35,10 +35,14 @@ def numbers_of(attribute: Any, otherwise: Iterable[float]) -> NDArray[np.float64
     value = _value(attribute)
     if value is None:
         return np.array(tuple(otherwise), np.float64)
+    refusal = InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not made of numbers")
     try:
-        return np.array(value, np.float64)
+        numbers = np.array(value, np.float64)
     except (TypeError, ValueError) as error:
-        raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not made of numbers") from error
+        raise refusal from error
+    if np.isnan(numbers).any():
+        raise refusal
+    return numbers
 
 
 def turn_of(attribute: Any) -> NDArray[np.float64]:
@@ -52,6 +56,9 @@ def turn_of(attribute: Any) -> NDArray[np.float64]:
         return np.eye(3)
     if not isinstance(value, _QUATERNIONS):
         raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not a quaternion")
+    numbers = np.array([value.GetReal(), *value.GetImaginary()], np.float64)
+    if not np.isfinite(numbers).all():
+        raise InputError(f"{attribute.GetPath()}: {str(value)[:40]!r} is not made of finite numbers")
     return np.array(Gf.Matrix3d(Gf.Quatd(value).GetNormalized())).T
 
 

@@ -7,10 +7,22 @@ import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from pxr import Sdf, Tf
+
 from tests.export_rooms import sample_scene
 from tests.foreign_models import MODELS
 from tests.layout_rooms import chair_mesh, write
-from tests.mutants import mutated_json, mutated_xml, nudged_json, nudged_xml, numberless_json, numberless_xml
+from tests.mutants import (
+    mutated_json,
+    mutated_usd,
+    mutated_xml,
+    nudged_json,
+    nudged_usd,
+    nudged_xml,
+    numberless_json,
+    numberless_usd,
+    numberless_xml,
+)
 from thinkblox.checking import VerifyOptions
 from thinkblox.exporters.saving import write_scene
 from thinkblox.generate import generate_room
@@ -62,6 +74,8 @@ class Subject:
         """A spoiled text of the whole one."""
         rng = random.Random(seed)
         numberless = rng.random() < 0.2
+        if self.format == "USD":
+            return Mutant(self._usd(whole.decode(), rng, numberless).encode("utf-8", "surrogatepass"), numberless)
         if not self.is_json:
             return Mutant(self._xml(whole.decode(), rng, numberless).encode("utf-8", "surrogatepass"), numberless)
         if numberless:
@@ -77,14 +91,23 @@ class Subject:
             return nudged_xml(text, rng, rng.randint(1, 4))
         return mutated_xml(text, rng.getrandbits(32), rng.randint(1, 6), values=self.outside)
 
+    def _usd(self, text: str, rng: random.Random, numberless: bool) -> str:
+        if numberless:
+            return numberless_usd(text, rng)
+        if rng.random() < 0.5:
+            return nudged_usd(text, rng, rng.randint(1, 4))
+        return mutated_usd(text, rng, rng.randint(1, 6))
+
     def well_formed(self, data: bytes) -> bool:
-        """Whether a text is JSON or XML at all, by the standard library."""
+        """Whether a text is JSON or XML at all, by the standard library, or USD by OpenUSD."""
         try:
-            if self.is_json:
+            if self.format == "USD":
+                Sdf.Layer.CreateAnonymous(".usda").ImportFromString(data.decode())
+            elif self.is_json:
                 json.loads(data.decode())
             else:
                 ElementTree.fromstring(data)
-        except (ValueError, RecursionError, ElementTree.ParseError):
+        except (ValueError, RecursionError, ElementTree.ParseError, Tf.ErrorException):
             return False
         return True
 
@@ -96,7 +119,7 @@ def subjects(home: Path, outside: Path) -> list[Subject]:
     shutil.copy(MODELS / "room" / "parts" / "table.xml", outside)
     chair_mesh().export(outside / "chair.glb")
     forbidden = tuple(name for path in sorted(outside.iterdir()) for name in (str(path), f"../../outside/{path.name}"))
-    made = [maker(home) for maker in (_ours, _sampler, _mjcf, _parts, _assets, _written_mjcf, _urdf)]
+    made = [maker(home) for maker in (_ours, _sampler, _mjcf, _parts, _assets, _written_mjcf, _urdf, _usd)]
     made += [_layout(home, name) for name in FORMATS]
     made += [_sample(home, name) for name in ("il3d", "sceneeval", "holodeck")]
     return [Subject(s.format, s.file, s.opened, s.reading, s.arguments, forbidden) for s in made]
@@ -140,6 +163,12 @@ def _assets(home: Path) -> Subject:
 
 def _written_mjcf(home: Path) -> Subject:
     return Subject("MJCF", home / "ours" / "scene.xml", home / "ours" / "scene.xml")
+
+
+def _usd(home: Path) -> Subject:
+    file = home / "usd" / "scene.usda"
+    shutil.copytree(home / "ours", file.parent)
+    return Subject("USD", file, file)
 
 
 def _urdf(home: Path) -> Subject:

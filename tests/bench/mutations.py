@@ -1,6 +1,6 @@
 """Thousands of spoiled files through the verifier, in-process and by command: what becomes of them.
 
-python -m tests.bench.mutations [--count N] [--seed S] [--commands N] [--jobs N] [--limit S]
+python -m tests.bench.mutations [--count N] [--seed S] [--commands N] [--jobs N] [--limit S] [--only FORMAT]
 
 Every file is one that verifies cleanly with something changed in it. "refused" is status 2, "failed" 1, "passed" 0;
 "broken" ended the process, and "over the limit" was stopped; by command, which reads in a process of its own, both are
@@ -61,8 +61,11 @@ class Tally:
 class Field:
     """One share of the work: copies of the files, and a process in which they are measured."""
 
-    def __init__(self, home: Path, limit: float) -> None:
-        self.subjects = subjects(home / "files" / "of", home / "files" / "outside")
+    def __init__(self, home: Path, limit: float, only: str | None) -> None:
+        every = subjects(home / "files" / "of", home / "files" / "outside")
+        self.subjects = [subject for subject in every if only in (None, subject.format)]
+        if not self.subjects:
+            raise SystemExit(f"no format {only!r}; there are {', '.join(sorted({each.format for each in every}))}")
         self.outside = home / "files" / "outside"
         self.cwd = home / "cwd"
         self.cwd.mkdir()
@@ -147,10 +150,10 @@ class Field:
         return Outcome(end, seconds, usage.ru_maxrss * 1024, faults=tuple(faults))
 
 
-def shared(home: Path, seeds: Sequence[int], commands: int, limit: float) -> dict[str, Tally]:
+def shared(home: Path, seeds: Sequence[int], commands: int, limit: float, only: str | None) -> dict[str, Tally]:
     """Work through some seeds; every so many of them by command too."""
     tallies: dict[str, Tally] = collections.defaultdict(Tally)
-    place = Field(home, limit)
+    place = Field(home, limit, only)
     try:
         for number, seed in enumerate(seeds):
             place.mutated(seed, tallies, command=bool(commands) and number % max(1, len(seeds) // commands) == 0)
@@ -190,6 +193,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--commands", type=int, default=40, help="so many of them by command too")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--limit", type=float, default=60.0, help="what one may take [s]")
+    parser.add_argument("--only", metavar="FORMAT", help="files of one format")
     arguments = parser.parse_args(argv)
     seeds = range(arguments.seed * 10**8, arguments.seed * 10**8 + arguments.count)
     tallies: dict[str, Tally] = collections.defaultdict(Tally)
@@ -202,6 +206,7 @@ def main(argv: Sequence[str] | None = None) -> int:
                 seeds[job :: arguments.jobs],
                 arguments.commands // arguments.jobs,
                 arguments.limit,
+                arguments.only,
             )
             for job in range(arguments.jobs)
         ]
