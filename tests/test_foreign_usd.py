@@ -217,5 +217,6 @@ def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
     ):
         with pytest.raises(thinkblox.InputError, match=said):
             opened(tmp_path, text)
-    with pytest.raises(thinkblox.InputError, match="metres a unit"):
-        opened(tmp_path, body, HEAD.replace("Unit = 1", "Unit = 0"))
+    for old, new, said in (("Unit = 1", "Unit = 0", "metres a unit"), ('"Z"', '"W"', "'W' up")):
+        with pytest.raises(thinkblox.InputError, match=said):
+            opened(tmp_path, body, HEAD.replace(old, new))

@@ -27,12 +27,18 @@ class Frames:
         metre: metres of one unit of length of the stage.
         kilogram: kilograms of one unit of mass.
         upright: (3, 3), turns directions of the stage into ours.
+
+    Raises:
+        InputError: no axis of the stage is up.
     """
 
     def __init__(self, stage: Any) -> None:
         self.metre = float(UsdGeom.GetStageMetersPerUnit(stage))
         self.kilogram = float(UsdPhysics.GetStageKilogramsPerUnit(stage))
-        self.upright = _UPRIGHT[str(UsdGeom.GetStageUpAxis(stage))]
+        up = str(UsdGeom.GetStageUpAxis(stage))
+        if up not in _UPRIGHT:
+            raise InputError(f"the stage: has {up[:40]!r} up; one of {', '.join(_UPRIGHT)} points upwards")
+        self.upright = _UPRIGHT[up]
         self._cache = UsdGeom.XformCache()
         self._ours = np.eye(4)
         self._ours[:3, :3] = self.metre * self.upright
