@@ -41,6 +41,7 @@ def test_what_the_catalogue_lacks_has_a_plain_stand_in_and_that_is_said(tmp_path
     assert "no such thing is known" in done.stdout
 
 
+@pytest.mark.slow
 def test_what_cannot_be_shown_is_said_and_the_status_is_1(tmp_path):
     done = run("generate", "A room with a haunted chair and a table.", "--out", tmp_path / "room", "--no-pictures")
     assert done.returncode == 1
@@ -59,6 +60,7 @@ def test_which_attempt_was_kept_is_said(tmp_path):
     assert said[-1] == "attempt 1 of 2 is kept"
 
 
+@pytest.mark.slow
 def test_more_than_a_room_is_given_is_said_before_anything_is_placed(tmp_path):
     done = run("generate", "A hall with 800 chairs", "--out", tmp_path / "r", "--no-pictures", "--budget", "0.01")
     first = "not placed: 600 more of '800 chairs': a room is given at most 400 things, and 200 of a kind"
@@ -66,6 +68,7 @@ def test_more_than_a_room_is_given_is_said_before_anything_is_placed(tmp_path):
     assert f"  {first}" in done.stdout
 
 
+@pytest.mark.slow
 def test_verify_says_that_the_prompt_is_not_looked_at(tmp_path):
     run("generate", CHAIR, "--out", tmp_path / "room", "--no-pictures")
     done = run("verify", tmp_path / "room")

@@ -524,6 +524,7 @@ def test_an_address_loses_nothing() -> None:
     assert (result.unknown, "rug_1" in result.scene) == (("my frobnix",), False)
 
 
+@pytest.mark.slow
 def test_what_was_missing_stays_missing_after_an_edit_and_an_undo() -> None:
     prompt = "A tiny room of 2 m by 2 m with a king size bed, a wardrobe, a grand piano and a stool next to the door"
     made = generate_room(prompt)

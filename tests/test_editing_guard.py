@@ -77,6 +77,7 @@ def test_where_something_stood_is_a_place() -> None:
         edit_room(before, "Move the armchair to where the desk is")
 
 
+@pytest.mark.slow
 def test_a_later_order_keeps_what_an_earlier_one_did_or_says_so() -> None:
     before = living()
     result = edit_room(before, "Turn the armchair by 90 degrees clockwise and push it against the wall")

@@ -133,6 +133,7 @@ def test_usd_and_mjcf_agree_on_bodies_masses_and_poses(written: Written) -> None
         assert turned == pytest.approx(1.0, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_pictures_are_pictures_of_something(written: Written) -> None:
     for name in ("preview.png", "top.png"):
         image = Image.open(written.folder / name)

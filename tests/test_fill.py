@@ -61,6 +61,7 @@ def test_the_trace_of_a_lived_in_room_leads_to_it(lived_in: Generation) -> None:
     assert lived_in.episode.scene == lived_in.scene
 
 
+@pytest.mark.slow
 def test_a_lived_in_room_is_the_same_for_the_same_seed() -> None:
     one, other = (generate_room("A toilet", room=rectangle(1.5, 1.5), fill="lived-in") for _ in range(2))
     assert len(one.scene.placements) > 8

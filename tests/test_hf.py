@@ -158,6 +158,7 @@ def test_tokens_are_drawn_as_often_as_they_are_likely(tiny):
     assert set(answers(few, chat, 20)) == {said}
 
 
+@pytest.mark.slow
 def test_the_rest_of_a_room_is_found_where_no_answer_can_be_used(tiny):
     model = HfModel(tiny, max_new_tokens=16, temperature=1.0)
     policy = ModelPolicy(model, sight=Sight(size=84))

@@ -410,6 +410,7 @@ def test_several_candidates_are_measured(tmp_path):
     assert len(result.trace[0].tries) == 4
 
 
+@pytest.mark.slow
 def test_a_model_on_this_machine_is_named_by_its_folder(tiny_folder):
     cast = players(f"hf:{tiny_folder}", briefer="expert", planner="expert", sight=Sight(size=112))
     result = generate_room("An empty room with nothing in it but a chair.", policy=cast.policy, effort=ONCE)

@@ -183,6 +183,7 @@ def test_the_report_has_it():
     assert made.report.score == thinkblox.score(made.scene)
 
 
+@pytest.mark.slow
 def test_verify_says_it(tmp_path):
     made = thinkblox.generate_room("A bedroom with a bed and a wardrobe", seed=3)
     thinkblox.save_scene(made.scene, tmp_path / "scene.json")

@@ -268,6 +268,7 @@ def test_towels_pile_in_basket() -> None:
     assert sum(r.holds for r in done.report.relations if r.kind == "inside") >= 4
 
 
+@pytest.mark.slow
 def test_cake_stays_amid_crowd() -> None:
     done = room(
         "A party room with a table with a cake in the middle of the table, and ten plates and ten cups on the table."
