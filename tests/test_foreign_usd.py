@@ -195,6 +195,32 @@ def test_what_is_in_an_instance_collides_too(tmp_path: Path) -> None:
     assert subject.model.body("one").mass[0] == pytest.approx(64.0)
 
 
+def test_a_joint_within_an_instance_holds(tmp_path: Path) -> None:
+    lid = prim("Xform", "lid", BODY, AT.format(0, 0, 0.3), cube("a", 0.1))
+    inside = prim("Xform", "box", BODY, cube("a", 0.4)) + lid
+    hinge = joint(
+        "PhysicsRevoluteJoint", "hinge", "/model/box", "/model/lid", "point3f physics:localPos0 = (0, 0, 0.3)"
+    )
+    chest = f'def Xform "model"\n{{\n{inside}{hinge}\n}}\n'
+    (tmp_path / "chest.usda").write_text(HEAD.replace("(\n", '(\n    defaultPrim = "model"\n') + chest)
+    apis = "instanceable = true\nprepend references = @chest.usda@"
+    chests = [f'def Xform "{name}" ({apis})\n{{\n{AT.format(x, 0, 0.2)}\n}}\n' for name, x in (("one", 0), ("two", 2))]
+    model = opened(tmp_path, "".join(chests)).model
+    kinds = [mujoco.mjtJoint(kind).name for kind in model.jnt_type]
+    assert sorted(kinds) == ["mjJNT_FREE", "mjJNT_FREE", "mjJNT_HINGE", "mjJNT_HINGE"]
+    assert model.nexclude == 2
+
+
+def test_only_what_says_no_mass_is_taken_as_one_kilogram(tmp_path: Path) -> None:
+    weights = {"one": "float physics:mass = 1", "none": ""}
+    bodies = "".join(prim("Xform", name, BODY, AT.format(0, 0, 1), mass) for name, mass in weights.items())
+    floor = cube("floor", 4.0, AT.format(0, 0, -2))
+    subject = opened(tmp_path, floor + bodies)
+    assert [subject.model.body(name).mass[0] for name in weights] == [1.0, 1.0]
+    told = [note for note in subject.notes if "taken as 1 kg" in note]
+    assert told == ["Without mass and colliders, taken as 1 kg: /none."]
+
+
 def test_a_loop_of_bodies_is_closed(tmp_path: Path) -> None:
     places = {"a": 0, "b": 1, "c": 2}
     bars = "".join(prim("Xform", name, BODY, AT.format(x, 0, 1), cube("s", 0.1)) for name, x in places.items())
@@ -214,6 +240,7 @@ def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
         (body.replace("double size = 0.2", "double size = -1"), "above 0"),
         (body.replace("double size = 0.2", "double size = 0.2\nfloat physics:mass = -3"), "has a mass of -3"),
         ('def Xform "nothing"\n{\n}\n', "nothing to measure"),
+        (body + joint("PhysicsSphericalJoint", "torn", "/thing", ""), "0.5 m apart"),
     ):
         with pytest.raises(thinkblox.InputError, match=said):
             opened(tmp_path, text)

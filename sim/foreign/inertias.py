@@ -1,4 +1,4 @@
-"""Masses and inertias of URDF links that no body can have, mended by the least, and what is to be said of that."""
+"""Masses and inertias that no body can have, mended by the least, and what is to be said of that."""
 
 import math
 from collections.abc import Iterator
@@ -34,10 +34,7 @@ class Mended:
         """A sentence for each kind."""
         found = []
         if self.balanced:
-            found.append(
-                f"No body has the inertia of {listed(self.balanced)}: the two smaller moments were raised until"
-                " A + B >= C."
-            )
+            found.append(balanced_note(self.balanced))
         if self.guessed:
             found.append(f"The inertia of {listed(self.guessed)} is that of a ball of water, for want of a usable one.")
         if self.weightless:
@@ -69,14 +66,26 @@ def mend_inertias(root: ElementTree.Element, free: tuple[str, ...]) -> Mended:
             _write(inertia, np.eye(3) * _ball(mass))
             mended.guessed.append(link.get("name", ""))
         elif moments[0] + moments[1] < moments[2]:
-            _write(inertia, axes @ np.diag(_balanced(moments)) @ axes.T)
+            _write(inertia, axes @ np.diag(balanced(moments)) @ axes.T)
             mended.balanced.append(link.get("name", ""))
     return mended
 
 
-def _balanced(moments: Floats) -> Floats:
-    more = (moments[2] * (1.0 + SLACK) - moments[0] - moments[1]) / 2
-    return np.asarray(moments + np.array([more, more, 0.0]), np.float64)
+def balanced(moments: Floats) -> Floats:
+    """Principal moments that a body can have: the two smaller ones raised until A + B exceeds C by a little.
+
+    Args:
+        moments: (3,) in any order; C is more than A + B [kg m2].
+    """
+    order = np.argsort(moments)
+    raised = np.array(moments, np.float64)
+    raised[order[:2]] += (moments[order[2]] * (1.0 + SLACK) - moments[order[0]] - moments[order[1]]) / 2
+    return raised
+
+
+def balanced_note(names: list[str]) -> str:
+    """What is to be said of those whose moments were balanced."""
+    return f"No body has the inertia of {listed(names)}: the two smaller moments were raised until A + B >= C."
 
 
 def _ball(mass: float) -> float:

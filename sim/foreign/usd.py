@@ -6,26 +6,23 @@ from typing import Any
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics
 
 from thinkblox.errors import InputError
 from thinkblox.sim.build import COLLISION, COLLISION_GROUP, ROLL, TORSION, VISUAL, new_spec
 from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, too_many
 from thinkblox.sim.foreign.names import listed
-from thinkblox.sim.foreign.usd_frames import Frames
+from thinkblox.sim.foreign.usd_frames import Frames, Matrix, owner_of, quat_of
 from thinkblox.sim.foreign.usd_joints import Join, filtered_pairs, motion, tree_of
-from thinkblox.sim.foreign.usd_masses import Masses, friction_of
+from thinkblox.sim.foreign.usd_masses import Masses, Weighed
+from thinkblox.sim.foreign.usd_materials import material_of
 from thinkblox.sim.foreign.usd_shapes import ColliderGeom, ColliderNotes, solids_of
 from thinkblox.sim.foreign.usd_values import number_of, numbers_of
 from thinkblox.sim.settings import Physics
 
-Matrix = NDArray[np.float64]
 MAX_BYTES = 512_000_000
 """Largest file that is opened."""
-FRICTION = 0.5
-"""Of what has no physics material, as in PhysX."""
-EARTH = 9.81
+EARTH = -Physics().gravity[2]
 """Gravity where a stage says none [m/s2]."""
 _SAID = re.compile(r" : '(.*?)'(?= Error in |$)")
 """What is wrong, in a message of OpenUSD's that also says where in its own code."""
@@ -90,13 +87,13 @@ class _Stage:
 
     def __init__(self, stage: Any) -> None:
         self._stage, self._frames = stage, Frames(stage)
-        prims = list(stage.Traverse(Usd.TraverseInstanceProxies()))
+        self._prims = prims = list(stage.Traverse(Usd.TraverseInstanceProxies()))
         self._bodies = {prim.GetPath(): prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
         if len(self._bodies) > MOST_BODIES:
             raise InputError(too_many("the stage", len(self._bodies)))
         self._colliders = [prim for prim in prims if _collides(prim)]
         self._held = [key for key, prim in self._bodies.items() if not _moves(prim)]
-        self._tree = tree_of(stage, self._bodies, self._held, self._frames)
+        self._tree = tree_of(prims, self._bodies, self._held, self._frames)
         self._fixed = {prim.GetPath(): prim for prim in prims if self._is_fixed_thing(prim)}
         self._names = _short_names([*self._bodies, *self._fixed])
         self._scenes = [UsdPhysics.Scene(prim) for prim in prims if prim.IsA(UsdPhysics.Scene)]
@@ -106,6 +103,7 @@ class _Stage:
         self._qpos: list[float] = []
         self._parts: dict[str, int] = {}
         self._shapes, self._masses = ColliderNotes(), Masses(self._frames)
+        self._bounds = UsdGeom.BBoxCache(Usd.TimeCode.Default(), ["default", "render"])
         self._slack: list[str] = []
 
     def spec(self) -> mujoco.MjSpec:
@@ -113,22 +111,23 @@ class _Stage:
         below: dict[Any, list[Any]] = {}
         for key, join in self._tree.joins.items():
             below.setdefault(None if join is None else join.parent, []).append(key)
-        waiting = sorted(below.get(None, ()), key=list(self._bodies).index)[::-1]
+        order = {key: number for number, key in enumerate(self._bodies)}
+        waiting = sorted(below.get(None, ()), key=order.__getitem__, reverse=True)
         while waiting:
             key = waiting.pop()
             self._add_body(key, self._tree.joins[key])
             waiting += below.get(key, ())[::-1]
         for prim in self._fixed.values():
             self._add_fixed(prim)
-        weighing: dict[Any, list[tuple[Any, list[mujoco.MjsGeom]]]] = {key: [] for key in self._bodies}
+        weighing: dict[Any, list[Weighed]] = {key: [] for key in self._bodies}
         for prim in self._colliders:
-            owner = self._owner(prim)
-            geoms = self._add_geoms(prim, owner)
+            owner, material = owner_of(prim, self._made), material_of(prim)
+            geoms = self._add_geoms(prim, owner, material.friction)
             if owner in weighing:
-                weighing[owner].append((prim, geoms))
+                weighing[owner].append(Weighed(prim, geoms, material.density))
         for key, colliders in weighing.items():
             self._masses.weigh(self._made[key], self._bodies[key], colliders)
-        for first, second in sorted(filtered_pairs(self._stage, self._bodies, self._tree), key=str):
+        for first, second in sorted(filtered_pairs(self._prims, self._bodies, self._tree), key=str):
             self._spec.add_exclude(bodyname1=self._names[first], bodyname2=self._names[second])
         for join in self._tree.loops:
             self._close(join)
@@ -180,14 +179,14 @@ class _Stage:
             body = self._spec.worldbody.add_body(name=name)
             if join is None and key not in self._held:
                 body.add_freejoint(name=f"{name}_free")
-                self._qpos += [*pose[:3, 3].tolist(), *_quat(pose).tolist()]
+                self._qpos += [*pose[:3, 3].tolist(), *quat_of(pose).tolist()]
         else:
             above = self._spec.worldbody if join.parent is None else self._made[join.parent]
             body = above.add_body(name=name)
             at = np.eye(4) if join.parent is None else self._frames.pose(self._bodies[join.parent])
             self._add_joints(body, join, at, pose)
             pose = join.at_parent @ np.linalg.inv(join.at_child)
-        body.pos, body.quat = pose[:3, 3], _quat(pose)
+        body.pos, body.quat = pose[:3, 3], quat_of(pose)
         body.gravcomp = 1.0 if _flag(prim, "physxRigidBody:disableGravity") else 0.0
         self._made[key] = body
 
@@ -196,7 +195,7 @@ class _Stage:
         if join.ball:
             body.add_joint(name=body.name, type=mujoco.mjtJoint.mjJNT_BALL, pos=frame[:3, 3])
             turned = np.linalg.inv(join.at_parent) @ np.linalg.inv(parent) @ child
-            self._qpos += _quat(frame @ turned).tolist()
+            self._qpos += quat_of(frame @ turned).tolist()
             return
         sign = -1.0 if join.backwards else 1.0
         for freedom, value in zip(join.freedoms, motion(join, parent, child), strict=True):
@@ -208,8 +207,9 @@ class _Stage:
             made.pos, made.axis = frame[:3, 3], sign * frame[:3, freedom.axis]
             if freedom.limits is not None:
                 made.limited, made.range = True, freedom.limits
-            made.frictionloss = _number(join.prim, "newton:friction")
-            made.damping[0] = _number(join.prim, "newton:damping") * (float(np.degrees(1.0)) if freedom.turns else 1.0)
+            made.frictionloss = number_of(join.prim.GetAttribute("newton:friction"), 0.0)
+            damping = number_of(join.prim.GetAttribute("newton:damping"), 0.0)
+            made.damping[0] = float(np.degrees(damping)) if freedom.turns else damping
             self._qpos.append(float(value))
 
     def _close(self, join: Join) -> None:
@@ -230,42 +230,34 @@ class _Stage:
     def _add_fixed(self, prim: Any) -> None:
         """A thing that cannot move; one that nothing can touch has a box for its looks."""
         pose = self._frames.pose(prim)
-        body = self._spec.worldbody.add_body(name=self._names[prim.GetPath()], pos=pose[:3, 3], quat=_quat(pose))
+        body = self._spec.worldbody.add_body(name=self._names[prim.GetPath()], pos=pose[:3, 3], quat=quat_of(pose))
         self._made[prim.GetPath()] = body
         if not any(collider.GetPath().HasPrefix(prim.GetPath()) for collider in self._colliders):
-            box = UsdGeom.BBoxCache(Usd.TimeCode.Default(), ["default", "render"]).ComputeUntransformedBound(prim)
+            box = self._bounds.ComputeUntransformedBound(prim)
             size, middle = np.array(box.GetRange().GetSize()), np.array(box.GetRange().GetMidpoint())
             if np.isfinite(size).all() and (size > 0.0).any():
                 linear = pose[:3, :3].T @ self._frames.world(prim)[:3, :3]
                 seen = body.add_geom(self._spec.find_default(VISUAL), type=mujoco.mjtGeom.mjGEOM_BOX)
                 seen.pos, seen.size = linear @ middle, np.maximum(np.abs(linear) @ size / 2, 1e-4)
 
-    def _owner(self, prim: Any) -> Any:
-        """The path of the body or fixed thing that a collider belongs to; None for the world's."""
-        above = prim
-        while above and not above.IsPseudoRoot():
-            if above.GetPath() in self._made:
-                return above.GetPath()
-            above = above.GetParent()
-        return None
-
-    def _add_geoms(self, prim: Any, owner: Any) -> list[mujoco.MjsGeom]:
+    def _add_geoms(self, prim: Any, owner: Any, friction: float) -> list[mujoco.MjsGeom]:
+        """What a collider is in the engine, on the body or fixed thing that owns it; None is the world."""
         frame = self._frames.world(prim)
         if owner is not None:
             frame = np.linalg.inv(self._frames.pose(self._stage.GetPrimAtPath(owner))) @ frame
         moves = owner in self._bodies and owner not in self._held
         body = self._spec.worldbody if owner is None else self._made[owner]
         return [
-            self._add_geom(body, prim, solid, named=owner is None)
+            self._add_geom(body, solid, friction, name=self._part_name(prim) if owner is None else "")
             for solid in solids_of(prim, frame, moves, self._shapes)
         ]
 
-    def _add_geom(self, body: mujoco.MjsBody, prim: Any, solid: ColliderGeom, *, named: bool) -> mujoco.MjsGeom:
+    def _add_geom(self, body: mujoco.MjsBody, solid: ColliderGeom, friction: float, *, name: str) -> mujoco.MjsGeom:
         geom = body.add_geom(self._spec.find_default(COLLISION), group=COLLISION_GROUP)
-        if named:
-            geom.name = self._part_name(prim)
-        geom.pos, geom.quat = solid.frame[:3, 3], _quat(solid.frame)
-        geom.friction = (friction_of(prim, FRICTION), TORSION, ROLL)
+        if name:
+            geom.name = name
+        geom.pos, geom.quat = solid.frame[:3, 3], quat_of(solid.frame)
+        geom.friction = (friction, TORSION, ROLL)
         geom.type = solid.kind
         geom.condim = 6 if solid.kind in (mujoco.mjtGeom.mjGEOM_SPHERE, mujoco.mjtGeom.mjGEOM_CAPSULE) else 3
         if solid.points is None:
@@ -326,13 +318,3 @@ def _is_room(prim: Any) -> bool:
 def _flag(prim: Any, name: str) -> bool:
     attribute = prim.GetAttribute(name)
     return bool(attribute) and attribute.Get() is True
-
-
-def _number(prim: Any, name: str) -> float:
-    return number_of(prim.GetAttribute(name), 0.0)
-
-
-def _quat(matrix: Matrix) -> Matrix:
-    quat = np.zeros(4)
-    mujoco.mju_mat2Quat(quat, np.ascontiguousarray(matrix[:3, :3]).ravel())
-    return quat

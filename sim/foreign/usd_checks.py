@@ -4,10 +4,11 @@ from collections.abc import Container, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
 
-from thinkblox.sim.foreign.usd_frames import local_frame
+from thinkblox.errors import InputError
+from thinkblox.sim.foreign.usd_frames import Frames
+from thinkblox.sim.foreign.usd_joints import ends_of, freedoms_of, gaps_of
 
 MOST_CORNERS = 64
 """Corners of a convex hull that every engine takes whole."""
@@ -25,7 +26,7 @@ def usd_faults(stage: Any) -> list[str]:
 
 def _own(stage: Any) -> Iterator[str]:
     prims = list(stage.Traverse())
-    cache = UsdGeom.XformCache()
+    cache, frames = UsdGeom.XformCache(), Frames(stage)
     yield from _scenes(prims)
     bodies = [prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     joined = {path for prim in prims if prim.IsA(UsdPhysics.Joint) for path in _ends(prim)}
@@ -35,7 +36,7 @@ def _own(stage: Any) -> Iterator[str]:
         if prim.HasAPI(UsdPhysics.CollisionAPI):
             yield from _collider(prim)
         if prim.IsA(UsdPhysics.Joint):
-            yield from _joint(prim, cache)
+            yield from _joint(prim, frames)
         if prim.HasAPI(UsdPhysics.ArticulationRootAPI) and _above(prim, UsdPhysics.ArticulationRootAPI) is not None:
             yield f"{prim.GetPath()}: is an articulation within another."
         if prim.IsA(UsdGeom.Mesh):
@@ -115,42 +116,24 @@ def _mesh(prim: Any) -> Iterator[str]:
             yield f"{path}: reaches out of its extent."
 
 
-def _joint(prim: Any, cache: Any) -> Iterator[str]:
-    path, joint = prim.GetPath(), UsdPhysics.Joint(prim)
-    hinge, slide = prim.IsA(UsdPhysics.RevoluteJoint), prim.IsA(UsdPhysics.PrismaticJoint)
-    if hinge or slide:
-        limits = (UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint)(prim)
-        lower, upper = limits.GetLowerLimitAttr().Get(), limits.GetUpperLimitAttr().Get()
-        if lower is not None and upper is not None and lower > upper:
-            yield f"{path}: has its lower limit {lower:g} above its upper one, {upper:g}."
-    ends = [rel.GetTargets() for rel in (joint.GetBody0Rel(), joint.GetBody1Rel())]
-    found = [prim.GetStage().GetPrimAtPath(targets[0]) for targets in ends if targets]
-    if not found or not all(found):
+def _joint(prim: Any, frames: Frames) -> Iterator[str]:
+    joint, path = UsdPhysics.Joint(prim), prim.GetPath()
+    named, found = _ends(prim), [end for end in ends_of(joint) if end is not None]
+    if not named or len(found) < len(named):
         yield f"{path}: joins what does not exist."
         return
-    here, there = (joint_frame(joint, end, cache) for end in (0, 1))
-    away = np.linalg.inv(here) @ there
-    shift, turn = away[:3, 3], away[:3, :3]
-    axis = "XYZ".index(str(prim.GetAttribute("physics:axis").Get() or "X")) if hinge or slide else None
-    if slide and axis is not None:
-        shift = np.delete(shift, axis)
-    if np.linalg.norm(shift) > AGREE:
-        yield f"{path}: has its two frames {np.linalg.norm(shift):.4g} m apart."
-    along = np.eye(3)[axis] if hinge and axis is not None else None
-    bent = np.linalg.norm(turn @ along - along) if along is not None else np.linalg.norm(turn - np.eye(3))
+    try:
+        freedoms = freedoms_of(prim, frames)
+        if freedoms is None:
+            return
+        shift, bent = gaps_of(prim, [frames.joint(joint, *end) for end in enumerate(ends_of(joint))], freedoms)
+    except InputError as error:
+        yield f"{error}."
+        return
+    if shift > AGREE:
+        yield f"{path}: has its two frames {shift:.4g} m apart."
     if bent > AGREE:
         yield f"{path}: has its two frames turned against each other by {bent:.4g} rad."
-
-
-def joint_frame(joint: Any, end: int, cache: Any) -> NDArray[np.float64]:
-    """The frame of a joint on one of its bodies, in the world (4, 4); an end without a body is on the world."""
-    targets = (joint.GetBody0Rel(), joint.GetBody1Rel())[end].GetTargets()
-    local = local_frame(joint, end)
-    if not targets:
-        return local
-    prim = joint.GetPrim().GetStage().GetPrimAtPath(targets[0])
-    world: NDArray[np.float64] = np.array(cache.GetLocalToWorldTransform(prim)).T @ local
-    return world
 
 
 def _above(prim: Any, api: Any) -> Any:

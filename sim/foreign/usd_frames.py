@@ -1,7 +1,9 @@
 """Where the prims of a USD stage are, in metres with z up, whatever the stage is in."""
 
+from collections.abc import Container
 from typing import Any
 
+import mujoco
 import numpy as np
 from numpy.typing import NDArray
 from pxr import Tf, UsdGeom, UsdPhysics
@@ -62,8 +64,12 @@ class Frames:
         return rigid(self.world(prim))
 
     def joint(self, joint: Any, end: int, prim: Any) -> Matrix:
-        """The frame of a joint on one of its ends (4, 4); of an end without a prim, on the world."""
-        local = local_frame(joint, end)
+        """The frame of a joint on one of its ends (4, 4); of an end without a prim, on the world.
+
+        Raises:
+            InputError: it is not made of finite numbers.
+        """
+        local = _local_frame(joint, end)
         return rigid((self._ours if prim is None else self.world(prim)) @ local)
 
 
@@ -77,12 +83,23 @@ def rigid(matrix: Matrix) -> Matrix:
     return result
 
 
-def local_frame(joint: Any, end: int) -> Matrix:
-    """The frame of a joint in the space of one of the prims that it joins (4, 4).
+def quat_of(matrix: Matrix) -> Matrix:
+    """The rotation of a matrix (3, 3) or (4, 4) as a quaternion, w first."""
+    quat = np.zeros(4)
+    mujoco.mju_mat2Quat(quat, np.ascontiguousarray(matrix[:3, :3]).ravel())
+    return quat
 
-    Raises:
-        InputError: it is not made of finite numbers.
-    """
+
+def owner_of(prim: Any, among: Container[Any]) -> Any:
+    """The path of a prim, or of the nearest above it, that is among some; None where there is none."""
+    while prim and not prim.IsPseudoRoot():
+        if prim.GetPath() in among:
+            return prim.GetPath()
+        prim = prim.GetParent()
+    return None
+
+
+def _local_frame(joint: Any, end: int) -> Matrix:
     matrix = np.eye(4)
     matrix[:3, :3] = turn_of((joint.GetLocalRot0Attr(), joint.GetLocalRot1Attr())[end])
     matrix[:3, 3] = numbers_of((joint.GetLocalPos0Attr(), joint.GetLocalPos1Attr())[end], (0.0, 0.0, 0.0))

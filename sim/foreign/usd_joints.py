@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pxr import UsdPhysics
 
 from thinkblox.errors import InputError
-from thinkblox.sim.foreign.usd_frames import Frames, Matrix
+from thinkblox.sim.foreign.usd_frames import Frames, Matrix, owner_of
 from thinkblox.sim.foreign.usd_values import number_of, word_of
 
 APART = 0.005
@@ -85,14 +85,14 @@ class Linkage:
     loops: tuple[Join, ...]
 
 
-def tree_of(stage: Any, bodies: dict[Any, Any], held: Iterable[Any], frames: Frames) -> Linkage:
+def tree_of(prims: Iterable[Any], bodies: dict[Any, Any], held: Iterable[Any], frames: Frames) -> Linkage:
     """How the bodies of a stage hang together.
 
     What is joined to the world, or held, comes first; of what is left, each connected part hangs on its first body
     that is no second end of a joint.
 
     Args:
-        stage: the stage.
+        prims: of the stage, joints among them.
         bodies: prims of the bodies by path.
         held: paths of those that do not move whatever joins them.
         frames: of the stage.
@@ -100,7 +100,7 @@ def tree_of(stage: Any, bodies: dict[Any, Any], held: Iterable[Any], frames: Fra
     Raises:
         InputError: a joint whose limits are in the wrong order, or whose frames are far apart.
     """
-    joins = list(_joins(stage, bodies, frames))
+    joins = list(_joins(prims, bodies, frames))
     growth = _Growth(joins)
     growth.take(dict.fromkeys(held))
     for join in joins:
@@ -146,24 +146,23 @@ class _Growth:
         return [join for join in self._joins if id(join) not in self._used]
 
 
-def _joins(stage: Any, bodies: dict[Any, Any], frames: Frames) -> Iterator[Join]:
-    for prim in stage.Traverse():
+def _joins(prims: Iterable[Any], bodies: dict[Any, Any], frames: Frames) -> Iterator[Join]:
+    for prim in prims:
         if not prim.IsA(UsdPhysics.Joint):
             continue
         joint = UsdPhysics.Joint(prim)
         if joint.GetJointEnabledAttr().Get() is False:
             continue
-        ends = [_end(stage, rel.GetTargets()) for rel in (joint.GetBody0Rel(), joint.GetBody1Rel())]
-        owners = [_owner(end, bodies) for end in ends]
+        ends = ends_of(joint)
+        owners = [owner_of(end, bodies) for end in ends]
         if owners[0] == owners[1]:
             continue
-        freedoms = _freedoms(prim, frames)
+        freedoms = freedoms_of(prim, frames)
         if freedoms is None:
             continue
         worlds = [frames.joint(joint, number, end) for number, end in enumerate(ends)]
         ball = prim.IsA(UsdPhysics.SphericalJoint)
-        if not ball:
-            _check_frames(prim, worlds, freedoms)
+        _check_frames(prim, worlds, freedoms)
         local = [
             world if owner is None else np.linalg.inv(frames.pose(bodies[owner])) @ world
             for world, owner in zip(worlds, owners, strict=True)
@@ -172,22 +171,19 @@ def _joins(stage: Any, bodies: dict[Any, Any], frames: Frames) -> Iterator[Join]
         yield join if join.child is not None else join.turned()
 
 
-def _end(stage: Any, targets: list[Any]) -> Any:
-    prim = stage.GetPrimAtPath(targets[0]) if targets else None
-    return prim if prim else None
+def ends_of(joint: Any) -> list[Any]:
+    """The two prims that a joint joins; None for an end that is the world, or that does not exist."""
+    stage = joint.GetPrim().GetStage()
+    targets = [rel.GetTargets()[:1] for rel in (joint.GetBody0Rel(), joint.GetBody1Rel())]
+    return [next((prim for prim in map(stage.GetPrimAtPath, paths) if prim), None) for paths in targets]
 
 
-def _owner(prim: Any, bodies: dict[Any, Any]) -> Any:
-    """The path of the body that a prim belongs to; None for the world."""
-    while prim and not prim.IsPseudoRoot():
-        if prim.GetPath() in bodies:
-            return prim.GetPath()
-        prim = prim.GetParent()
-    return None
+def freedoms_of(prim: Any, frames: Frames) -> tuple[Freedom, ...] | None:
+    """How a joint lets its ends move, none of a ball joint's; None for one that holds nothing.
 
-
-def _freedoms(prim: Any, frames: Frames) -> tuple[Freedom, ...] | None:
-    """How a joint lets its ends move; None for one that holds nothing."""
+    Raises:
+        InputError: its limits are in the wrong order, or no numbers.
+    """
     if prim.IsA(UsdPhysics.FixedJoint) or prim.IsA(UsdPhysics.SphericalJoint):
         return ()
     if prim.IsA(UsdPhysics.DistanceJoint):
@@ -228,19 +224,30 @@ def _limits(limits: tuple[float, float], unit: float) -> tuple[float, float] | N
     return (low * unit, max(high * unit, low * unit + 1e-6))
 
 
-def _check_frames(prim: Any, worlds: list[Matrix], freedoms: tuple[Freedom, ...]) -> None:
-    """Refuse a joint that would tear its bodies away from where the stage has them."""
+def gaps_of(prim: Any, worlds: list[Matrix], freedoms: tuple[Freedom, ...]) -> tuple[float, float]:
+    """How far apart [m] and how turned against each other [rad] the frames of a joint are in what it holds.
+
+    Args:
+        prim: the joint.
+        worlds: its two frames in the world (4, 4).
+        freedoms: how it lets its ends move.
+    """
     away = np.linalg.inv(worlds[0]) @ worlds[1]
     slides = [freedom.axis for freedom in freedoms if not freedom.turns]
     shift = float(np.linalg.norm(np.delete(away[:3, 3], slides)))
+    turning = [freedom.axis for freedom in freedoms if freedom.turns]
+    if len(turning) > 1 or prim.IsA(UsdPhysics.SphericalJoint):
+        return shift, 0.0
+    # Without an axis to turn about, the whole rotation counts; with one, how far the axes differ.
+    held = np.eye(3)[:, turning] if turning else np.eye(3)
+    return shift, float(np.linalg.norm(away[:3, :3] @ held - held))
+
+
+def _check_frames(prim: Any, worlds: list[Matrix], freedoms: tuple[Freedom, ...]) -> None:
+    """Refuse a joint that would tear its bodies away from where the stage has them."""
+    shift, bent = gaps_of(prim, worlds, freedoms)
     if shift > APART:
         raise InputError(f"{prim.GetPath()}: has its two frames {shift:.4g} m apart; engines would snap them")
-    turning = [freedom.axis for freedom in freedoms if freedom.turns]
-    if len(turning) > 1:
-        return
-    along = np.eye(3)[turning[0]] if turning else None
-    turn = away[:3, :3]
-    bent = float(np.linalg.norm(turn @ along - along) if along is not None else np.linalg.norm(turn - np.eye(3)))
     if bent > BENT:
         raise InputError(
             f"{prim.GetPath()}: has its two frames turned against each other by {bent:.4g} rad; engines would snap them"
@@ -274,7 +281,7 @@ def _angles(turn: Matrix, axes: list[int]) -> dict[int, float]:
     }
 
 
-def filtered_pairs(stage: Any, bodies: dict[Any, Any], tree: Linkage) -> set[tuple[Any, Any]]:
+def filtered_pairs(prims: Iterable[Any], bodies: dict[Any, Any], tree: Linkage) -> set[tuple[Any, Any]]:
     """Bodies that do not touch each other: what a stage filters, and what a joint holds unless it says otherwise."""
     pairs: set[tuple[Any, Any]] = set()
 
@@ -283,11 +290,11 @@ def filtered_pairs(stage: Any, bodies: dict[Any, Any], tree: Linkage) -> set[tup
             low, high = sorted((first, second), key=str)
             pairs.add((low, high))
 
-    for prim in stage.Traverse():
+    for prim in prims:
         if prim.HasAPI(UsdPhysics.FilteredPairsAPI):
-            owner = _owner(prim, bodies)
+            owner = owner_of(prim, bodies)
             for target in UsdPhysics.FilteredPairsAPI(prim).GetFilteredPairsRel().GetTargets():
-                add(owner, _owner(stage.GetPrimAtPath(target), bodies))
+                add(owner, owner_of(prim.GetStage().GetPrimAtPath(target), bodies))
     for join in (*tree.joins.values(), *tree.loops):
         if join is not None and not UsdPhysics.Joint(join.prim).GetCollisionEnabledAttr().Get():
             add(join.parent, join.child)

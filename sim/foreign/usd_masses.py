@@ -1,17 +1,17 @@
 """Masses of a USD stage's bodies by the rules of UsdPhysics: what is authored, else what their colliders weigh."""
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
-from pxr import UsdPhysics, UsdShade
+from pxr import UsdPhysics
 
 from thinkblox.errors import InputError
-from thinkblox.sim.foreign.inertias import LEAST, SLACK, WATER
+from thinkblox.sim.foreign.inertias import LEAST, SLACK, WATER, balanced, balanced_note
 from thinkblox.sim.foreign.names import listed
-from thinkblox.sim.foreign.usd_frames import Frames, rigid
+from thinkblox.sim.foreign.usd_frames import Frames, quat_of, rigid
 from thinkblox.sim.foreign.usd_values import number_of, numbers_of, turn_of
 
 Floats = NDArray[np.float64]
@@ -19,6 +19,33 @@ ALONE = 1.0
 """Mass of what moves, says none and has no colliders [kg], as in PhysX."""
 _BALL = 0.1
 """Radius of the ball whose inertia stands for that of a body without colliders [m]."""
+
+
+class Weighed(NamedTuple):
+    """A collider of a body.
+
+    Attributes:
+        prim: the collider.
+        geoms: what it became, one or more.
+        density: of its material, in the stage's units; None where none is said.
+    """
+
+    prim: Any
+    geoms: list[mujoco.MjsGeom]
+    density: float | None
+
+
+class _Said(NamedTuple):
+    """What a body says of its mass [kg], centre in its own frame [m], principal inertia [kg m2] and its axes (w first).
+
+    Its density is in the stage's units.
+    """
+
+    mass: float | None = None
+    centre: Floats | None = None
+    inertia: Floats | None = None
+    axes: Floats | None = None
+    density: float | None = None
 
 
 class Masses:
@@ -31,79 +58,71 @@ class Masses:
 
     def __init__(self, frames: Frames) -> None:
         self._frames = frames
-        self._asked: dict[str, tuple[Any, Any]] = {}
+        self._asked: dict[str, tuple[mujoco.MjsBody, Any, _Said]] = {}
         self._raised: list[str] = []
         self._alone: list[str] = []
 
-    def weigh(self, body: mujoco.MjsBody, prim: Any, colliders: Iterable[tuple[Any, list[mujoco.MjsGeom]]]) -> None:
+    def weigh(self, body: mujoco.MjsBody, prim: Any, colliders: Iterable[Weighed]) -> None:
         """Give a body its mass, or its geoms what it follows from; `finish` must come after the last body."""
         said = _said(prim, self._frames)
-        mass, _, inertia, _ = said
-        pairs = [(collider, geoms) for collider, geoms in colliders if geoms]
-        if mass is not None and inertia is not None:
-            self._set(body, prim, said, np.zeros(3))
-        elif not pairs:
-            mass = ALONE if mass is None else mass
-            if mass == ALONE:
+        colliders = [collider for collider in colliders if collider.geoms]
+        if said.mass is not None and said.inertia is not None:
+            self._set(body, prim, said)
+        elif not colliders:
+            if said.mass is None:
                 self._alone.append(str(prim.GetPath()))
-            self._set(body, prim, (mass, said[1], np.full(3, 0.4 * mass * _BALL**2), None), np.zeros(3))
+            mass = ALONE if said.mass is None else said.mass
+            self._set(body, prim, _Said(mass, said.centre, np.full(3, 0.4 * mass * _BALL**2)))
         else:
-            for collider, geoms in pairs:
-                self._fill(prim, collider, geoms)
-            if any(value is not None for value in said):
-                self._asked[body.name] = (body, prim)
+            for collider in colliders:
+                self._fill(collider, said.density)
+            if any(value is not None for value in (said.mass, said.centre, said.inertia)):
+                self._asked[body.name] = (body, prim, said)
 
     def finish(self, spec: mujoco.MjSpec) -> None:
         """Bring what follows from colliders to what bodies say of themselves."""
         if not self._asked:
             return
         model = spec.compile()
-        for name, (body, prim) in self._asked.items():
+        for name, (body, prim, said) in self._asked.items():
             found = model.body(name)
-            mass, centre, inertia, axes = _said(prim, self._frames)
             had = float(found.mass[0])
-            total = had if mass is None else mass
+            mass = had if said.mass is None else said.mass
+            centre = np.array(found.ipos) if said.centre is None else said.centre
+            inertia, axes = said.inertia, said.axes
             if inertia is None:
-                inertia, axes = np.array(found.inertia) * (total / had), np.array(found.iquat)
-            self._set(body, prim, (total, centre, inertia, axes), np.array(found.ipos))
+                inertia, axes = np.array(found.inertia) * (mass / had), np.array(found.iquat)
+            self._set(body, prim, _Said(mass, centre, inertia, axes))
 
     def notes(self) -> tuple[str, ...]:
         """What was done to what no body can have."""
         notes = []
         if self._raised:
-            notes.append(
-                f"No body has the inertia of {listed(self._raised)}: the two smaller moments were raised until"
-                " A + B >= C."
-            )
+            notes.append(balanced_note(self._raised))
         if self._alone:
             notes.append(f"Without mass and colliders, taken as {ALONE:g} kg: {listed(self._alone)}.")
         return tuple(notes)
 
-    def _fill(self, prim: Any, collider: Any, geoms: list[mujoco.MjsGeom]) -> None:
-        mass, density = _own(collider)
+    def _fill(self, collider: Weighed, of_body: float | None) -> None:
+        mass, density = _own(collider.prim)
         if mass is not None:
             # Of several pieces each has its share; none is known to be larger than the others.
-            for geom in geoms:
-                geom.mass = mass * self._frames.kilogram / len(geoms)
+            for geom in collider.geoms:
+                geom.mass = mass * self._frames.kilogram / len(collider.geoms)
             return
-        for value in (density, _own(prim)[1], _of_material(collider)):
-            if value is not None:
-                density = value * self._frames.kilogram / self._frames.metre**3
-                break
-        for geom in geoms:
-            geom.density = WATER if density is None else density
+        said = [value for value in (density, of_body, collider.density) if value is not None]
+        for geom in collider.geoms:
+            geom.density = said[0] * self._frames.kilogram / self._frames.metre**3 if said else WATER
 
-    def _set(self, body: mujoco.MjsBody, prim: Any, said: tuple[Any, Any, Any, Any], centre: Floats) -> None:
-        mass, own, inertia, axes = said
-        moments = np.maximum(np.asarray(inertia, np.float64), LEAST)
-        order = np.argsort(moments)
-        lack = moments[order[2]] - moments[order[0]] - moments[order[1]]
-        if lack > 1e-6 * moments[order[2]]:
-            moments[order[:2]] += lack * (0.5 + SLACK)
+    def _set(self, body: mujoco.MjsBody, prim: Any, said: _Said) -> None:
+        """Write what a body weighs; of mass and inertia none may be missing."""
+        moments = np.maximum(np.asarray(said.inertia, np.float64), LEAST)
+        if 2.0 * moments.max() - moments.sum() > SLACK * moments.max():
+            moments = balanced(moments)
             self._raised.append(str(prim.GetPath()))
-        body.explicitinertial, body.mass, body.inertia = True, max(float(mass), LEAST), moments
-        body.ipos = centre if own is None else own
-        body.iquat = (1.0, 0.0, 0.0, 0.0) if axes is None else axes
+        body.explicitinertial, body.mass, body.inertia = True, max(float(said.mass or 0.0), LEAST), moments
+        body.ipos = np.zeros(3) if said.centre is None else said.centre
+        body.iquat = (1.0, 0.0, 0.0, 0.0) if said.axes is None else said.axes
 
 
 def _own(prim: Any) -> tuple[float | None, float | None]:
@@ -120,11 +139,10 @@ def _own(prim: Any) -> tuple[float | None, float | None]:
     return values[0], values[1]
 
 
-def _said(prim: Any, frames: Frames) -> tuple[float | None, Floats | None, Floats | None, Floats | None]:
-    """Mass [kg], centre in the body's frame [m], principal inertia [kg m2] and its axes (w first) that a body says."""
-    mass, _ = _own(prim)
+def _said(prim: Any, frames: Frames) -> _Said:
     if not prim.HasAPI(UsdPhysics.MassAPI):
-        return None, None, None, None
+        return _Said()
+    mass, density = _own(prim)
     api, world = UsdPhysics.MassAPI(prim), frames.world(prim)
     centre = numbers_of(api.GetCenterOfMassAttr(), (-np.inf, -np.inf, -np.inf))
     moments = numbers_of(api.GetDiagonalInertiaAttr(), (0.0, 0.0, 0.0))
@@ -135,32 +153,5 @@ def _said(prim: Any, frames: Frames) -> tuple[float | None, Floats | None, Float
     # UsdPhysics' own value of a centre that nobody said.
     if not np.isneginf(centre).all():
         place = rigid(world)[:3, :3].T @ world[:3, :3] @ centre
-    inertia = None
-    if moments.any():
-        inertia = moments * frames.kilogram * frames.metre**2
-    axes = None
-    if inertia is not None:
-        axes = np.zeros(4)
-        mujoco.mju_mat2Quat(axes, np.ascontiguousarray(turn).ravel())
-    return None if mass is None else mass * frames.kilogram, place, inertia, axes
-
-
-def _material(prim: Any) -> Any:
-    material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")
-    if not material or not material.GetPrim().HasAPI(UsdPhysics.MaterialAPI):
-        return None
-    return UsdPhysics.MaterialAPI(material.GetPrim())
-
-
-def _of_material(prim: Any) -> float | None:
-    material = _material(prim)
-    density = 0.0 if material is None else number_of(material.GetDensityAttr(), 0.0)
-    return density if 0.0 < density < np.inf else None
-
-
-def friction_of(prim: Any, usual: float) -> float:
-    """Sliding friction of a collider by its physics material; the usual one where it has none."""
-    material = _material(prim)
-    if material is None:
-        return usual
-    return number_of(material.GetDynamicFrictionAttr(), 0.0)
+    inertia, axes = (moments * frames.kilogram * frames.metre**2, quat_of(turn)) if moments.any() else (None, None)
+    return _Said(None if mass is None else mass * frames.kilogram, place, inertia, axes, density)

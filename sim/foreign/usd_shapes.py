@@ -167,16 +167,12 @@ def _mesh(prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list
     mesh = MeshFile(_mapped(frame, mesh.vertices, turn), mesh.faces)
     name = str(prim.GetPath())
     if how == "boundingCube":
-        low, high = mesh.bounds
-        middle = turn.copy()
-        middle[:3, 3] = turn[:3, :3] @ ((low + high) / 2) + turn[:3, 3]
-        return [ColliderGeom(_KINDS.mjGEOM_BOX, middle, tuple(((high - low) / 2).tolist()))]
+        half = np.ptp(mesh.bounds, axis=0) / 2
+        return [ColliderGeom(_KINDS.mjGEOM_BOX, _moved(turn, mesh.bounds.mean(axis=0)), tuple(half.tolist()))]
     if how == "boundingSphere":
         centre = mesh.bounds.mean(axis=0)
-        middle = turn.copy()
-        middle[:3, 3] = turn[:3, :3] @ centre + turn[:3, 3]
         radius = float(np.linalg.norm(mesh.vertices - centre, axis=1).max())
-        return [ColliderGeom(_KINDS.mjGEOM_SPHERE, middle, (radius, 0.0, 0.0))]
+        return [ColliderGeom(_KINDS.mjGEOM_SPHERE, _moved(turn, centre), (radius, 0.0, 0.0))]
     if how == "convexHull" or (how == "none" and moves):
         if how == "none":
             reading.hulled.append(name)
@@ -241,6 +237,13 @@ def _mapped(frame: Matrix, points: Points, turn: Matrix) -> Points:
 def _hull(frame: Matrix, points: Points) -> ColliderGeom:
     turn = rigid(frame)
     return ColliderGeom(_KINDS.mjGEOM_MESH, turn, points=_mapped(frame, points, turn))
+
+
+def _moved(frame: Matrix, by: Points) -> Matrix:
+    """A frame moved along its own axes."""
+    moved = frame.copy()
+    moved[:3, 3] += frame[:3, :3] @ by
+    return moved
 
 
 def _turned(axis: Any) -> Matrix:
