@@ -13,8 +13,8 @@ VALUES = (
 )  # fmt: skip
 """What an attribute of XML is made."""
 NUMBERS = "0 -1 7 0.001 1e308 -1e308 1e-308 1e9 2147483648 inf -inf 1e4 90 -0.3".split()
-_NUMBER = r'(?<=[" ])-?(?:\d+\.?\d*|\.\d+)(?=[" ])'
-_USD_NUMBER = r"(?<=[ (\[])-?(?:\d+\.?\d*|\.\d+)(?=[,)\]\n])"
+XML_NUMBER = r'(?<=[" ])-?(?:\d+\.?\d*|\.\d+)(?=[" ])'
+USD_NUMBER = r"(?<=[ (\[])-?(?:\d+\.?\d*|\.\d+)(?=[,)\]\n])"
 USD_WORDS = (
     *"PhysicsRevoluteJoint PhysicsPrismaticJoint PhysicsFixedJoint PhysicsJoint PhysicsRigidBodyAPI Cube Mesh".split(),
     *"Sphere Cone Cylinder Plane Xform PhysicsScene float double3 </World> </World/Objects> </nothing>".split(),
@@ -36,7 +36,7 @@ def mutated_xml(text: str, seed: int, times: int, *, values: Sequence[str] = ())
     for _ in range(times):
         kind = chance.randrange(9)
         if kind >= 5:
-            text = _replaced(text, _NUMBER, chance.choice(NUMBERS), chance)
+            text = _replaced(text, XML_NUMBER, chance.choice(NUMBERS), chance)
         elif kind <= 1:
             text = _replaced(text, r'"[^"]*"', f'"{chance.choice((*VALUES, *values))}"', chance)
         elif kind == 2:
@@ -86,10 +86,10 @@ def nudged_json(text: bytes, rng: random.Random, times: int) -> bytes:
     return _written(document)
 
 
-def nudged_xml(text: str, rng: random.Random, times: int) -> str:
-    """A text of XML with other numbers in it."""
+def nudged_text(text: str, number: str, rng: random.Random, times: int) -> str:
+    """A text with other numbers in it, where they are as the pattern `number` has them."""
     for _ in range(times):
-        found = list(re.finditer(_NUMBER, text))
+        found = list(re.finditer(number, text))
         if not found:
             return text
         match = rng.choice(found)
@@ -113,9 +113,10 @@ def numberless_json(text: bytes, rng: random.Random) -> bytes:
     return _written(document)
 
 
-def numberless_xml(text: str, rng: random.Random) -> str:
-    """A text of XML in which one number is none."""
-    return _replaced(text, _NUMBER, rng.choice(("x", "1.0.0", "nan", "inf", "?")), rng)
+def numberless_text(text: str, number: str, rng: random.Random) -> str:
+    """A text in which one number, as the pattern has them, is none; infinity is one in USD."""
+    words = ("x", "1.0.0", "nan", "?") if number == USD_NUMBER else ("x", "1.0.0", "nan", "?", "inf")
+    return _replaced(text, number, rng.choice(words), rng)
 
 
 def mutated_usd(text: str, rng: random.Random, times: int) -> str:
@@ -123,7 +124,7 @@ def mutated_usd(text: str, rng: random.Random, times: int) -> str:
     for _ in range(times):
         kind = rng.randrange(5)
         if kind == 0:
-            text = _replaced(text, _USD_NUMBER, rng.choice(NUMBERS), rng)
+            text = _replaced(text, USD_NUMBER, rng.choice(NUMBERS), rng)
         elif kind == 1:
             text = _replaced(text, r'"[^"]*"', f'"{rng.choice(VALUES[:-2])}"', rng)
         elif kind == 2:
@@ -136,19 +137,6 @@ def mutated_usd(text: str, rng: random.Random, times: int) -> str:
             lines[at : at + 1] = lines[at : at + 1] * rng.choice((0, 0, 2))
             text = "\n".join(lines)
     return text
-
-
-def nudged_usd(text: str, rng: random.Random, times: int) -> str:
-    """A text of USD with other numbers in it."""
-    for _ in range(times):
-        match = rng.choice(list(re.finditer(_USD_NUMBER, text)))
-        text = f"{text[: match.start()]}{_nudged(float(match[0]), rng):.9g}{text[match.end() :]}"
-    return text
-
-
-def numberless_usd(text: str, rng: random.Random) -> str:
-    """A text of USD in which one number is none; infinity is one there."""
-    return _replaced(text, _USD_NUMBER, rng.choice(("x", "1.0.0", "nan", "?")), rng)
 
 
 def places(document: Any) -> Iterator[tuple[Any, Any]]:

@@ -2,6 +2,7 @@
 
 import math
 import sys
+from collections.abc import Container
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -226,9 +227,14 @@ def _format_of(path: Path, wanted: str | None) -> str:
 
 def _models(folder: Path) -> str:
     """What there is in a folder that could be meant."""
-    found = sorted(p.name for p in folder.iterdir() if p.suffix.lower() in (*MODEL_SUFFIXES, ".json") and p.is_file())
+    found = _files(folder, (*MODEL_SUFFIXES, ".json"))
     more = f" and {len(found) - LISTED} more" if len(found) > LISTED else ""
     return f": there are {', '.join(found[:LISTED])}{more}" if found else ""
+
+
+def _files(folder: Path, suffixes: Container[str]) -> list[str]:
+    """The names of a folder's files with one of some endings."""
+    return sorted(path.name for path in folder.iterdir() if path.suffix.lower() in suffixes and path.is_file())
 
 
 class _Floor(msgspec.Struct):
@@ -301,8 +307,7 @@ def _newer(path: Path) -> tuple[str, ...]:
     if not path.is_dir():
         return ()
     written = (path / "scene.json").stat().st_mtime
-    found = [file.name for file in sorted(path.iterdir()) if file.suffix.lower() in MODEL_SUFFIXES and file.is_file()]
-    newer = [name for name in found if (path / name).stat().st_mtime > written + LATER]
+    newer = [name for name in _files(path, MODEL_SUFFIXES) if (path / name).stat().st_mtime > written + LATER]
     if not newer:
         return ()
     verb = "is" if len(newer) == 1 else "are"

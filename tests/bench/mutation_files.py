@@ -13,15 +13,15 @@ from tests.export_rooms import sample_scene
 from tests.foreign_models import MODELS
 from tests.layout_rooms import chair_mesh, write
 from tests.mutants import (
+    USD_NUMBER,
+    XML_NUMBER,
     mutated_json,
     mutated_usd,
     mutated_xml,
     nudged_json,
-    nudged_usd,
-    nudged_xml,
+    nudged_text,
     numberless_json,
-    numberless_usd,
-    numberless_xml,
+    numberless_text,
 )
 from thinkblox.checking import VerifyOptions
 from thinkblox.exporters.saving import write_scene
@@ -74,29 +74,24 @@ class Subject:
         """A spoiled text of the whole one."""
         rng = random.Random(seed)
         numberless = rng.random() < 0.2
-        if self.format == "USD":
-            return Mutant(self._usd(whole.decode(), rng, numberless).encode("utf-8", "surrogatepass"), numberless)
         if not self.is_json:
-            return Mutant(self._xml(whole.decode(), rng, numberless).encode("utf-8", "surrogatepass"), numberless)
+            return Mutant(self._text(whole.decode(), rng, numberless).encode("utf-8", "surrogatepass"), numberless)
         if numberless:
             return Mutant(numberless_json(whole, rng), True)
         if rng.random() < 0.6:
             return Mutant(nudged_json(whole, rng, rng.randint(1, 4)), False)
         return Mutant(mutated_json(whole, rng, values=self.outside), False)
 
-    def _xml(self, text: str, rng: random.Random, numberless: bool) -> str:
+    def _text(self, text: str, rng: random.Random, numberless: bool) -> str:
+        usd = self.format == "USD"
+        number = USD_NUMBER if usd else XML_NUMBER
         if numberless:
-            return numberless_xml(text, rng)
+            return numberless_text(text, number, rng)
         if rng.random() < 0.5:
-            return nudged_xml(text, rng, rng.randint(1, 4))
+            return nudged_text(text, number, rng, rng.randint(1, 4))
+        if usd:
+            return mutated_usd(text, rng, rng.randint(1, 6))
         return mutated_xml(text, rng.getrandbits(32), rng.randint(1, 6), values=self.outside)
-
-    def _usd(self, text: str, rng: random.Random, numberless: bool) -> str:
-        if numberless:
-            return numberless_usd(text, rng)
-        if rng.random() < 0.5:
-            return nudged_usd(text, rng, rng.randint(1, 4))
-        return mutated_usd(text, rng, rng.randint(1, 6))
 
     def well_formed(self, data: bytes) -> bool:
         """Whether a text is JSON or XML at all, by the standard library, or USD by OpenUSD."""
