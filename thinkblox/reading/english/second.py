@@ -7,6 +7,7 @@ the two disagree nobody knows which is right, so that the words are not understo
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 from thinkblox.brief import RelationKind
@@ -145,8 +146,13 @@ class SecondOpinion:
             return True
         if any(load_habits().is_in(thing.noun, "covers") for thing in self._things(place.of[0])):
             return True
-        before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
-        return bool(before & set(self._meant.get(place.of[0].start, ())))
+        start = place.of[0].start
+        return any(self._first[thing] < start for thing in self._meant.get(start, ()))
+
+    @cached_property
+    def _first(self) -> dict[Mention, int]:
+        """Where each thing was first named."""
+        return {thing: start for start, things in sorted(self._meant.items(), reverse=True) for thing in things}
 
     def _has_place(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
         """Whether any of the subjects is somewhere, as a place or a pronoun says."""
