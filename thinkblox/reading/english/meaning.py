@@ -7,7 +7,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.antecedents import Antecedents
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Noun, are_neighbours
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
@@ -503,7 +503,7 @@ class Meanings:
                 return Meaning("next_to" if opening in _OPENINGS else "near", anchors, told=told)
             second, _ = self.name.anchors(where.second, subjects)
             anchors = (*anchors, *second)
-        each = said.each or where.word == "per"
+        each = said.each or where.word == "per" or (kind == "between" and said.plural and are_neighbours(said))
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])
         if where.text.lower() == "across" and subjects and load_habits().is_in(subjects[-1].noun, "covers", "small"):
