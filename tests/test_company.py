@@ -2,7 +2,7 @@
 
 import pytest
 
-from thinkblox.assets import make_asset
+from thinkblox.assets import kind_of, make_asset
 from thinkblox.knowledge.rooms import room_type
 from thinkblox.planning import fitted, plan_brief, plan_room, relieved, with_sizes
 from thinkblox.reading import read_brief
@@ -173,3 +173,12 @@ def test_in_a_room_of_a_given_size_furniture_is_hardly_larger_than_usual():
     sized, free = (with_sizes(read_brief(p), 2) for p in ("A bedroom, 3 m by 3 m", "A bedroom"))
     wide = [b.request("wardrobe").drawn[1] or 0.0 for b in (sized, free)]
     assert wide[0] <= wide[1]
+
+
+def test_every_size_that_is_drawn_can_be_made() -> None:
+    brief = read_brief("A bathroom with a toilet, a bathtub, a bidet, a stool, a sofa, a desk and a wardrobe")
+    for seed in range(60):
+        for request in with_sizes(brief, seed).requests:
+            least, most = kind_of(request.category).size_range
+            told = zip(least, request.drawn, most, strict=True)
+            assert all(low <= side <= high for low, side, high in told if side is not None), (seed, request)

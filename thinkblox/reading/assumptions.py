@@ -29,6 +29,7 @@ _SINGLE = "single"
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     if fill == "named" and not draft.empty:
+        _part_off(draft)
         _carry(draft, seated=False)
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
@@ -40,7 +41,9 @@ def assume(draft: Draft, fill: Fill) -> None:
             _fill(draft, room_type(draft.room).expected)
         if bare or sketched:
             for theme in draft.themes:
-                _fill(draft, theme.expected(draft.room))
+                if not theme.unless:
+                    _fill(draft, theme.expected(draft.room))
+        _part_off(draft)
         _staff(draft)
         _give_places(draft)
         _carry(draft, seated=True)
@@ -207,6 +210,30 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _part_off(draft: Draft) -> None:
+    """Add the parts of the room that a prompt names by their use, each with what makes it, its own but for storage."""
+    for theme in [t for t in draft.themes if t.unless and t.room not in kinds_of_room(draft.room)]:
+        if served := [t for t in draft.things if theme.is_served_by(t.noun) and not _is_of_other(draft, t)]:
+            served[0].asked |= not any(t.asked for t in served)
+            continue
+        own: dict[str, Mention] = {}
+        for number, usual in enumerate(theme.expected(draft.room)):
+            places = [_place(anchors, own) for _, anchors, _ in usual.relations]
+            shared = number and not any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
+            there = shared and any(_serves(t.noun, usual) for t in draft.things)
+            if there or usual.category in draft.excluded or not all(places):
+                continue
+            thing = own[usual.category] = _add(draft, usual.category, usual.count)
+            thing.asked = not number
+            for (kind, _, each), place in zip(usual.relations, places, strict=True):
+                draft.bonds.append(Bond(relation_kind(kind), thing, (own.get(place, place),), each=each, asked=False))
+
+
+def _is_of_other(draft: Draft, thing: Mention) -> bool:
+    """Whether it is told to be at, on or before another thing, and so no part of the room by itself."""
+    return any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(thing) for a in b.anchors)
 
 
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
