@@ -2,11 +2,12 @@
 
 from collections.abc import Mapping
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.seats import usual_seat
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.attach import relation_kind
@@ -23,6 +24,8 @@ _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
+_SEVERAL = 2
+"""So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
 
 
@@ -316,6 +319,8 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
+        if thing.count is None and thing.plural and not thing.rows and not any(b.each for b in draft.bonds_of(thing)):
+            thing.count = facts_of(thing.noun).plenty or _SEVERAL
         if drawn := [b.subject for b in draft.bonds if b.kind in _SEATED and thing in b.anchors]:
             if len(drawn) == 1 and not drawn[0].asked:
                 drawn[0].count = thing.seats * (thing.count or 1)
@@ -344,10 +349,11 @@ def _staff(draft: Draft) -> None:
             desk.count = draft.people
     bare = [t for t in draft.things if t.count is None and not t.rows and not draft.bonds_of(t)]
     for seat in [t for t in bare if _is_upright(t)]:
-        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and t.count]
+        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and (t.count or t in bare)]
         tables = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun) and not _is_sat_at(draft, t)]
         if len(tables) == 1:
             table, (kind, _, each) = tables[0]
+            table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
 
@@ -454,7 +460,12 @@ def _lies_somewhere(draft: Draft, thing: Mention) -> bool:
 
 
 def _carrier(draft: Draft, carriers: list[str]) -> str:
-    """Return the usual carrier; a side table rather than a dining table where nobody dines."""
+    """Return the usual carrier; a side table rather than a dining table where nobody dines, no bed in a hall."""
+    usual = {usual.category for usual in room_type(draft.room).usual}
+    awake = not room_type(draft.room).sleeps and draft.room not in ("", UNKNOWN_ROOM)
+    if awake and carriers and load_habits().is_in(carriers[0], "beds"):
+        beds = load_habits().group("beds")
+        carriers = sorted((c for c in carriers if c not in beds), key=lambda c: c not in usual)
     if not carriers:
         return ""
     large = load_habits().is_in(carriers[0], "large_tables")
