@@ -34,6 +34,10 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A restaurant with ten tables and chairs and a bar", "chair", 40),
         ("A room for two children with two beds and two desks", "chair", 2),
         ("A CEO's office with a large desk, a meeting table with six chairs and a sofa", "office_chair", 1),
+        ("A restaurant with tables for four", "chair", 12),
+        ("A canteen with long tables for thirty guests", "chair", 30),
+        ("A hall with three long tables for thirty guests", "chair", 30),
+        ("A playroom with low tables and small chairs", "child_chair", 8),
     ],
 )
 def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
@@ -50,6 +54,12 @@ def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
         ("A laundry room with a washer and a dryer", "dryer"),
         ("A sauna with a stove in the corner", "sauna_heater"),
         ("A kitchen with a stove", "stove"),
+        ("A board room with a table", "conference_table"),
+        ("A gym with a rack and a bench", "squat_rack"),
+        ("A gym with a rack and a bench", "weight_bench"),
+        ("A hair salon with two chairs in front of a mirror", "salon_chair"),
+        ("A hallway with a spot for coats", "console_table"),
+        ("A physiotherapy room with a treatment table", "massage_table"),
         ("A patio room with a picnic table and a cooler under it", "cooler"),
     ],
 )

@@ -4,6 +4,7 @@ from collections.abc import Collection
 
 from msgspec.structs import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.plan import Tie, carries
 from thinkblox.planning.asked import rows_for, share
@@ -66,7 +67,7 @@ def _crowd(members: Members, first: Member) -> int:
     """From how many on alike things stand in rows rather than along the walls."""
     habits, category = load_habits(), first.category
     seated = any(tie.kind == "at" and first.id in tie.anchors for other in members.all for tie in other.ties)
-    if habits.is_in(category, "long_sides") and seated:
+    if habits.is_in(category, "long_sides") and facts_of(category).gaze == "back" and seated:
         return _MANY_BENCHES
     if habits.is_in(category, "worked_at") and habits.is_in(category, "desks"):
         return _MANY_DESKS
