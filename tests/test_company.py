@@ -2,7 +2,7 @@
 
 import pytest
 
-from thinkblox.assets import make_asset
+from thinkblox.assets import kind_of, make_asset
 from thinkblox.knowledge.rooms import room_type
 from thinkblox.planning import fitted, plan_brief, plan_room, relieved, with_sizes
 from thinkblox.reading import read_brief
@@ -34,6 +34,10 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A restaurant with ten tables and chairs and a bar", "chair", 40),
         ("A room for two children with two beds and two desks", "chair", 2),
         ("A CEO's office with a large desk, a meeting table with chairs and a sofa", "office_chair", 1),
+        ("A restaurant with tables for four", "chair", 12),
+        ("A canteen with long tables for thirty guests", "chair", 30),
+        ("A hall with three long tables for thirty guests", "chair", 30),
+        ("A playroom with low tables and small chairs", "child_chair", 8),
     ],
 )
 def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
@@ -50,6 +54,12 @@ def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
         ("A laundry room with a washer and a dryer", "dryer"),
         ("A sauna with a stove in the corner", "sauna_heater"),
         ("A kitchen with a stove", "stove"),
+        ("A board room with a table", "conference_table"),
+        ("A gym with a rack and a bench", "squat_rack"),
+        ("A gym with a rack and a bench", "weight_bench"),
+        ("A hair salon with two chairs in front of a mirror", "salon_chair"),
+        ("A hallway with a spot for coats", "console_table"),
+        ("A physiotherapy room with a treatment table", "massage_table"),
         ("A patio room with a picnic table and a cooler under it", "cooler"),
     ],
 )
@@ -173,3 +183,12 @@ def test_in_a_room_of_a_given_size_furniture_is_hardly_larger_than_usual():
     sized, free = (with_sizes(read_brief(p), 2) for p in ("A bedroom, 3 m by 3 m", "A bedroom"))
     wide = [b.request("wardrobe").drawn[1] or 0.0 for b in (sized, free)]
     assert wide[0] <= wide[1]
+
+
+def test_every_size_that_is_drawn_can_be_made() -> None:
+    brief = read_brief("A bathroom with a toilet, a bathtub, a bidet, a stool, a sofa, a desk and a wardrobe")
+    for seed in range(60):
+        for request in with_sizes(brief, seed).requests:
+            least, most = kind_of(request.category).size_range
+            told = zip(least, request.drawn, most, strict=True)
+            assert all(low <= side <= high for low, side, high in told if side is not None), (seed, request)

@@ -2,12 +2,13 @@
 
 from collections.abc import Collection, Mapping
 
+from thinkblox.assets import facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.seats import usual_seat
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.attach import relation_kind
@@ -24,12 +25,15 @@ _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
+_SEVERAL = 2
+"""So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
 
 
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     if fill == "named" and not draft.empty:
+        _part_off(draft)
         _carry(draft, seated=False)
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
@@ -41,7 +45,9 @@ def assume(draft: Draft, fill: Fill) -> None:
             _fill(draft, room_type(draft.room).expected)
         if bare or sketched:
             for theme in draft.themes:
-                _fill(draft, theme.expected(draft.room))
+                if not theme.unless:
+                    _fill(draft, theme.expected(draft.room))
+        _part_off(draft)
         _staff(draft)
         _give_places(draft)
         _carry(draft, seated=True)
@@ -222,6 +228,30 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     _scale(draft)
 
 
+def _part_off(draft: Draft) -> None:
+    """Add the parts of the room that a prompt names by their use, each with what makes it, its own but for storage."""
+    for theme in [t for t in draft.themes if t.unless and t.room not in kinds_of_room(draft.room)]:
+        if served := [t for t in draft.things if theme.is_served_by(t.noun) and not _is_of_other(draft, t)]:
+            served[0].asked |= not any(t.asked for t in served)
+            continue
+        own: dict[str, Mention] = {}
+        for number, usual in enumerate(theme.expected(draft.room)):
+            places = [_place(anchors, own) for _, anchors, _ in usual.relations]
+            shared = number and not any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
+            there = shared and any(_serves(t.noun, usual) for t in draft.things)
+            if there or usual.category in draft.excluded or not all(places):
+                continue
+            thing = own[usual.category] = _add(draft, usual.category, usual.count)
+            thing.asked = not number
+            for (kind, _, each), place in zip(usual.relations, places, strict=True):
+                draft.bonds.append(Bond(relation_kind(kind), thing, (own.get(place, place),), each=each, asked=False))
+
+
+def _is_of_other(draft: Draft, thing: Mention) -> bool:
+    """Whether it is told to be at, on or before another thing, and so no part of the room by itself."""
+    return any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(thing) for a in b.anchors)
+
+
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
     """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
     seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
@@ -302,6 +332,8 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
+        if thing.count is None and thing.plural and not thing.rows and not any(b.each for b in draft.bonds_of(thing)):
+            thing.count = facts_of(thing.noun).plenty or _SEVERAL
         if drawn := [b.subject for b in draft.bonds if b.kind in _SEATED and thing in b.anchors]:
             if len(drawn) == 1 and not drawn[0].asked:
                 drawn[0].count = thing.seats * (thing.count or 1)
@@ -330,10 +362,11 @@ def _staff(draft: Draft) -> None:
             desk.count = draft.people
     bare = [t for t in draft.things if t.count is None and not t.rows and not draft.bonds_of(t)]
     for seat in [t for t in bare if _is_upright(t)]:
-        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and t.count]
+        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and (t.count or t in bare)]
         tables = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun) and not _is_sat_at(draft, t)]
         if len(tables) == 1:
             table, (kind, _, each) = tables[0]
+            table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
 
@@ -440,7 +473,12 @@ def _lies_somewhere(draft: Draft, thing: Mention) -> bool:
 
 
 def _carrier(draft: Draft, carriers: list[str]) -> str:
-    """Return the usual carrier; a side table rather than a dining table where nobody dines."""
+    """Return the usual carrier; a side table rather than a dining table where nobody dines, no bed in a hall."""
+    usual = {usual.category for usual in room_type(draft.room).usual}
+    awake = not room_type(draft.room).sleeps and draft.room not in ("", UNKNOWN_ROOM)
+    if awake and carriers and load_habits().is_in(carriers[0], "beds"):
+        beds = load_habits().group("beds")
+        carriers = sorted((c for c in carriers if c not in beds), key=lambda c: c not in usual)
     if not carriers:
         return ""
     large = load_habits().is_in(carriers[0], "large_tables")

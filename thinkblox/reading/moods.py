@@ -67,7 +67,7 @@ def _is_known(name: list[str]) -> bool:
 def _choose_room(draft: Draft, theme: Theme) -> None:
     if draft.room in theme.refines:
         draft.room = theme.refines[draft.room]
-    elif draft.room in ("", "room") and theme.room:
+    elif theme.room and (not draft.room or (draft.room == "room" and not theme.unless)):
         draft.room = theme.room
 
 

@@ -11,6 +11,9 @@ from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.referents import is_small, last_word
 
+_MOST_AT_ONE = 12
+"""Tables for more people than this are for so many together."""
+
 
 class Prepositions(Negation):
     """Reads prepositions."""
@@ -185,7 +188,10 @@ class Prepositions(Negation):
         if self._are_places(thing):
             thing.count = math.ceil(people / places_at(thing.noun))
         elif self.habits.is_in(thing.noun, "tables", "desks"):
-            thing.seats = people
+            together = thing.plural and people > _MOST_AT_ONE
+            if together and thing.count is None:
+                thing.count = math.ceil(people / places_at(thing.noun))
+            thing.seats = math.ceil(people / (thing.count or 1)) if together else people
 
     def _are_places(self, thing: Mention) -> bool:
         """Whether it is seats, or what people work at, of which nobody says how many: "chairs for eight people"."""
