@@ -9,8 +9,8 @@ from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
-from thinkblox.knowledge.seats import usual_seat
-from thinkblox.knowledge.things import are_alike, counts_as
+from thinkblox.knowledge.seats import places_at, usual_seat
+from thinkblox.knowledge.things import are_alike, counts_as, things
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.moods import FEW
@@ -100,10 +100,9 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         draft: what was read.
         counted: what the seats are called of which there are to be as many as the prompt says, and no more.
     """
-    if draft.room in ("", "room"):
+    if not draft.room:
         return
-    if not draft.people:
-        _share_out(draft)
+    _share_out(draft, ("on", "above") if draft.people else ("on", "above", "at"))
     seats = [t for t in draft.things if _is_upright(t)]
     taken = {id(t) for t in seats if _has_its_table(draft, t)}
     free = [t for t in seats if id(t) not in taken]
@@ -139,7 +138,8 @@ def _has_its_table(draft: Draft, seat: Mention) -> bool:
 def _is_for_one(draft: Draft, table: Mention) -> bool:
     """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
     place = room_type(draft.room).place
-    if not draft.people or not place:
+    drawn = sum(b.subject.count or 1 for b in draft.bonds if b.kind in _DRAWN_UP and table in b.anchors)
+    if not draft.people or not place or (table.noun == place and table.asked and drawn < (table.count or 1)):
         return True
     return table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
 
@@ -162,13 +162,13 @@ def _is_stool(thing: Mention) -> bool:
     return habits.is_in(thing.noun, "seating", "seats") and not habits.is_in(thing.noun, "lounges")
 
 
-def _share_out(draft: Draft) -> None:
+def _share_out(draft: Draft, kinds: tuple[str, ...]) -> None:
     """As many of what is assumed on, above or at each of the things that a prompt counts as there usually are."""
     usuals = (*room_type(draft.room).expected, *room_type(draft.room).usual)
     for bond in draft.bonds:
         anchor = bond.anchors[0] if bond.anchors else None
         assumed = not bond.asked and not bond.subject.asked
-        shared = bond.each and bond.kind in ("on", "above", "at")
+        shared = bond.each and bond.kind in kinds
         if assumed and shared and isinstance(anchor, Mention) and anchor.asked:
             usual = next((u for u in usuals if u.category == bond.subject.noun), None)
             number = next((u.count for u in usuals if u.category == anchor.noun), 0)
@@ -209,7 +209,7 @@ def _is_sketched(draft: Draft) -> bool:
 
 
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
-    present = {thing.noun for thing in draft.things}
+    present = {noun for thing in draft.things for noun in (thing.noun, *_called(thing))}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
@@ -226,6 +226,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _called(thing: Mention) -> list[str]:
+    """What a thing is called besides what it is made as: a sofa bed is a bed."""
+    return [word for word in thing.text.lower().split()[-1:] if thing.asked and word in things()]
 
 
 def _part_off(draft: Draft) -> None:
@@ -309,11 +314,14 @@ def _scale(draft: Draft) -> None:
     for thing in [t for t in draft.things if not t.asked]:
         bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
         place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
-        several = any(isinstance(a, Mention) and (a.count or 1) > 1 for b in draft.bonds_of(thing) for a in b.anchors)
+        anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Mention)]
+        if any(anchor.seats for anchor in anchors):
+            continue
+        several = any((anchor.count or 1) > 1 for anchor in anchors)
         if several and thing.noun != room.place and draft.people < (thing.count or 1):
             continue
         if bed or thing.noun == room.place or (place and thing.many):
-            _multiply(draft, thing, draft.people)
+            _multiply(draft, thing, draft.people if bed else _enough(thing.noun, draft.people))
 
 
 def _multiply(draft: Draft, thing: Mention, count: int) -> None:
@@ -359,7 +367,7 @@ def _staff(draft: Draft) -> None:
     for desk in draft.things:
         own = desk.noun == place if place else _is_desk(desk)
         if draft.people and desk.count is None and not desk.rows and own:
-            desk.count = draft.people
+            desk.count = _enough(desk.noun, draft.people)
     bare = [t for t in draft.things if t.count is None and not t.rows and not draft.bonds_of(t)]
     for seat in [t for t in bare if _is_upright(t)]:
         tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and (t.count or t in bare)]
@@ -371,6 +379,11 @@ def _staff(draft: Draft) -> None:
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
 
 
+def _enough(noun: str, people: int) -> int:
+    """How many of what people work at are enough for so many."""
+    return -(-people // places_at(noun)) if load_habits().is_in(noun, "worked_at") else people
+
+
 def _is_sat_at(draft: Draft, table: Mention) -> bool:
     return any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds)
 
@@ -379,7 +392,9 @@ def _give_places(draft: Draft) -> None:
     """A place for each of the people of a room, where fewer are named: pupils do not sit at the teacher's desk."""
     room = room_type(draft.room)
     there = [t for t in draft.things if _is_one(t.noun, room.place)]
+    shared = places_at(room.place) if room.place else 1
     unsaid = any(t.count is None or t.noun == room.place or t.count >= draft.people for t in there)
+    unsaid &= shared == 1 or any(t.count is None or t.count * shared * 2 >= draft.people for t in there)
     if draft.people < 2 or not room.place or not there or unsaid or _has(draft, "meal_tables"):
         return
     made: dict[str, Mention] = {t.noun: t for t in draft.things}
@@ -389,7 +404,8 @@ def _give_places(draft: Draft) -> None:
         if own or (
             drawn and room.place in made and not any(t.asked and _is_one(t.noun, usual.category) for t in draft.things)
         ):
-            thing = made[usual.category] = _add(draft, usual.category, draft.people)
+            count = _enough(usual.category, draft.people) if own else draft.people
+            thing = made[usual.category] = _add(draft, usual.category, count)
             for kind, anchor, each in usual.relations:
                 if place := _place(anchor, made):
                     bond = Bond(relation_kind(kind), thing, (made.get(place, place),), each=each, asked=False)
