@@ -121,6 +121,18 @@ from thinkblox.reading import read_brief
         ("Four tables. All of them have a candle.", ["4 candle on dining_table"]),
         ("Twelve computers on six desks, two on each desk.", ["12 computer on desk"]),
         ("A lab with three benches and six stools, two at each bench.", ["6 stool at lab_bench"]),
+        # Groups that are told in parts, and things that are each on one of their own.
+        ("A lab with four stations along the wall, each consisting of a table and a stool.",
+         ["4 dining_table against_wall wall", "4 stool around dining_table"]),
+        ("A salon with four manicure stations in a line, each with two chairs.",
+         ["4 manicure_station in_rows", "8 chair around manicure_station"]),
+        ("Two sewing machines, each on its own table.", ["2 sewing_machine on dining_table"]),
+        # What is told first of all that is listed, and lamps under which things stand.
+        ("A piano. Opposite the piano, a loveseat and a floor lamp.",
+         ["1 sofa opposite piano", "1 floor_lamp opposite piano"]),
+        ("A sofa. To the left of the sofa, a lamp and a plant.", ["1 floor_lamp left_of sofa", "1 plant left_of sofa"]),
+        ("A pool table under a long lamp.", ["1 pool_table under pendant_lamp"]),
+        ("A sectional and three framed photos above it.", ["3 photo_frame above sofa"]),
         # What lies there together, and between whom.
         ("A pool table with two cues and a triangle on it.", ["2 cue on pool_table", "1 triangle on pool_table"]),
         ("Five washers along the left wall, five dryers along the right wall, and a folding table between them.",
@@ -215,3 +227,21 @@ def test_a_table_of_glass_is_a_glass_table() -> None:
 def test_what_stands_on_stands_of_an_unknown_kind() -> None:
     brief = read_brief("A workshop with two bikes on repair stands in the middle.", fill="named")
     assert {r.category: r.count for r in brief.requests} == {"bicycle": 2, "repair_stand": 2}
+
+
+def test_a_table_of_two_is_for_two() -> None:
+    tables = [
+        r for r in read_brief("Six tables of four and two tables of two.").requests if r.category == "dining_table"
+    ]
+    assert [(r.count, r.attributes) for r in tables] == [(6, ("for-4",)), (2, ("for-2",))]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("Six rows of eight chairs, the last row of which is red.", "the last row of"),
+        ("Eight tables in two columns of four, and a lamp on each table in the first column.", "in the first column"),
+    ],
+)
+def test_single_rows_are_not_understood(prompt: str, lost: str) -> None:
+    assert lost in read_brief(prompt).unknown

@@ -8,6 +8,12 @@ from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.ties import Ties
 
+_FOR_ALL = (
+    "on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner", "at", "per",
+    "around", "opposite", "left_of", "right_of", "facing",
+)  # fmt: skip
+"""Relations that, told first, hold of all that is then listed: "opposite the piano, a sofa and a lamp"."""
+
 
 class Memberships(Ties):
     """Adds things to lists."""
@@ -156,20 +162,7 @@ class Memberships(Ties):
                 continue
             if listed and self._is_told_next() and not front.meaning.each:
                 continue
-            if listed and front.kind not in (
-                "on",
-                "inside",
-                "above",
-                "against_wall",
-                "next_to",
-                "near",
-                "behind",
-                "in_front_of",
-                "in_corner",
-                "at",
-                "per",
-                "around",
-            ):
+            if listed and front.kind not in _FOR_ALL:
                 continue
             if front.meaning.loose and not front.used:
                 self._lose_where(front.where)

@@ -47,9 +47,8 @@ class Positions(Subjects):
             where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
             return where
         self._as_seat(chunk)
-        if chunk.kind == "thing" and chunk.det == "my" and chunk.word in ("shelf", "drawer") and chunk.plural:
-            self._spend(chunk)
-            chunk = replace(chunk, kind="part", value="inside")
+        if chunk.kind == "thing" and chunk.det == "my":
+            chunk = self._as_owned(chunk, index)
         where.noun = chunk
         self.at = index + 1
         self._same_wall(where, chunk)
@@ -64,6 +63,16 @@ class Positions(Subjects):
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
             where.whole = self._whole_of_other_side(chunk)
         return where
+
+    def _as_owned(self, noun: Noun, index: int) -> Noun:
+        """Take "(each on) its own table" for a new one, and "its shelves" for a part."""
+        if "own" in noun.text.lower().split()[:2]:
+            self.chunks[index] = owned = replace(noun, det="a")
+            return owned
+        if noun.word in ("shelf", "drawer") and noun.plural:
+            self._spend(noun)
+            return replace(noun, kind="part", value="inside")
+        return noun
 
     def _same_wall(self, where: Where, wall: Noun) -> None:
         """Read "on the same wall as the bed": the wall that the bed was said to be on."""

@@ -222,7 +222,10 @@ class Prepositions(Negation):
         self._go_past(noun)
         if each and noun.kind in ("number", "part", "abstract") and noun.det in ("the", "my"):
             self._lose(before.start if before is not None else noun.start, noun.end)
-        if noun.kind == "people" and noun.count:
+        thing = self.frontier[-1].thing if self.frontier else None
+        if noun.kind == "number" and noun.count and thing is not None and self.habits.is_in(thing.noun, *_TOPS):
+            self._serve(thing, noun.count)
+        elif noun.kind == "people" and noun.count:
             self._people(noun)
 
     def _for(self, link: Connector) -> None:
