@@ -42,6 +42,8 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A chemistry lab for 20 students with a fume hood", "stool", 20),
         ("A two-person home office with back-to-back desks and a printer", "office_chair", 2),
         ("A one-room flat with a dining table for two and a sofa", "chair", 2),
+        ("A dining room for six with a high chair", "chair", 6),
+        ("A dining room with a high chair and a rug", "chair", 4),
         ("She needs a room with a bed and a desk", "office_chair", 1),
     ],
 )
@@ -60,6 +62,8 @@ def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
         ("A sauna with a stove in the corner", "sauna_heater"),
         ("A kitchen with a stove", "stove"),
         ("A board room with a table", "conference_table"),
+        ("A dining room with a buffet", "sideboard"),
+        ("A buffet restaurant with a buffet", "counter"),
         ("A gym with a rack and a bench", "squat_rack"),
         ("A gym with a rack and a bench", "weight_bench"),
         ("A hair salon with two chairs in front of a mirror", "salon_chair"),

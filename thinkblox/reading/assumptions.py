@@ -217,7 +217,8 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
 
 def _called(thing: Mention) -> list[str]:
     """What a thing is called besides what it is made as: a sofa bed is a bed."""
-    return [word for word in thing.text.lower().split()[-1:] if thing.asked and word in things()]
+    words = thing.text.lower().split()[-1:] if thing.asked else []
+    return [word for word in words if word in things() and not thing.noun.endswith(word)]
 
 
 def _part_off(draft: Draft) -> None:
@@ -289,6 +290,8 @@ def _have_places(draft: Draft, category: str) -> bool:
 
 def _is_one(noun: str, category: str) -> bool:
     """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
+    if load_habits().is_in(category, "chairs") and not load_habits().is_in(noun, "chairs", "seats"):
+        return False
     return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
 
 
