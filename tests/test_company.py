@@ -34,7 +34,7 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("An office with six desks and chairs", "chair", 6),
         ("A restaurant with ten tables and chairs and a bar", "chair", 40),
         ("A room for two children with two beds and two desks", "chair", 2),
-        ("A CEO's office with a large desk, a meeting table with six chairs and a sofa", "office_chair", 1),
+        ("A CEO's office with a large desk, a meeting table with chairs and a sofa", "office_chair", 1),
         ("A restaurant with tables for four", "chair", 12),
         ("A canteen with long tables for thirty guests", "chair", 30),
         ("A hall with three long tables for thirty guests", "chair", 30),

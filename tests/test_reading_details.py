@@ -77,7 +77,7 @@ from thinkblox.reading import read_brief
          ["1 dining_table in_front_of fireplace"]),
         ("A table with a chessboard and two chairs in the corner.",
          ["2 chair around dining_table", "1 dining_table in_corner corner"]),
-        ("A workshop where someone can repair clocks. A bench with a lamp.", ["1 table_lamp on bench"]),
+        ("A workshop where someone can repair clocks. A bench with a lamp.", ["1 table_lamp on workbench"]),
         # What people do there.
         ("A room where a person can work at a desk. The desk faces the window.", ["1 desk facing window"]),
         ("People can work at a desk and relax on a sofa. The sofa is against the wall, and the desk near the window.",
@@ -109,6 +109,22 @@ from thinkblox.reading import read_brief
          ["3 towels on stool"]),
         ("A chapel with an altar with two candlesticks.", ["2 candlestick on altar"]),
         ("A chair, and display racks along the wall.", ["2 shelving_unit against_wall wall"]),
+        # What is on tables and shelves "of" it, and what one more of is somewhere else.
+        ("A shop with two tables of books and shelves of bread.",
+         ["4 book on display_table", "3 bread inside shelving_unit"]),
+        ("Three desks, a plant in the corner and one next to the door.",
+         ["1 plant in_corner corner", "1 plant-2 next_to door"]),
+        # What all have, and how many of several each has.
+        ("Four tables and a candle on all tables but one.", ["3 candle on dining_table-2"]),
+        ("Five tables, and a jar on every table but the one by the door.",
+         ["4 jar on dining_table-2", "1 dining_table next_to door"]),
+        ("Four tables. All of them have a candle.", ["4 candle on dining_table"]),
+        ("Twelve computers on six desks, two on each desk.", ["12 computer on desk"]),
+        ("A lab with three benches and six stools, two at each bench.", ["6 stool at lab_bench"]),
+        # What lies there together, and between whom.
+        ("A pool table with two cues and a triangle on it.", ["2 cue on pool_table", "1 triangle on pool_table"]),
+        ("Five washers along the left wall, five dryers along the right wall, and a folding table between them.",
+         ["1 folding_table between washing_machine dryer"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
@@ -176,3 +192,26 @@ def test_colours_are_told_after_paint() -> None:
 def test_a_table_is_round() -> None:
     table = read_brief("A table and two chairs. The table is round. The chairs are stools.", fill="named").requests[0]
     assert table.attributes == ("round",)
+
+
+def test_what_something_is_for_is_no_thing() -> None:
+    brief = read_brief("Four stools, a bin for paper, one for glass and one for plastic.", fill="named")
+    assert [(r.category, r.count) for r in brief.requests] == [("stool", 4), *[("waste_bin", 1)] * 3]
+
+
+def test_a_place_for_things_is_not_understood() -> None:
+    assert read_brief("A hallway with a mirror and a place for umbrellas.").unknown == ("a place for umbrellas",)
+
+
+@pytest.mark.parametrize(("room", "made"), [("lab", "lab_bench"), ("workshop", "workbench"), ("hallway", "bench")])
+def test_a_bench_is_what_one_uses_there(room: str, made: str) -> None:
+    assert [r.category for r in read_brief(f"A {room} with a bench.", fill="named").requests] == [made]
+
+
+def test_a_table_of_glass_is_a_glass_table() -> None:
+    assert read_brief("A table of dark glass.").requests[0].attributes == ("glass",)
+
+
+def test_what_stands_on_stands_of_an_unknown_kind() -> None:
+    brief = read_brief("A workshop with two bikes on repair stands in the middle.", fill="named")
+    assert {r.category: r.count for r in brief.requests} == {"bicycle": 2, "repair_stand": 2}

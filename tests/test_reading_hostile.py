@@ -51,6 +51,10 @@ def test_any_text_gives_a_brief_or_an_input_error(text: str) -> None:
         assert isinstance(read_brief(text), Brief)
 
 
+def test_shares_of_shares_without_end_are_read() -> None:
+    assert isinstance(read_brief("each with two chairs " * 900), Brief)
+
+
 @settings(max_examples=300, deadline=None)
 @given(st.lists(st.sampled_from(WORDS), max_size=40).map(" ".join))
 @example("each with each other between them on it")

@@ -92,6 +92,47 @@ def test_each_is_each_of_what_was_named(
     assert brief.unknown == ()
 
 
+@pytest.mark.parametrize(
+    ("prompt", "category", "count"),
+    [
+        ("A spa with four recliners in a row and a side table between every two recliners.", "side_table", 3),
+        ("Six hospital beds in two rows. A nightstand stands between neighbouring beds.", "nightstand", 4),
+        ("A waiting room with six chairs along the wall and a plant between each pair of chairs.", "plant", 5),
+        ("A row of five armchairs with two plants between each armchair.", "plant", 8),
+        ("Two beds and a nightstand between every two beds.", "nightstand", 1),
+        ("A ward with five beds and screens between the beds.", "room_divider", 4),
+    ],
+)
+def test_between_every_two_is_in_every_gap(prompt: str, category: str, count: int) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert _counts(brief)[category] == count
+    assert brief.unknown == ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "one", "other"),
+    [
+        ("A laundromat with four washers and four dryers facing each other.", "washing_machine", "dryer"),
+        ("A living room with a sofa and an armchair facing each other.", "sofa", "armchair"),
+    ],
+)
+def test_two_kinds_that_face_each_other_both_do(prompt: str, one: str, other: str) -> None:
+    assert {("facing", one, (other,)), ("facing", other, (one,))} <= _ties(read_brief(prompt))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seat", "count"),
+    [
+        ("A library with three tables, four chairs at each table, and a librarian's desk.", "chair", 12),
+        ("A boss's office with a desk, and a meeting table with six chairs.", "chair", 6),
+        ("A library with three tables with chairs, and a librarian's desk.", "office_chair", 1),
+    ],
+)
+def test_no_seat_is_assumed_beside_a_number_of_seats(prompt: str, seat: str, count: int) -> None:
+    seats = {r.category: r.count for r in read_brief(prompt).requests if r.category.endswith("chair")}
+    assert sum(n for category, n in seats.items() if category.endswith(seat)) == count
+
+
 def test_everyone_of_nobody_knows_how_many_is_not_understood() -> None:
     assert read_brief("An office. Everyone has a bin.").unknown == ("Everyone",)
 

@@ -218,7 +218,7 @@ PROMPTS = {
     ),
     "hospital ward 8m x 6m, 4 beds along the long wall, each with a bedside table, curtains between beds, sink by"
     " the door": (
-        "4 hospital_bed, 4 nightstand, 2 curtain, 1 washbasin",
+        "4 hospital_bed, 4 nightstand, 3 curtain, 1 washbasin",
         (
             "hospital_bed against_wall long_wall, nightstand next_to hospital_bed, curtain between "
             "hospital_bed, washbasin next_to door"

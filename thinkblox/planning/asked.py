@@ -1,6 +1,7 @@
 """Relations of a brief to ties of the very objects: who stands at which table, who faces whom."""
 
 import math
+from itertools import pairwise
 
 from msgspec.structs import replace
 
@@ -47,12 +48,26 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
         _tie_among(relation, subjects)
     elif len(keys) > 1 and relation.kind not in _TOGETHER:
         _share_out(relation, subjects, [member for key in keys for member in members.by_request[key]], members)
+    elif relation.kind == "between" and relation.each and len(keys) == 1:
+        _tie_between_neighbours(brief, relation, subjects, members)
     elif len(keys) > 1 or relation.kind == "between":
         anchors = [member for key in keys for member in members.by_request[key]]
         for index, subject in enumerate(subjects):
             _add(members, subject, anchors, relation, index, len(subjects))
     elif keys:
         _share_out(relation, subjects, members.by_request[keys[0]], members)
+
+
+def _tie_between_neighbours(brief: Brief, relation: Relation, subjects: list[Member], members: Members) -> None:
+    """Share subjects out over the gaps between those of the anchors that stand next to each other in a row."""
+    anchors = members.by_request[relation.anchors[0]]
+    said = (r.rows for r in brief.relations if r.kind == "in_rows" and r.subject == relation.anchors[0])
+    columns = -(-len(anchors) // max(1, next(said, 1)))
+    gaps = [pair for at, pair in enumerate(pairwise(anchors), 1) if at % columns]
+    for number, subject in enumerate(subjects if gaps else ()):
+        which = share(number, len(subjects), len(gaps))
+        alike = [n for n in range(len(subjects)) if share(n, len(subjects), len(gaps)) == which]
+        _add(members, subject, list(gaps[which]), relation, alike.index(number), len(alike))
 
 
 def _tie_to_place(relation: Relation, subjects: list[Member]) -> None:

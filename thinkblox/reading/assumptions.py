@@ -1,8 +1,9 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from thinkblox.assets import facts_of
+from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
@@ -81,11 +82,23 @@ def bed_down(draft: Draft) -> None:
             bed.attributes.append(_SINGLE)
 
 
-def draw_up(draft: Draft) -> None:
+def counted_seats(draft: Draft) -> tuple[str, ...]:
+    """What several seats are called of which a prompt gives the number; visitors' chairs are apart from these."""
+    seats = (t for t in draft.things if t.asked and _is_upright(t) and t.count is not None and not t.vague)
+    seats = (t for t in seats if t.many or any(bond.each for bond in draft.bonds_of(t)))
+    names = ((t.noun, *(singular(word) for word in t.text.lower().split()[-1:])) for t in seats)
+    return tuple(name for pair in names for name in pair)
+
+
+def draw_up(draft: Draft, counted: Collection[str]) -> None:
     """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
 
     As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now. Visitors'
     chairs, and what is assumed for another table, are no seats for it.
+
+    Args:
+        draft: what was read.
+        counted: what the seats are called of which there are to be as many as the prompt says, and no more.
     """
     if not draft.room:
         return
@@ -102,7 +115,7 @@ def draw_up(draft: Draft) -> None:
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not drawn and not free and not any(counts_as(seat, noun) for noun in draft.excluded):
+        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *counted)):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
 
 

@@ -10,7 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, bed_down, draw_up, stock
+from thinkblox.reading.assumptions import anticipated, assume, bed_down, counted_seats, draw_up, stock
 from thinkblox.reading.carriers import too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
@@ -87,10 +87,11 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _settle_carriers(draft)
     draft.unknown += too_large(draft)
     assume(draft, fill)
+    counted = counted_seats(draft)
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
-        draw_up(draft)
+        draw_up(draft, counted)
         bed_down(draft)
     if fill == "essentials":
         stock(draft)

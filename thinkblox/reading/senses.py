@@ -71,6 +71,8 @@ def _relations(bond: Bond) -> tuple[str, ...]:
     on_wall = (
         bond.kind == "on" and bond.anchors and isinstance(bond.anchors[0], str) and bond.anchors[0].endswith("wall")
     )
+    if bond.kind == "between" and bond.each:
+        return ("between", "between_neighbours")
     return ("on_wall", "against_wall") if on_wall else (str(bond.kind),)
 
 

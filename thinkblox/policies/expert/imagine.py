@@ -82,7 +82,10 @@ def from_ties(situation: Situation) -> list[Idea]:
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
         ties = mutual
-    paired = list(partners.partner_ideas(situation))
+    lined = in_rows and partners.gaps_in_row(situation)
+    if lined:
+        ties = tuple(tie for tie in ties if tie.kind == "in_rows")
+    paired = [] if lined else list(partners.partner_ideas(situation))
     paired += runs.run_ideas(situation) if runs.is_built(situation) else ()
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]

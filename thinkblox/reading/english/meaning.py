@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.antecedents import Antecedents
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Noun, are_neighbours
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
@@ -35,10 +35,14 @@ _FAR_PARTS = ("head", "foot", "end", "side", "short_side", "long_side", "front",
 """Parts of things across from which something else may stand."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
+_SEVERAL = 3
+"""Of so many alike "between them" does not mean between the two of them."""
 _ROUNDED = {"round", "oval", "square"}
 """Shapes of tables that have no two long sides."""
 _NUMBERS = {"three": 3, "four": 4}
 """How many "all three" are."""
+_APART = ("on", "inside")
+"""Relations that one thing has to one other only, so that "a lamp on both tables" is one on each."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -182,6 +186,7 @@ class Meanings:
             three = self.referents.latest(number, subjects)
             return self._fitting(Meaning(kind, three, told=True), subjects, noun) if three else None
         two = self.referents.both(subjects) if said.text.lower().startswith("both") else ()
+        two = two or (self._two_sides(likely) if kind == "between" and said.value == "them" else ())
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
             plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
@@ -200,6 +205,18 @@ class Meanings:
             anchors = tuple(t for t in family if t not in subjects) or anchors
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
         return self._fitting(meaning, subjects, noun, where.word) if anchors else None
+
+    def _two_sides(self, likely: list[Mention]) -> tuple[Mention, ...]:
+        """The washers and dryers of "washers along one wall, dryers along the other, a table between them"."""
+        last = likely[0] if likely else None
+        things = self.referents.draft.things
+        before = things[things.index(last) - 1] if last in things[1:] else None
+        if last is None or before is None or not before.asked or (last.many and (last.count or _SEVERAL) < _SEVERAL):
+            return ()
+        where, across = self.referents.draft.bonds_of(last), self.referents.draft.bonds_of(before)
+        walls = any(b.kind == c.kind and b.anchors != c.anchors for b in where for c in across if _at_place(b, c))
+        opposite = any(b.kind in ("opposite", "facing") and before in b.anchors for b in where)
+        return (before, last) if walls or opposite else ()
 
     def _one_of(self, kind: str, subjects: list[Mention], noun: str) -> Meaning | None:
         name = subjects[-1].noun if subjects else noun
@@ -503,7 +520,9 @@ class Meanings:
                 return Meaning("next_to" if opening in _OPENINGS else "near", anchors, told=told)
             second, _ = self.name.anchors(where.second, subjects)
             anchors = (*anchors, *second)
-        each = said.each or where.word == "per"
+        each = said.each or where.word == "per" or (kind == "between" and said.plural and are_neighbours(said))
+        each |= kind in _APART and said.det in ("all", "both") and said.plural and bool(subjects)
+        each &= kind not in _APART or said.each or all(s.count in (None, 1) for s in subjects)
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])
         if where.text.lower() == "across" and subjects and load_habits().is_in(subjects[-1].noun, "covers", "small"):
@@ -552,6 +571,11 @@ class Namer:
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number means."""
         raise NotImplementedError
+
+
+def _at_place(*bonds: Bond) -> bool:
+    """Whether all of these are to parts of the room."""
+    return all(isinstance(anchor, str) and not bond.negated for bond in bonds for anchor in bond.anchors)
 
 
 def is_seat(thing: Mention) -> bool:

@@ -293,8 +293,12 @@ class PhraseReader(Heads):
         return (facing or stop.sort in ("verbs", "participles")) and not ends
 
     def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
-        """Whether several of a singular noun have to be of the next: "four repair stands"."""
+        """Whether several of a singular noun have to be of the next: "four repair stands", "on repair stands"."""
         several = noun.count is not None and noun.count > 1 and bool(units.nouns)
+        if not (noun.det or several or noun.count is not None) and len(units.nouns) == 1:
+            after = grammar().at(self.tokens, noun.start - 1, "prepositions") if noun.start else None
+            follows = grammar().at(self.tokens, at + 1, "determiners", "count", "quantifiers", "vague")
+            several = after is not None and follows is None and units.nouns[0].known is None
         if not several or stop.sort != "verbs" or stop.length > 1 or not self.tokens[at].text.endswith("s"):
             return False
         last = units.nouns[-1]

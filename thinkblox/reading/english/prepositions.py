@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from thinkblox.knowledge.seats import places_at
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
@@ -13,6 +13,8 @@ from thinkblox.reading.english.referents import is_small, last_word
 
 _MOST_AT_ONE = 12
 """Tables for more people than this are for so many together."""
+_TOPS = ("tables", "desks", "counters")
+"""What "of" says to be full of things that lie on it."""
 
 
 class Prepositions(Negation):
@@ -120,10 +122,15 @@ class Prepositions(Negation):
                 self._hold_matter(noun)
             self._of_no_thing(noun)
             return
-        word = last_word(head)
-        contents = noun.plural or noun.count is not None or (not noun.det and noun.text.lower().endswith("s"))
-        if contents and (word in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves")):
-            self._open("inside")
+        self._of_thing(noun, head)
+
+    def _of_thing(self, noun: Noun, head: Mention) -> None:
+        """Say of a thing what it is made or full of, or to what it belongs."""
+        if self._is_of_material(noun, head):
+            return
+        if carried := self._carried_by(head, noun):
+            noun.plural |= noun.count is None and not noun.text.lower().endswith("s")
+            self._open(carried)
             if self.pending is not None:
                 self.pending.contents = True
             return
@@ -138,6 +145,27 @@ class Prepositions(Negation):
         self._go_past(noun)
         self._spend(noun)
         head.text = f"{head.text} of {noun.text}"
+        if not is_small(head) and self.habits.is_in(head.noun, "shelves", *_TOPS):
+            self._lose(noun.start, noun.end)
+
+    def _is_of_material(self, noun: Noun, head: Mention) -> bool:
+        """Take "a table of dark glass" for a glass table."""
+        plain = noun.material and not (noun.det or noun.plural or noun.count is not None)
+        if plain:
+            head.attributes.append(noun.material)
+            head.unshown += noun.unshown
+            self._spend(noun)
+            self._go_past(noun)
+        return bool(plain)
+
+    def _carried_by(self, head: Mention, noun: Noun) -> str:
+        """How what "shelves of bottles", "tables of books" name is carried; empty where it is no thing to be made."""
+        several = noun.plural or noun.count is not None or (not noun.det and noun.text.lower().endswith("s"))
+        if not several and (noun.det or not noun.named):
+            return ""
+        if last_word(head) in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves"):
+            return "inside"
+        return "on" if self.habits.is_in(head.noun, *_TOPS) and not noun.definite else ""
 
     def _of_no_thing(self, noun: Noun) -> None:
         """Go past "of the room", "of four people"; "every pew of the left column" is not understood."""
@@ -153,10 +181,15 @@ class Prepositions(Negation):
     def _for(self, link: Connector) -> None:
         noun = self._next_noun()
         if noun is None:
+            self.at += isinstance(self.peek(), Adjective) and isinstance(self._before(), Noun)
             return
         thing = self.frontier[-1].thing if self.frontier else None
         awaited = [a for f in self.front[-1:] for a in f.anchors if isinstance(a, Mention)]
         thing = awaited[0] if awaited and not self.frontier else thing
+        if self._is_purpose(noun):
+            self._spend(noun)
+            self._go_past(noun)
+            return
         if noun.kind in ("people", "number") and noun.count and thing is not None:
             if thing.seats and thing.seats != noun.count:
                 self._lose(link.start, noun.end)
@@ -182,6 +215,18 @@ class Prepositions(Negation):
             self._go_past(noun)
             if noun.kind == "thing" and thing is not None and noun.definite:
                 self._lose(link.start, noun.end)
+
+    def _is_purpose(self, noun: Noun) -> bool:
+        """Whether it only says what something is for: "a bin for paper", "a place for umbrellas"."""
+        before = self._before()
+        matter = not (noun.det or noun.plural) and noun.count is None and noun.text.lower()[-1:] != "s"
+        matter |= noun.text.lower() == noun.material
+        if noun.kind != "thing" or not isinstance(before, Noun) or noun.definite:
+            return False
+        if before.kind in ("room", "abstract") and self.draft.things and noun.plural and not noun.count:
+            self._lose(before.start, noun.end)
+            return True
+        return before.kind in ("thing", "pronoun", "number") and matter and self.referents.named(noun) is None
 
     def _serve(self, thing: Mention, people: int) -> None:
         """Let it be for so many: a table has as many places, and there are enough of what each has one of."""

@@ -18,6 +18,8 @@ _STANDING = ("behind", "in_front_of", "left_of", "right_of", "next_to", "opposit
 """Relations of furniture that are to furniture rather than to what lies on it."""
 _AROUND = (*_STANDING, "near", "far", "above", "under", "")
 """Relations, and sides, of what a clause was about rather than of what was said to be there."""
+NESTED = 8
+"""How deep shares of shares are multiplied out."""
 _BY_HABIT = ("on", "above", "under", "at", "around", "opposite")
 """Relations of which one can tell what has them to what."""
 
@@ -292,13 +294,18 @@ class Referents:
         self.part(whole, count)
         self.parted = None
 
-    def total(self, thing: Mention) -> int:
-        """How many there are of it, shares of others multiplied out; 1 where nobody said."""
-        count = thing.count or 1
+    def total(self, thing: Mention, *, within: tuple[Mention, ...] = ()) -> int:
+        """How many there are of it, shares of others multiplied out; 1 where nobody said.
+
+        Args:
+            thing: one of the draft's.
+            within: what it is a share of the shares of; what is among them, or deeper than NESTED, counts once.
+        """
+        count, within = thing.count or 1, (*within, thing)
         for bond in self.draft.bonds_of(thing):
             anchors = parts_of(bond)
-            if bond.each and anchors and thing not in anchors:
-                return count * sum(self.total(anchor) for anchor in anchors)
+            if bond.each and anchors and thing not in anchors and len(within) <= NESTED:
+                return count * sum(1 if a in within else self.total(a, within=within) for a in anchors)
         return count
 
     def settle(self, thing: Mention) -> None:

@@ -7,12 +7,13 @@ the two disagree nobody knows which is right, so that the words are not understo
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
-from thinkblox.reading.english.chunks import Chunk, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Noun, Stray, are_neighbours
 from thinkblox.reading.english.referents import Referents, is_small, parts_of
 from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, parted, positions, possessions, statements
 
@@ -145,8 +146,13 @@ class SecondOpinion:
             return True
         if any(load_habits().is_in(thing.noun, "covers") for thing in self._things(place.of[0])):
             return True
-        before = {t for start, things in self._meant.items() if start < place.of[0].start for t in things}
-        return bool(before & set(self._meant.get(place.of[0].start, ())))
+        start = place.of[0].start
+        return any(self._first[thing] < start for thing in self._meant.get(start, ()))
+
+    @cached_property
+    def _first(self) -> dict[Mention, int]:
+        """Where each thing was first named."""
+        return {thing: start for start, things in sorted(self._meant.items(), reverse=True) for thing in things}
 
     def _has_place(self, place: SaidPosition, subjects: Sequence[Mention]) -> bool:
         """Whether any of the subjects is somewhere, as a place or a pronoun says."""
@@ -368,7 +374,7 @@ def _is_shared_out(chunk: Chunk) -> bool:
     if isinstance(chunk, Noun):
         several = chunk.kind == "people" or (chunk.kind in ("place", "part") and chunk.many)
         each = chunk.det in ("each", "either", "both", "all") or chunk.value in ("each", "all", "them")
-        return several or each or chunk.every > 0 or chunk.kind == "number"
+        return several or each or chunk.every > 0 or chunk.kind == "number" or are_neighbours(chunk)
     return is_link(chunk, "prepositions", "per", "sides") or is_link(chunk, "mutual")
 
 

@@ -256,6 +256,8 @@ class Subjects(Having):
         frame = node.frame
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
+        if untied := self._untied_before(node, frame, where):
+            return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
         if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
@@ -286,6 +288,13 @@ class Subjects(Having):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _untied_before(self, node: Node, frame: Listed, where: Where) -> list[Mention]:
+        """What else the head has, where only the last tells how: the cues of "a table with cues and a ball on it"."""
+        if frame.head is None or frame.each or not self._is_pronominal(where) or len(frame.members) != _PAIR:
+            return []
+        untied = [thing for thing, head in self.untied if head in frame.head.things]
+        return [m for m in frame.members if m in untied and m not in node.things and not self.draft.bonds_of(m)]
 
     def _pair(self, node: Node, frame: Listed, where: Where) -> Node | None:
         """Two that are joined and of which nothing was told: "a scale and a chart next to the door"."""
