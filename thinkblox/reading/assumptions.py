@@ -230,7 +230,8 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
 
 def _called(thing: Mention) -> list[str]:
     """What a thing is called besides what it is made as: a sofa bed is a bed."""
-    return [word for word in thing.text.lower().split()[-1:] if thing.asked and word in things()]
+    words = thing.text.lower().split()[-1:] if thing.asked else []
+    return [word for word in words if word in things() and not thing.noun.endswith(word)]
 
 
 def _part_off(draft: Draft) -> None:
@@ -260,8 +261,12 @@ def _is_of_other(draft: Draft, thing: Mention) -> bool:
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
     """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
     seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
+    uncounted = [t for t in draft.things if t.asked and t.count is None and t.plural and not draft.bonds_of(t)]
+    hung = [t for t in uncounted if _serves(t.noun, usual)]
     for kind, anchors, each in usual.relations:
         place = made.get(_place(anchors, made))
+        if hung and each and kind == "above" and place is not None:
+            draft.bonds.append(Bond("above", hung[0], (place,), each=True, asked=False))
         if len(seats) == 1 and kind in _SEATED and each and place is not None and not place.asked:
             if place.count != seats[0].count:
                 _multiply(draft, place, seats[0].count or 1)
@@ -302,6 +307,8 @@ def _have_places(draft: Draft, category: str) -> bool:
 
 def _is_one(noun: str, category: str) -> bool:
     """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
+    if load_habits().is_in(category, "chairs") and not load_habits().is_in(noun, "chairs", "seats"):
+        return False
     return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
 
 
@@ -371,12 +378,18 @@ def _staff(draft: Draft) -> None:
     bare = [t for t in draft.things if t.count is None and not t.rows and not draft.bonds_of(t)]
     for seat in [t for t in bare if _is_upright(t)]:
         tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and (t.count or t in bare)]
-        tables = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun) and not _is_sat_at(draft, t)]
+        tables = [(t, usual) for t, usual in tables if usual[1] and not _is_sat_at(draft, t)]
+        served = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun)]
+        tables = served or [(t, usual) for t, usual in tables if _is_stool(seat) and not _is_bar(t)]
         if len(tables) == 1:
             table, (kind, _, each) = tables[0]
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+
+
+def _is_bar(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, "counters")
 
 
 def _enough(noun: str, people: int) -> int:
