@@ -91,7 +91,7 @@ class Groups(Descriptions):
         self._dissolve(group)
 
     def _is_told_of_parts(self, group: Mention) -> bool:
-        """Whether what follows tells what a group is made of: something to work at or lie on, rather than seats only."""
+        """Whether what follows tells what a group is made of: something to work at or lie on, not only seats."""
         for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
             if self._is_link(chunk, "mark", "stop", "semicolon"):
                 break

@@ -147,7 +147,7 @@ class Relating(Naming):
     def _multiply(self, subject: Mention, meaning: Meaning) -> None:
         """One "on each side" are two; one "in each corner" four."""
         alone = len(meaning.anchors) == 1 and not (isinstance(a := meaning.anchors[0], Mention) and a.many)
-        bare = subject.count is None and alone and not meaning.each
+        bare = subject.count is None and (alone or meaning.each)
         if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
             subject.count = 2
         if subject.count and meaning.times > 1 and subject not in self.counted:
