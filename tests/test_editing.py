@@ -340,6 +340,13 @@ class Told(ExpertPolicy):
         return super().propose(observation, n, rng)
 
 
+def test_what_loses_its_place_stands_where_there_is_room_and_nobody_is_asked() -> None:
+    policy = Told()
+    result = done(living(), "Remove the coffee table", policy=policy)
+    assert result.scene["vase_1"].support in ("sideboard_1", "desk_1")
+    assert not policy.seen
+
+
 def test_any_policy_is_asked_for_the_target_and_sees_the_rest() -> None:
     policy = Told()
     done(living(), "Add a floor lamp to the left of the sofa and move the armchair next to the desk.", policy=policy)

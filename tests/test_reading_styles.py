@@ -115,7 +115,7 @@ PROMPTS = {
     ),
     "A pharmacy with shelves of medicine bottles along the walls, a counter with a computer and a cash register, "
     "and three chairs for waiting.": (
-        "2 shelving_unit, 3 medicine_bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
+        "4 shelving_unit, 3 medicine_bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
         (
             "medicine_bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, "
             "cash_register on counter"

@@ -5,6 +5,7 @@ import pytest
 from msgspec import structs
 
 from tests.sim_rooms import asset, box, put, scene, table, vase, wardrobe
+from thinkblox.scene.actions import Move
 from thinkblox.scene.asset import Asset, Shape
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Opening, Room, rectangle
@@ -272,3 +273,23 @@ def test_what_stands_near_an_edge_is_watched_for_all_of_the_time(
     verdict = check(scene(None, (put(table(), 2.0, 2.0), table())), put(vase(), 2.597, 2.0, 0.75), vase())
     assert verdict.valid
     assert sum(steps) * Physics().timestep >= Physics().settle_time - 1e-9
+
+
+def test_what_outlines_rule_out_needs_no_measure_and_the_measure_agrees() -> None:
+    desk, jar, shelf = table(), vase(), asset("shelf", (0.4, 0.4, 0.2), mount="wall")
+    where = scene(
+        None,
+        (put(desk, 1.0, 2.0, id="table_1"), desk),
+        (put(jar, 1.5, 2.0, 0.75, id="vase_1", on="table_1"), jar),
+        (put(CRATE, 2.5, 2.36, id="crate_1"), CRATE),
+        (put(shelf, 3.5, 4.0, 0.9, on="east_wall"), shelf),
+    )
+    world = World(where)
+    for x, y, reasons in ((2.0, 2.0, ("collision",)), (1.0, 0.2, ("outside",)), (1.0, 3.0, ())):
+        action = Move(id="table_1", position=(x, y, 0.0))
+        ruled_out, measured = world.ruled_out(action), world.measure(action)
+        assert measured.valid is not bool(reasons)
+        assert (ruled_out.reasons if ruled_out is not None else ()) == reasons
+    rider = world.ruled_out(Move(id="table_1", position=(3.0, 4.0, 0.0)))
+    assert rider is not None
+    assert rider.reasons == ("riders",)

@@ -155,6 +155,27 @@ class World:
             return with_riders(Verdict(id=action.id, valid=True), riders)
         return with_riders(world._standing(action.id, way), riders)
 
+    def ruled_out(self, action: Action) -> Verdict | None:
+        """The verdict on an action by outlines alone, where these rule it out; None where it has to be measured.
+
+        Args:
+            action: of ids that the scene has, as for `measure`.
+
+        Returns:
+            As `measure`, of what was found first: the object that the action names, what it changes places with, or
+            what rides along reaches outside the room or deep into something.
+        """
+        after, carried, _ = outcome(self.scene, action)
+        world = self.with_scene(after)
+        for id in (action.id, *((action.other,) if isinstance(action, Swap) else ()), *carried):
+            placement, alone = after[id], world._looking_past(id)
+            asset = after.asset_of(placement)
+            gate = Gate(alone.scene, alone._neighbours, asset, [placement], self._physics) if asset.collides else None
+            if (static := alone._static(placement, asset, gate)).gated:
+                found = alone._judge(placement, asset, gate, static, ())
+                return found if id == action.id else with_riders(Verdict(id=action.id, valid=True), [found])
+        return None
+
     def by_itself(self, asset: Asset) -> Verdict:
         """The verdict on an asset on an empty level floor, by the same lines: whether it stands if nothing holds it."""
         side = min(MAX_EXTENT, ROOMY * (1.0 + max(asset.size)))

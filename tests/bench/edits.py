@@ -1,6 +1,6 @@
 """Edits of generated rooms: do they what was said, leave all else as it was, pass, and how long does it take?
 
-python -m tests.bench.edits [--rooms N] [--keep DIR] [--verify-every N] [--out FILE]
+python -m tests.bench.edits [--rooms N] [--fill FILL] [--keep DIR] [--verify-every N] [--out FILE]
 
 The instructions are those of `edit_checks`, with what each room has; what was done is told by geometry of its own.
 """
@@ -12,6 +12,7 @@ import sys
 import time
 from collections import defaultdict
 from pathlib import Path
+from typing import get_args
 
 import msgspec
 
@@ -19,17 +20,22 @@ from tests.bench.edit_checks import Case, Plain, cases
 from thinkblox import Scene, edit_room, generate_room, load_scene, save_room, verify
 from thinkblox.editing import Edit
 from thinkblox.errors import InputError
+from thinkblox.fills import Fill
 from thinkblox.value import to_json
 
 PROMPTS = Path(__file__).with_name("edit_prompts.txt").read_text(encoding="utf-8").splitlines()
 
 
-def room(number: int, keep: Path | None) -> tuple[Scene, Path | None]:
+ROOMY = (30, 50)
+"""Rooms of so many objects are those of about 40."""
+
+
+def room(number: int, keep: Path | None, fill: Fill) -> tuple[Scene, Path | None]:
     """A generated room, made anew or as it was kept."""
     folder = keep / f"room_{number:02d}" if keep is not None else None
     if folder is not None and folder.is_dir():
         return load_scene(folder), folder
-    made = generate_room(PROMPTS[number], seed=number)
+    made = generate_room(PROMPTS[number], seed=number, fill=fill)
     if folder is not None:
         save_room(made, folder, pictures=False, formats=())
     return made.scene, folder
@@ -52,13 +58,14 @@ def main() -> int:
     """Edit every room by every instruction and print the shares."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rooms", type=int, default=len(PROMPTS))
+    parser.add_argument("--fill", choices=get_args(Fill), default="essentials", help="how full the rooms are")
     parser.add_argument("--keep", type=Path, help="keep the generated rooms here, and take them from here")
     parser.add_argument("--verify-every", type=int, default=6, help="hold every n-th report against a whole verify()")
     parser.add_argument("--out", type=Path, help="write what became of each edit as JSON")
     arguments = parser.parse_args()
     rows: list[dict[str, object]] = []
     for number in range(arguments.rooms):
-        scene, folder = room(number, arguments.keep)
+        scene, folder = room(number, arguments.keep, arguments.fill)
         before = Plain(to_json(scene))
         for case in cases(before):
             every = arguments.verify_every
@@ -105,6 +112,11 @@ def tell(rows: list[dict[str, object]]) -> None:
         cpu, seconds = (statistics.median(float(str(row[key])) for row in some) for key in ("cpu", "seconds"))
         done, same, honest = shares
         print(f"{kind:9} {len(some):5} {done:5.0%} {same:6.0%} {honest:7.0%} {cpu:13.2f} {seconds:9.2f}")
+    least, most = ROOMY
+    roomy = [float(str(row["cpu"])) for row in rows if least <= int(str(row["objects"])) <= most]
+    if roomy:
+        print(f"{least} to {most} objects: {len(roomy)} edits, median {statistics.median(roomy):.2f}, "
+              f"worst {max(roomy):.2f} CPU s")  # fmt: skip
 
 
 if __name__ == "__main__":

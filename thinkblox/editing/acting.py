@@ -1,7 +1,7 @@
 """What orders on things that are there have in common: goals of their words, and what became of each."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import tee
 
@@ -25,7 +25,7 @@ from thinkblox.editing.orders import NounPhrase
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.spots import Pose, likely
 from thinkblox.editing.wheres import Bound, bound, named, opening_named
-from thinkblox.editing.work import Work
+from thinkblox.editing.work import Saved, Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
@@ -57,7 +57,6 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
     return Related(there.kind, there.anchors, there.negated, index, count, measured)
 
 
-_BESIDE = ("left_of", "right_of")
 _SIDES: tuple[RelationKind, ...] = ("left_of", "right_of")
 _ENDS: tuple[RelationKind, ...] = ("in_front_of", "behind")
 _ABOUT = ("under", "on")
@@ -74,10 +73,10 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     hung = anchor in scene and scene.asset_of(scene[anchor]).mount == "wall"
     if there.kind in _ABOUT and not hung:
         return there, [MidOf(anchor), MidOf(anchor, across=True)]
-    return there, [MidOf(anchor, across=there.kind in _BESIDE)]
+    return there, [MidOf(anchor, across=there.kind in _SIDES)]
 
 
-def sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
+def _sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
     """The same goals with what is to be beside a thing at its left and at its right, where that has sides."""
     beside = [goal for goal in goals if type(goal) is Related and goal.kind == "next_to" and not goal.negated]
     if len(beside) != 1 or len(beside[0].anchors) != 1 or beside[0].anchors[0] not in scene:
@@ -89,10 +88,30 @@ def sideways(scene: Scene, goals: Sequence[Goal]) -> list[list[Goal]]:
     return [[*rest, Related(kind, (anchor.id,))] for kind in _SIDES]
 
 
-def stands_before(scene: Scene, id: str, goals: Sequence[Goal]) -> bool:
+def _stands_before(scene: Scene, id: str, goals: Sequence[Goal]) -> bool:
     """Whether something that is to be beside a thing stands before or behind it."""
     at = [goal.anchors[0] for goal in goals if type(goal) is Related and goal.kind == "next_to" and goal.anchors]
     return any(measure(scene, kind, id, (name,)).holds for name in at if name in scene for kind in _ENDS)
+
+
+def prefer_sides(
+    work: Work, id: str, goals: Sequence[Goal], saved: Saved, reach: Callable[[Sequence[Goal]], bool]
+) -> None:
+    """Let what came beside a thing, and stands before or behind it, stand at its left or right where it can.
+
+    Args:
+        work: the edit.
+        id: of what came there.
+        goals: what it met.
+        saved: the work before that.
+        reach: brings it to other goals; whether it could.
+    """
+    if not _stands_before(work.scene, id, goals):
+        return
+    first = work.world
+    work.restore(saved)
+    if not any(reach(other) for other in _sideways(work.scene, goals)):
+        work.world = first
 
 
 def mark_names(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:

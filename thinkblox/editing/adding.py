@@ -7,7 +7,7 @@ from itertools import chain
 from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
-from thinkblox.editing.acting import centred, looking, mark_names, related, sideways, stands_before
+from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
@@ -224,18 +224,15 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     reaching = Reaching(work, target, asset, goals, direct=direct, begin=begin, more=likely(work.scene, asset, goals))
     saved = work.saved()
     reached = reaching.run()
-    if reached and stands_before(work.scene, id, goals):
-        first = work.world
-        work.restore(saved)
-        if not any(
-            Reaching(work, target, asset, other, direct=spots(work.scene, asset, other), ask=False).run()
-            for other in sideways(work.scene, goals)
-        ):
-            work.world = first
     if not reached:
         why = reaching.why.removeprefix(f"{id}: ")
         work.failed.append(f"{_named(work, category)} was not added: {why}")
         return ""
+
+    def reach(other: Sequence[Goal]) -> bool:
+        return Reaching(work, target, asset, other, direct=spots(work.scene, asset, other), ask=False).run()
+
+    prefer_sides(work, id, goals, saved, reach)
     work.wish(id, goals)
     placement = work.scene[id]
     found = "; ".join(dict.fromkeys(goal.check(work.before, work.scene, id)[1] for goal in goals))

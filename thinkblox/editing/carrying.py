@@ -3,17 +3,21 @@
 from collections.abc import Sequence
 
 from thinkblox.brief import RelationKind
-from thinkblox.editing.goals import Goal, Related
+from thinkblox.editing.goals import Related
 from thinkblox.editing.reaching import Reaching, ties_of, without
 from thinkblox.editing.work import Work
+from thinkblox.free_places import Stretch, free_places
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.plan import Tie
 from thinkblox.scene.actions import Move
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
+from thinkblox.value import Vec3
 
-CARRIERS = 4
-"""How many things that could carry it are tried for one that has lost its own."""
+CARRIERS = 8
+"""How many things that could carry it are looked at for one that has lost its own."""
+ASKED = 2
+"""On how many of them with room the policy is asked for a place where the widest free ones will not do."""
 
 
 def take(work: Work, ids: Sequence[str]) -> list[Placement]:
@@ -35,14 +39,31 @@ def place_anew(work: Work, old: Placement, *, carriers: Sequence[str] = ()) -> b
     usual = [id for name in habits for id in fits if work.scene[id].category == name]
     near = sorted(fits, key=lambda id: _away(work.scene[id], old))
     if asset.mount == "surface":
-        for carrier in list(dict.fromkeys([*carriers, *usual, *near]))[:CARRIERS]:
-            goals: tuple[Goal, ...] = (Related("on", (carrier,)),)
-            target = work.target(old.id, old.category, ties_of(goals), asset.attributes)
-            if Reaching(work, target, asset, goals, search=False).run():
+        looked_at = list(dict.fromkeys([*carriers, *usual, *near]))[:CARRIERS]
+        free = [id for id in looked_at if id in carriers]
+        for carrier in looked_at:
+            reaching = _onto(work, old, carrier)
+            stretches = free_places(work.scene, reaching.target, asset.card)
+            reaching.direct = [(spot, stretch.yaw) for stretch in stretches for spot in _along(stretch)]
+            if reaching.run():
                 return True
-        return False
+            free += [carrier] if stretches and carrier not in free else []
+        return any(_onto(work, old, carrier, ask=True).run() for carrier in free[:ASKED])
     target = work.target(old.id, old.category, work.usual_ties(old.id) or usual_ties(work.scene, old.category))
     return Reaching(work, target, asset, (), begin=(old.position, old.yaw)).run()
+
+
+def _onto(work: Work, old: Placement, carrier: str, *, ask: bool = False) -> Reaching:
+    """What brings something that was taken out onto a thing."""
+    asset, goals = work.assets[old.asset], (Related("on", (carrier,)),)
+    target = work.target(old.id, old.category, ties_of(goals), asset.attributes)
+    return Reaching(work, target, asset, goals, ask=ask, search=False)
+
+
+def _along(stretch: Stretch) -> list[Vec3]:
+    """The middle of a stretch and its ends."""
+    (x0, y0, z), (x1, y1, _) = stretch.start, stretch.end
+    return [((x0 + x1) / 2, (y0 + y1) / 2, z), stretch.start, stretch.end]
 
 
 def put_back(work: Work, old: Placement, taken: Sequence[Placement], before: Scene) -> list[str]:

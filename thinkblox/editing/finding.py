@@ -178,7 +178,7 @@ class Finder:
         ordered = sorted((p for p in found if p.id in away), key=lambda p: away[p.id])
         if not ordered:
             raise self.nothing(noun.text)
-        return ordered[:1] if noun.degree in ("nearest", "closest") else ordered[-1:]
+        return ordered[:1] if means("nearest", noun.degree) == "nearest" else ordered[-1:]
 
     def _of_somebody(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
         """The teacher's desk: the one that is turned to all others of its kind.

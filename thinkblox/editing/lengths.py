@@ -9,7 +9,7 @@ from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.sizes import METRES, read_size
 from thinkblox.reading.tokens import Token
 
-_DEGREES = ("degrees", "degree", "deg", "°")
+DEGREES = ("degrees", "degree", "deg", "°")
 _AXES = {("longer", 1): "length", ("wider", 1): "width", ("deeper", 1): "depth", ("higher", 1): "height"}
 _HALF = ("and", "a", "half")
 _SHARES = {("half",): 0.5, ("a", "half"): 0.5, ("a", "quarter"): 0.25, ("one", "quarter"): 0.25,
@@ -114,4 +114,4 @@ def angle_at(tokens: Sequence[Token], at: int, *, words: bool) -> tuple[float, i
         if tens is not None and value >= 20 and float(tens.value) < 10:
             value, length = value + float(tens.value), length + tens.length
     after = tokens[at + length].text if at + length < len(tokens) else ""
-    return (value, length + 1) if after in _DEGREES else None
+    return (value, length + 1) if after in DEGREES else None

@@ -14,11 +14,10 @@ from thinkblox.editing.acting import (
     findings,
     looking,
     mark_names,
+    prefer_sides,
     reach_goals,
     related,
     say,
-    sideways,
-    stands_before,
 )
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.company import gathered, with_company
@@ -451,15 +450,11 @@ def _reach_beside(work: Work, id: str, goals: Sequence[Goal], direct: Iterator[P
     """As `reach_goals`; what is to be beside a thing stands at its left or right where it can."""
     saved = work.saved()
     done = reach_goals(work, id, goals, direct=direct, ask=True)
-    if done is not None or not stands_before(work.scene, id, goals):
-        return done
-    first = work.world
-    work.restore(saved)
-    for other in sideways(work.scene, goals):
-        if reach_goals(work, id, other, direct=_spots(work, id, other)) is None:
-            return None
-    work.world = first
-    return None
+    if done is None:
+        prefer_sides(
+            work, id, goals, saved, lambda other: reach_goals(work, id, other, direct=_spots(work, id, other)) is None
+        )
+    return done
 
 
 def _is_so(work: Work, goal: Goal, id: str) -> bool:

@@ -221,6 +221,8 @@ class Reaching:
             alone = self.alone.check([proposal.placement], proposal.asset or self.asset)[0]
             if not alone.valid:
                 return alone
+            if (ruled_out := world.ruled_out(action)) is not None:
+                return ruled_out
             self.groups += 1
         if isinstance(action, Add) or (isinstance(action, Move) and proposal.placement is not None):
             asset = proposal.asset or self.asset

@@ -84,12 +84,14 @@ def _add_another(work: Work, by: str, noun: Noun, *, beside: bool) -> None:
     """Add another one of what has come in place of a thing: beside it where that can be."""
     new = noun if noun.kind == "thing" else replace_fields(noun, value=work.scene[by].category, kind="thing")
     category, asset, said = category_of(work, new, ()), work.asset_of(by), len(work.failed)
-    walled = [[Related("against_wall", walls)] for walls in [_walls_at(work.scene, by, asset)] if walls]
-    near: list[list[Goal]] = [[Abreast("next_to", (by,))], [Related("near", (by,))]]
-    walls_: list[Goal] = [Related("against_wall", ("wall",))]
-    last = [] if beside else [[*near[1], *walls_], walls_] if walled else near[1:]
-    first = [[*near[0], *wall] for wall in walled]
-    for goals in [*first, near[0], *last]:
+    walls = _walls_at(work.scene, by, asset)
+    abreast, near, walled = Abreast("next_to", (by,)), Related("near", (by,)), Related("against_wall", ("wall",))
+    tries: list[list[Goal]] = [[abreast]]
+    if walls:
+        tries = [[abreast, Related("against_wall", walls)], [abreast]]
+    if not beside:
+        tries += [[near, walled], [walled]] if walls else [[near]]
+    for goals in tries:
         del work.failed[said:]
         if add_one(work, category, new, goals, asset=asset):
             return

@@ -6,7 +6,9 @@ from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest
+from thinkblox.editing.lengths import DEGREES
 from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token, tokenise
 
 _NUMBERED = re.compile(
@@ -14,14 +16,10 @@ _NUMBERED = re.compile(
 )
 _SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
-_AFTER = re.compile(r"\s*([a-z°%'\"]+)", re.I)
-_MEASURE = re.compile(r"\s*by\s*[0-9.,]+\s*(?:m|cm|mm|met|cent|feet|foot|ft|inch)", re.I)
-"""After "the desk 2" in "2 by 1 m"."""
-_UNITS = frozenset(
-    "m cm mm metre metres meter meters centimetre centimetres centimeter centimeters feet foot ft inch inches in yard"
-    " yards degree degrees deg ° % percent times x".split()
-)
-"""Words after a number that make it a length, an angle or a share; "in" is one before no noun phrase."""
+_SHARES = (*DEGREES, "%", "percent", "times", "x")
+"""After a number that is an angle or a share."""
+_INTO = ("the", "a", "front", "its", "their")
+"""After "in" where that is no unit."""
 
 
 def reworded(tokens: Sequence[Token]) -> list[Token]:
@@ -57,10 +55,7 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
     text = _SERIES.sub(lambda found: _each_numbered(lexicon, found, ids), text)
     written, end = "", 0
     for match in _NUMBERED.finditer(text):
-        after = _AFTER.match(text, match.end())
-        if match.start() < end or (after is not None and _counts(lexicon, after[1].lower(), text[after.end() :])):
-            continue
-        if _MEASURE.match(text, match.end()):
+        if match.start() < end or _is_amount(lexicon, tokenise(text[match.start(2) :])):
             continue
         words = re.split(r"[ -]", match[1])
         for count in range(len(words)):
@@ -81,12 +76,15 @@ def _each_numbered(lexicon: Lexicon, found: re.Match[str], ids: Collection[str])
     return f"{', '.join(named[:-1])} and {named[-1]}" if all(named) else found[0]
 
 
-def _counts(lexicon: Lexicon, word: str, rest: str) -> bool:
-    """Whether a number before a word says how much or how many: "2 m", "4 plates"."""
-    if word == "in":
-        return not rest.lstrip().lower().startswith(("the", "a ", "front", "its", "their"))
-    named = lexicon.longest(list(lexicon.tokens(word)), 0).entry("object")
-    return word in _UNITS or (named is not None and named.plural)
+def _is_amount(lexicon: Lexicon, tokens: Sequence[Token]) -> bool:
+    """Whether the number that comes first says how much or how many: "2 m", "2 by 1 m", "90 degrees", "4 plates"."""
+    after = [token.text for token in tokens[1:3]]
+    if after[:1] == ["in"]:
+        return after[1:] == [] or after[1] not in _INTO
+    named = lexicon.longest(list(tokens), 1).entry("object") if after else None
+    size = read_size(lexicon, list(tokens), 0)
+    measured = size is not None and tokens[size[1] - 1].kind != "number"
+    return measured or (bool(after) and after[0] in _SHARES) or (named is not None and named.plural)
 
 
 def _id(kinds: Sequence[str], number: str, ids: Collection[str]) -> str:

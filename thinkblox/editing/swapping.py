@@ -75,7 +75,7 @@ def swap(work: Work, finder: Finder, order: Order) -> None:
     before = work.scene
     action = Swap(id=one, other=other)
     after = before.apply(action)
-    verdict = work.world.measure(action)
+    verdict = work.world.ruled_out(action) or work.world.measure(action)
     text = write_step([f"{one} and {other} change places."], action="swap", id=one, other=other)
     proposal = Proposal(text, action, after[one], after.asset_of(after[one]))
     tried = Try(text=text, placement=after[one], verdict=verdict)

@@ -100,7 +100,7 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
     settled: list[Where] = []
     for where in places:
         last = settled[-1].noun if settled else None
-        told = bool(where.text.lower().split()) and where.text.lower().split()[0] in (*_NEAREST, *_FARTHEST)
+        told = bool(_by_what(where))
         if last is None or last.kind != "thing" or last.id or last.many or not last.definite or where.negated:
             settled.append(where)
             continue
@@ -638,9 +638,6 @@ def _fitting(kind: str, where: Where, category: str, anchor: str, finder: Finder
 _THEIRS = ("its", "their", "his", "her")
 BELONGING = 0.8
 """How far from a thing what belongs to it stands at most [m]."""
-_NEAREST = ("nearest", "closest")
-_FARTHEST = ("farthest", "furthest")
-_SUPERLATIVES = tuple([word] for word in (*_NEAREST, *_FARTHEST))
 NEARNESS = (
     "next_to",
     "near",
@@ -738,7 +735,7 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
     if not said or phrase.id or phrase.noun.kind == "pronoun":
         return finder.ids(phrase, picks=picks)
     said = anchored(finder, said) if len(said) > 1 else said
-    by_distance = any(where.text.lower().split()[:1] in (*_SUPERLATIVES,) for where in said)
+    by_distance = any(_by_what(where) for where in said)
     found = finder.matching(phrase.noun, wide=by_distance)
     if not found:
         raise finder.nothing(phrase.noun.text)
@@ -748,9 +745,8 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
                 finder.scene[id] for id in _at_owners(finder, phrase.noun, finder.ids(NounPhrase(where.noun)), found)
             ]
             continue
-        superlative = where.text.lower().split()[:1]
-        if superlative and superlative[0] in (*_NEAREST, *_FARTHEST):
-            found = _by_distance(finder, phrase, where, found, far=superlative[0] in _FARTHEST)
+        if superlative := _by_what(where):
+            found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
             continue
         there = bound(where, found[0].category, finder)
         held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
@@ -765,6 +761,11 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
             raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
         found = held
     return finder.ids(phrase, picks=picks, among=found)
+
+
+def _by_what(where: Where) -> str:
+    """Whether it says which of several by their distance: "nearest" or "farthest"; empty where it does not."""
+    return next((means("nearest", word) for word in where.text.lower().split()[:1]), "")
 
 
 def _is_of_side(where: Where) -> bool:

@@ -19,6 +19,8 @@ from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict.world import World
 
+Saved = tuple[World, int, int]
+"""A room, and how much was done and wished for by then."""
 _PLAIN_ID = "abcdefghijklmnopqrstuvwxyz0123456789_"
 
 
@@ -97,11 +99,11 @@ class Work:
             self.failed.append(f"{', '.join(ids)} was not touched: it is to stay as it is")
         return left
 
-    def saved(self) -> tuple[World, int, int]:
+    def saved(self) -> Saved:
         """What `restore` needs to take back what was done since."""
         return self.world, len(self.done), len(self.wishes)
 
-    def restore(self, saved: tuple[World, int, int]) -> None:
+    def restore(self, saved: Saved) -> None:
         """Take back what was done since; what was tried stays noted."""
         self.world = saved[0]
         del self.done[saved[1] :], self.wishes[saved[2] :]

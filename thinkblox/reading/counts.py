@@ -2,6 +2,7 @@
 
 from thinkblox.assets import facts_of
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, room_type
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 MAX_OF_A_KIND = 200
@@ -76,7 +77,7 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
         one_each.each = True
         thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Mention))
     elif thing.count is None:
-        thing.count = _one_before_each(draft, thing) or _bare(thing, bonds)
+        thing.count = _one_before_each(draft, thing) or max(_bare(thing, bonds), _usual(draft, thing))
     _carriers(draft, thing)
 
 
@@ -134,6 +135,13 @@ def _bare(thing: Mention, bonds: list[Bond]) -> int:
     if rows is not None:
         return max(rows, _ROWS) * _PER_ROW
     return facts_of(thing.noun).plenty or (3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
+
+
+def _usual(draft: Draft, thing: Mention) -> int:
+    """How many of a bare plural such a room usually has: a library with bookcases has more than two."""
+    usual = (usual.count for usual in room_type(draft.room).usual if usual.category == thing.noun)
+    furniture = thing.plural and thing.asked and load_habits().is_in(thing.noun, "storage", "shelves", "worked_at")
+    return next(usual, 0) if furniture and draft.room not in ("", UNKNOWN_ROOM) else 0
 
 
 def _carriers(draft: Draft, thing: Mention) -> None:

@@ -17,6 +17,7 @@ from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.english import read_english
 from thinkblox.reading.grammar import Walker
+from thinkblox.reading.keeping import keep_things
 from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
@@ -79,6 +80,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _drop_impossible_sizes(draft)
     limit_things(draft)
     _drop_general(draft)
+    keep_things(draft)
     read_moods(draft)
     choose_senses(draft, anticipated(draft) if fill != "named" else ())
     emphasise(draft)

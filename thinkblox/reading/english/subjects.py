@@ -279,7 +279,8 @@ class Subjects(Having):
             if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value
             else kind
         )
-        group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
+        lies = kind in ("on_top", "inside") or (kind == "at" and where.noun is not None and where.noun.each)
+        group = _JOINED.get("on" if lies else kind)
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
@@ -292,7 +293,7 @@ class Subjects(Having):
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         taken += [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
         free: list[Mention] = []
-        for member in reversed(frame.members):
+        for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
             alike = leaning or lies or self._belongs(member.noun, group)
             if member is not thing and (member in taken or not alike):
