@@ -32,6 +32,9 @@ class Groups(Descriptions):
                 self._take_known(noun, [group])
                 return
         word = noun.word
+        if word in grammar().lists["measures_of_things"] and noun.plural and self.draft.things:
+            self._lose(noun.start, noun.end)
+            return
         if word in grammar().lists["groups"] and (noun.count or 0) > 1:
             self._take(self._new(replace(noun, value=identifier_of(noun.value))), noun)
             return

@@ -391,7 +391,8 @@ class Meanings:
 
     def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        if self.sided is None or said.det == "my" or {self.sided[0], said.value} != {"left", "right"}:
+        again = said.det == "my" and (bool(subjects) or self._sides_told > 0)
+        if self.sided is None or again or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None
 

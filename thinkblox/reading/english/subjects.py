@@ -91,7 +91,7 @@ class Subjects(Having):
             return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
                 noun is not None and self._is_beside_head(thing, frame, head, where, noun)
             )
-        if self._is_rather_of_head(thing, frame, head, where):
+        if self._is_rather_of_head(thing, frame, head, where) or self._is_beside_outer(thing, frame, head, where):
             return True
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
             return self._is_between_others(thing, frame, head, where)
@@ -101,6 +101,13 @@ class Subjects(Having):
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether "its right" is of what has the head: "each with a stool and a trolley with towels on its right"."""
+        outer = head.frame.head if head.frame is not None else None
+        side = where.noun is not None and where.noun.kind == "part" and where.noun.det == "my" and where.whole is None
+        side = side and where.noun is not None and where.noun.value in SIDES
+        return outer is not None and bool(outer.things) and side and self._is_held(thing, frame)
 
     def _is_between_others(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether what has a small thing stands between two others: "racks, barrels, a table with a jug in between"."""
