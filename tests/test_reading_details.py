@@ -121,6 +121,34 @@ from thinkblox.reading import read_brief
         ("Four tables. All of them have a candle.", ["4 candle on dining_table"]),
         ("Twelve computers on six desks, two on each desk.", ["12 computer on desk"]),
         ("A lab with three benches and six stools, two at each bench.", ["6 stool at lab_bench"]),
+        # What each of several has, to the end of the list, and what that stands by.
+        ("A dorm with two loft beds, each with a desk, a chair and a small dresser beneath it.",
+         ["2 desk under bunk_bed", "2 chair under bunk_bed", "2 dresser under bunk_bed"]),
+        ("Three booths along the window, each with a table between two benches.",
+         ["3 dining_table between bench", "6 bench"]),
+        ("Four desks, each with a chair next to a plant.", ["4 desk next_to plant", "4 plant"]),
+        ("Three tables, each with a vase on a runner.", ["3 vase on rug", "3 rug"]),
+        ("A bathroom with three sinks with mirrors.", ["3 mirror above washbasin"]),
+        ("A bathroom with five sinks with mirrors along the left wall.", ["5 washbasin against_wall left_wall"]),
+        ("Ten tables and benches on both sides of each table.", ["20 bench around dining_table"]),
+        ("A bed with a pair of nightstands on each side of it.", ["4 nightstand next_to bed"]),
+        ("A desk below a shelf holding five trophies.", ["1 desk under wall_shelf"]),
+        # Whose side it is, and which of several are spoken of.
+        ("Two massage tables. Each has a stool on its left and a trolley with towels on its right.",
+         ["2 serving_trolley right_of massage_table", "2 towels on serving_trolley"]),
+        ("A bed. On its left is a nightstand with a phone on it; on its right there is a chair.",
+         ["1 nightstand left_of bed", "1 chair right_of bed"]),
+        ("Four chairs. Two of them have cushions on them. Between those two is a plant.",
+         ["2 pillow on chair", "1 plant between chair"]),
+        ("Two shelves, with paint cans on the upper one and a toolbox on the lower one.",
+         ["3 paint_can on shelving_unit", "1 toolbox on shelving_unit-2"]),
+        ("Three statues. The tallest stands on a pedestal.", ["1 statue on pedestal"]),
+        # Two ends, and what is between two groups at walls.
+        ("Barrels along the left wall, racks along the right wall, and a table with four glasses and a jug in between.",
+         ["1 dining_table between barrel shelving_unit", "4 glass on dining_table"]),
+        ("A table, a screen at one end and a credenza at the other.", ["1 credenza opposite wall_tv"]),
+        ("A sofa against one wall and a bookcase against the other.",
+         ["1 sofa against_wall one_wall", "1 bookcase against_wall opposite_wall"]),
         # Groups that are told in parts, and things that are each on one of their own.
         ("A lab with four stations along the wall, each consisting of a table and a stool.",
          ["4 dining_table against_wall wall", "4 stool around dining_table"]),
@@ -141,7 +169,7 @@ from thinkblox.reading import read_brief
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
     brief = read_brief(prompt, fill="named")
-    assert set(relations) <= related(brief)
+    assert set(relations) <= related(brief) | {f"{r.count} {r.key}" for r in brief.requests}
     assert brief.unknown == ()
 
 
@@ -240,8 +268,10 @@ def test_a_table_of_two_is_for_two() -> None:
     ("prompt", "lost"),
     [
         ("Six rows of eight chairs, the last row of which is red.", "the last row of"),
+        ("A round table for four, the chairs all different colours, and a clock.", "all different colours"),
+        ("Two rows of lockers and benches on both long sides of each.", "on both long sides of each"),
         ("Eight tables in two columns of four, and a lamp on each table in the first column.", "in the first column"),
     ],
 )
-def test_single_rows_are_not_understood(prompt: str, lost: str) -> None:
+def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost: str) -> None:
     assert lost in read_brief(prompt).unknown

@@ -32,6 +32,9 @@ class Groups(Descriptions):
                 self._take_known(noun, [group])
                 return
         word = noun.word
+        if word in grammar().lists["measures_of_things"] and noun.plural and self.draft.things:
+            self._lose(noun.start, noun.end)
+            return
         if word in grammar().lists["groups"] and (noun.count or 0) > 1:
             self._take(self._new(replace(noun, value=identifier_of(noun.value))), noun)
             return
@@ -91,7 +94,7 @@ class Groups(Descriptions):
         self._dissolve(group)
 
     def _is_told_of_parts(self, group: Mention) -> bool:
-        """Whether what follows tells what a group is made of: something to work at or lie on, not seats only."""
+        """Whether what follows tells what a group is made of: something to work at or lie on, not only seats."""
         for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
             if self._is_link(chunk, "mark", "stop", "semicolon"):
                 break
