@@ -177,3 +177,19 @@ def test_two_windows_are_asked_for_and_light_grey_is_no_lamp():
     assert sum(opening.count for opening in read_brief("A picture between two windows.").openings) == 2
     assert [r.category for r in read_brief("A light grey sofa.").requests if r.asked] == ["sofa"]
     assert [r.category for r in read_brief("A bottle-green settee.").requests if r.asked] == ["sofa"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("An office with a desk near the bookcase and a chair behind it.", ("chair", "behind", "desk")),
+        ("A nook: an armchair by the bookcase, a floor lamp behind it.", ("floor_lamp", "behind", "armchair")),
+        ("A nook: an armchair by the bookcase, a side table to its right.", ("side_table", "right_of", "armchair")),
+    ],
+)
+def test_it_is_rather_what_stands_there_than_what_was_never_named_before(
+    prompt: str, relation: tuple[str, str, str]
+) -> None:
+    brief = read_brief(prompt)
+    assert relation in [(r.subject, r.kind, *r.anchors) for r in brief.relations]
+    assert not brief.unknown

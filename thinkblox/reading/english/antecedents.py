@@ -191,6 +191,11 @@ class Antecedents:
                     weigh(score + by[f"pair_{tied}"], pair)
         return scores
 
+    def _was_named_before(self, named: Occurrence, seen: Survey) -> bool:
+        """Whether it is spoken of again, and not for the first time: "by the bookcase", of which nobody knew."""
+        things = self._meant.get(named.noun.start, ())
+        return any(self._means_any(n, things) for n in seen.named if n.noun.start < named.noun.start)
+
     def _is_small(self, named: Occurrence) -> bool:
         return all(is_small(thing) for thing in self._meant.get(named.noun.start, ()))
 
@@ -224,8 +229,9 @@ class Antecedents:
         if named.role == "head" and own is None and named.part == seen.part - 1 and not back:
             score += by["before"]
         if named.role == "anchor":
-            score += by["known"] * named.noun.definite
-            score += by["latest"] * (named.noun.definite and named.part == seen.part - 1 and not back)
+            known = named.noun.definite and self._was_named_before(named, seen)
+            score += by["known"] * known + by["fresh"] * (named.noun.definite and not known)
+            score += by["latest"] * (known and named.part == seen.part - 1 and not back)
             near = own is not None and named.part == seen.part and not back and own.noun.start < named.noun.start
             score += by["own"] * (near and not seen.having > named.noun.start)
         score += self._centre(named, seen)
