@@ -275,3 +275,25 @@ def test_a_table_of_two_is_for_two() -> None:
 )
 def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost: str) -> None:
     assert lost in read_brief(prompt).unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("The lobby of a grand hotel with two sofas.", {"sofa": 2}),
+        ("A lounge in a grand house with a piano.", {"piano": 1}),
+        ("A living room with a grand and a sofa.", {"grand_piano": 1, "sofa": 1}),
+        ("A bed and a nightstand holding reading glasses.", {"bed": 1, "nightstand": 1, "reading_glasses": 1}),
+        ("Two nightstands with reading lamps.", {"nightstand": 2, "table_lamp": 2}),
+        ("An armchair with a reading lamp beside it.", {"armchair": 1, "floor_lamp": 1}),
+    ],
+)
+def test_plain_words_name_what_they_should(prompt: str, things: dict[str, int]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests if r.asked} == things
+    assert brief.unknown == ()
+
+
+def test_ends_are_of_what_they_end() -> None:
+    brief = read_brief("A lab with four fume hoods, and two benches with sinks at the ends.", fill="named")
+    assert not any("fume_hood" in relation.anchors for relation in brief.relations)
