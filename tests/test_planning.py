@@ -281,3 +281,8 @@ def test_benches_at_which_people_sit_stand_in_rows_and_look_at_the_board() -> No
     assert ties_of(plan, "lab_table_12") == [("in_rows",), ("facing", "whiteboard_1")]
     assert sum(target.category == "stool" for target in plan.targets) == 24
     assert ties_of(plan_of("A workshop with four workbenches"), "workbench_4")[0] != ("in_rows",)
+
+
+def test_two_beds_stand_in_line() -> None:
+    plan = plan_of("A hotel room with two double beds and a desk")
+    assert ties_of(plan, "bed_2") == [("in_rows",)]

@@ -24,7 +24,7 @@ _MANY_DESKS, _MANY_SEATS = 10, 12
 """From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
 _MANY_BENCHES = 4
 """From so many on benches at which people sit stand in rows."""
-_LINE, _BED_LINE = 2, 3
+_LINE, _BED_LINE = 2, 2
 """From so many on alike things stand in line, and beds."""
 _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 """Relations of things that stand where an anchor with its back to a wall leaves no room."""

@@ -102,7 +102,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
     """
     if not draft.room:
         return
-    _share_out(draft, ("on", "above") if draft.people else ("on", "above", "at"))
+    _share_out(draft)
     seats = [t for t in draft.things if _is_upright(t)]
     taken = {id(t) for t in seats if _has_its_table(draft, t)}
     free = [t for t in seats if id(t) not in taken]
@@ -162,18 +162,23 @@ def _is_stool(thing: Mention) -> bool:
     return habits.is_in(thing.noun, "seating", "seats") and not habits.is_in(thing.noun, "lounges")
 
 
-def _share_out(draft: Draft, kinds: tuple[str, ...]) -> None:
+def _share_out(draft: Draft) -> None:
     """As many of what is assumed on, above or at each of the things that a prompt counts as there usually are."""
     usuals = (*room_type(draft.room).expected, *room_type(draft.room).usual)
     for bond in draft.bonds:
         anchor = bond.anchors[0] if bond.anchors else None
         assumed = not bond.asked and not bond.subject.asked
-        shared = bond.each and bond.kind in kinds
+        shared = bond.each and (bond.kind in ("on", "above") or (bond.kind == "at" and not _is_manned(draft, bond)))
         if assumed and shared and isinstance(anchor, Mention) and anchor.asked:
             usual = next((u for u in usuals if u.category == bond.subject.noun), None)
             number = next((u.count for u in usuals if u.category == anchor.noun), 0)
             if usual is not None and number:
                 bond.subject.count = max(1, usual.count // number) * (anchor.count or 1)
+
+
+def _is_manned(draft: Draft, bond: Bond) -> bool:
+    """Whether the seats are those of the people that a prompt counts."""
+    return 0 < draft.people <= (bond.subject.count or 1)
 
 
 def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:

@@ -311,8 +311,7 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
             yield _dearer(idea, taken + (0.3 * rank if tie.count > 1 else 0.0))
     used = situation.scene.asset_of(anchor).front == "one"
     alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
-    sat_in = not tie.asked and facts_of(anchor.category).is_in("seating")
-    before = ELSEWHERE + IN_USE if sat_in else IN_USE if used else 2.5
+    before = (IN_USE if tie.asked else ELSEWHERE + IN_USE) if used else 2.5
     for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", before)):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, dear + alike)
