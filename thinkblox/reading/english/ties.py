@@ -64,9 +64,11 @@ class Ties(Relating):
             return False
         if told and frame.closing and frame.each and self.separator == "comma" and not self._is_told_by_pronoun():
             return False
+        inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
+        if inverse and told and self.separator == "comma_and":
+            return False
         if told is not None:
             return told
-        inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
         if inverse and self.separator == "comma" and self._is_told_next():
             return False
         head = frame.head.thing if frame.head is not None else None
