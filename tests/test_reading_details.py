@@ -151,7 +151,9 @@ from thinkblox.reading import read_brief
         ("A bathroom with a toilet behind a screen.", ["1 toilet behind room_divider"]),
         ("A sideboard with a coffee machine and cups on the opposite wall.",
          ["1 sideboard against_wall opposite_wall", "3 cup on sideboard"]),
-        ("A table with a lamp and six cups in the corner.", ["1 dining_table in_corner corner", "6 cup on dining_table"]),
+        ("A table with a lamp and six cups in the corner.",
+         ["1 dining_table in_corner corner", "6 cup on dining_table"]),
+        ("A science classroom with five tables with four stools each and a sink at every table.", ["5 sink"]),
         # Two ends, and what is between two groups at walls.
         ("Barrels along the left wall, racks along the right wall, and a table with four glasses and a jug in between.",
          ["1 dining_table between barrel shelving_unit", "4 glass on dining_table"]),
