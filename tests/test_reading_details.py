@@ -143,6 +143,17 @@ from thinkblox.reading import read_brief
         ("Two shelves, with paint cans on the upper one and a toolbox on the lower one.",
          ["3 paint_can on shelving_unit", "1 toolbox on shelving_unit-2"]),
         ("Three statues. The tallest stands on a pedestal.", ["1 statue on pedestal"]),
+        # What lies with others, who are meant by "the chairs", what is all around, and what a screen is.
+        ("Two paddles and a ball on the table.", ["2 paddle on dining_table", "1 ball on dining_table"]),
+        ("A desk, a chair behind it, two patient chairs in front, and a sign on the wall opposite the chairs.",
+         ["1 sign opposite visitor_chair"]),
+        ("A fountain in the center and benches on all four sides of the fountain.", ["4 bench around fountain"]),
+        ("A bathroom with a toilet behind a screen.", ["1 toilet behind room_divider"]),
+        ("A sideboard with a coffee machine and cups on the opposite wall.",
+         ["1 sideboard against_wall opposite_wall", "3 cup on sideboard"]),
+        ("A table with a lamp and six cups in the corner.",
+         ["1 dining_table in_corner corner", "6 cup on dining_table"]),
+        ("A science classroom with five tables with four stools each and a sink at every table.", ["5 sink"]),
         # Two ends, and what is between two groups at walls.
         ("Barrels along the left wall, racks along the right wall, and a table with four glasses and a jug in between.",
          ["1 dining_table between barrel shelving_unit", "4 glass on dining_table"]),
@@ -275,3 +286,35 @@ def test_a_table_of_two_is_for_two() -> None:
 )
 def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost: str) -> None:
     assert lost in read_brief(prompt).unknown
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("The lobby of a grand hotel with two sofas.", {"sofa": 2}),
+        ("A lounge in a grand house with a piano.", {"piano": 1}),
+        ("A living room with a grand and a sofa.", {"grand_piano": 1, "sofa": 1}),
+        ("A bed and a nightstand holding reading glasses.", {"bed": 1, "nightstand": 1, "reading_glasses": 1}),
+        ("Two nightstands with reading lamps.", {"nightstand": 2, "table_lamp": 2}),
+        ("An armchair with a reading lamp beside it.", {"armchair": 1, "floor_lamp": 1}),
+    ],
+)
+def test_plain_words_name_what_they_should(prompt: str, things: dict[str, int]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert {r.category: r.count for r in brief.requests if r.asked} == things
+    assert brief.unknown == ()
+
+
+def test_ends_are_of_what_they_end() -> None:
+    brief = read_brief("A lab with four fume hoods, and two benches with sinks at the ends.", fill="named")
+    assert not any("fume_hood" in relation.anchors for relation in brief.relations)
+
+
+def test_mats_face_what_is_flanked_and_are_nowhere_else() -> None:
+    brief = read_brief("A yoga room with a statue flanked by two candles, and twelve mats facing it.")
+    assert [(r.kind, r.anchors) for r in brief.relations if r.subject == "yoga_mat"] == [("facing", ("statue",))]
+
+
+def test_what_a_table_is_made_of_is_no_thing() -> None:
+    brief = read_brief("A low table made of crates.", fill="named")
+    assert [(r.category, r.unshown) for r in brief.requests] == [("coffee_table", ("made of crates",))]

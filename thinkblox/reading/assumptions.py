@@ -486,9 +486,18 @@ def _build_in(draft: Draft) -> None:
                 draft.hand_over(bond, cabinet)
             if not habits.is_in(bond.subject.noun, "small", "wallpieces"):
                 bond.anchors = tuple(cabinet if a is thing else a for a in bond.anchors)
+        _share_cabinet(draft, cabinet)
         if cabinet.many:
             thing.count = 1
         draft.bonds.append(Bond("on", thing, (cabinet,), each=cabinet.many, asked=False))
+
+
+def _share_cabinet(draft: Draft, cabinet: Mention) -> None:
+    """Give each of several its cabinet with a sink: "a sink at every table"."""
+    for bond in draft.bonds_of(cabinet):
+        if bond.each and any(isinstance(a, Mention) for a in bond.anchors):
+            bond.kind = "next_to" if bond.kind in _SEATED else bond.kind
+            cabinet.count = (cabinet.count or 1) * sum(a.count or 1 for a in bond.anchors if isinstance(a, Mention))
 
 
 def _has_place(draft: Draft, thing: Mention) -> bool:

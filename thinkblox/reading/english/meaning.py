@@ -35,6 +35,8 @@ _FAR_PARTS = ("head", "foot", "end", "side", "short_side", "long_side", "front",
 """Parts of things across from which something else may stand."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
+_SIDES = 2
+"""More sides than these are all around a thing."""
 _SEVERAL = 3
 """Of so many alike "between them" does not mean between the two of them."""
 _ROUNDED = {"round", "oval", "square"}
@@ -297,12 +299,14 @@ class Meanings:
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
+        if said.value == "side" and (said.count or 0) > _SIDES and not (is_small(whole) or meaning.each):
+            return self._around_all(said.count or 0, meaning, subjects)
         one_side = kind == "around" and said.value == "side" and (_is_one(said) or said.det == "other")
         kind, loose = ("at", True) if one_side else (kind, loose)
-        if said.value == "in_shelf":
+        far = where.word == "opposite" and said.value in _FAR_PARTS and said.det == "the" and not said.plural
+        if said.value == "in_shelf" or far:
+            kind = "opposite" if far else kind
             return Meaning(kind, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
-        if where.word == "opposite" and said.value in _FAR_PARTS and said.det == "the" and not said.plural:
-            return Meaning("opposite", meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
         kind = where.word if _is_at_end(where, said) else kind
         lying = is_small(subjects[-1]) if subjects else is_small_name(noun)
         if where.word == "on" and kind == "next_to" and lying and any(w in said.text.lower() for w in ("edge", "rim")):
@@ -312,6 +316,12 @@ class Meanings:
                 "on", meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=True
             )
         return Meaning(kind, meaning.anchors, each=meaning.each, both=both, times=times, told=meaning.told, loose=loose)
+
+    def _around_all(self, sides: int, meaning: Meaning, subjects: list[Mention]) -> Meaning:
+        """Read "benches on all four sides of the fountain": at least one at each."""
+        for subject in subjects:
+            subject.count = sides if subject.count in (None, 1) else subject.count
+        return Meaning("around", meaning.anchors, told=meaning.told)
 
     def _of_several(self, where: Where, said: Noun, subjects: list[Mention]) -> Meaning | None:
         """Read "on the other side" after "on its right", and "in the middle of them"."""

@@ -218,7 +218,8 @@ class Naming(Several):
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
         self._spend(noun)
-        count = noun.count if noun.count is not None else (None if noun.plural else 1)
+        several = noun.plural and (noun.value in self.habits.known() or not _is_one_made_of_two(noun))
+        count = noun.count if noun.count is not None else (None if several else 1)
         if noun.value == "seat" and not noun.named:
             noun.value = "chair"
         if noun.share:
@@ -282,3 +283,9 @@ class Naming(Several):
         self.draft.things.append(copy)
         self.referents.speak(copy)
         return copy
+
+
+def _is_one_made_of_two(noun: Noun) -> bool:
+    """Whether a plural is one thing: "reading glasses", "pliers"."""
+    words = noun.text.lower().split()
+    return any(" ".join(words[-length:]) in grammar().lists["pairs"] for length in (1, 2))

@@ -17,6 +17,9 @@ _ENDINGS = ("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")
 _BUILT = ("floor", "wall", "ceiling", "window", "door")
 """Places that a noun before them can describe: "a checkerboard floor"."""
 
+_SIZES = ("large", "small")
+"""Attributes by words that name things as well: "a grand hotel", "a grand"."""
+
 
 class PhraseReader(Heads):
     """Reads noun phrases of one text."""
@@ -201,7 +204,7 @@ class PhraseReader(Heads):
             return said.entry.value in LOOKS
         if said is None or said.length != length or not self._starts_noun(at + length):
             return False
-        return said.entry.value in LOOKS
+        return said.entry.value in LOOKS or said.entry.value in _SIZES
 
     def _covers(self, at: int, length: int) -> bool:
         """Whether a phrase covers all that hyphens join at `at`."""

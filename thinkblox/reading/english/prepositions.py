@@ -173,7 +173,7 @@ class Prepositions(Negation):
 
     def _of_thing(self, noun: Noun, head: Mention) -> None:
         """Say of a thing what it is made or full of, or to what it belongs."""
-        if self._is_of_material(noun, head):
+        if self._is_of_material(noun, head) or self._is_made_of_others(noun, head):
             return
         if carried := self._carried_by(head, noun):
             noun.plural |= noun.count is None and not noun.text.lower().endswith("s")
@@ -204,6 +204,16 @@ class Prepositions(Negation):
             self._spend(noun)
             self._go_past(noun)
         return bool(plain)
+
+    def _is_made_of_others(self, noun: Noun, head: Mention) -> bool:
+        """Note what we show of no thing: "a table made of crates"."""
+        said = self._before()
+        made = isinstance(said, Connector) and said.sort == "fillers" and said.text.lower().split()[-1] == "made"
+        if made:
+            head.unshown.append(f"made of {noun.text.lower()}")
+            self._spend(noun)
+            self._go_past(noun)
+        return made
 
     def _carried_by(self, head: Mention, noun: Noun) -> str:
         """How what "shelves of bottles", "tables of books" name is carried; empty where it is no thing to be made."""

@@ -68,6 +68,9 @@ class Referents:
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value),
         )
+        several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
+        if noun.det == "the" and several and not any(self.family(t)[1:] for t in said if last_word(t) == word):
+            return several[0]
         shades = COLOURS.keys() & set(noun.attributes)
         others = [t for t in recent if shades and COLOURS.keys() & set(t.attributes) - shades]
         fitting = [t for t in recent if t not in others]

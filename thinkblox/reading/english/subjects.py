@@ -1,5 +1,6 @@
 """Whom a relation is about, and what a pronoun then means."""
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -9,6 +10,8 @@ from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import is_small
 
 _PAIR = 2
+_SLIM = 0.3
+"""So large at most is the second side of what lies on things though it is long [m]."""
 _BONDS = 20
 """Most bonds of a thing that tell what a pronoun after it means."""
 _BY_OWNER = (
@@ -137,7 +140,7 @@ class Subjects(Having):
             return False
         if noun.kind == "part":
             whole = where.whole is None or where.whole.kind in ("room", "place", "abstract")
-            return whole and noun.det != "my" and noun.value in ("front", "back", "end")
+            return whole and noun.det != "my" and noun.value in ("front", "back", "end") and not noun.plural
         return noun.kind in ("pronoun", "number") and "other" in noun.text.lower().split() and not noun.of_known
 
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
@@ -302,7 +305,7 @@ class Subjects(Having):
         free: list[Mention] = []
         for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
-            alike = leaning or lies or self._belongs(member.noun, group)
+            alike = leaning or lies or self._belongs(member.noun, group) or (on_thing and _may_lie(member))
             if member is not thing and (member in taken or not alike):
                 break
             free.insert(0, member)
@@ -414,3 +417,9 @@ class Subjects(Having):
         said = [b for m in before for b in self.draft.bonds_of(m) if not b.implied]
         anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention) and a not in self.fresh]
         return anchors if not (before and is_small(before[0]) and said and said[-1].kind == "on") else []
+
+
+def _may_lie(thing: Mention) -> bool:
+    """Whether it is nothing but a slim thing, which lies where others do: a paddle, a cue."""
+    kind = kind_of(thing.noun)
+    return kind.plain and sorted(kind.size)[1] <= _SLIM

@@ -64,9 +64,11 @@ class Ties(Relating):
             return False
         if told and frame.closing and frame.each and self.separator == "comma" and not self._is_told_by_pronoun():
             return False
+        inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
+        if inverse and told and self.separator == "comma_and":
+            return False
         if told is not None:
             return told
-        inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
         if inverse and self.separator == "comma" and self._is_told_next():
             return False
         head = frame.head.thing if frame.head is not None else None
@@ -153,7 +155,7 @@ class Ties(Relating):
         """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
         head = frame.head.thing if frame.head is not None else None
         seated = head is not None and self.habits.tie(thing.noun, head.noun) in ("at", "around")
-        on_it = self._is_link(self.peek(), "prepositions", "on", "in", "on_top")
+        on_it = self._is_link(self.peek(), "prepositions", "on", "in", "on_top") and not _is_whole_place(place)
         if head is not None and not (frame.each or on_it) and self._lies_with(thing, head, frame, place):
             return True
         if frame.each:
@@ -181,7 +183,7 @@ class Ties(Relating):
         pair = (
             self.separator == "and"
             and frame.kind == "with"
-            and place.value.split()[0] not in ("wall", "floor", "ceiling")
+            and (place.value.split()[0] not in ("wall", "floor", "ceiling") or _is_whole_place(place))
         )
         return pair and low and self._carries_before(thing, head, frame)
 
@@ -329,3 +331,9 @@ class Ties(Relating):
     def _contains(self, head: Mention) -> bool:
         """Whether what a thing holds lies within it."""
         return self._has_shelves(head) or last_word(head) in grammar().lists["containers"]
+
+
+def _is_whole_place(place: Noun) -> bool:
+    """Whether furniture stands there rather than that small things hang: "in the corner", "on the opposite wall"."""
+    words = place.text.lower().split()
+    return place.value.split()[0] == "corner" or (words[-1] == "wall" and len(words) > len(("the", "wall")))
