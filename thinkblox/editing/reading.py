@@ -528,7 +528,7 @@ class _OrderReader:
             self._excepted = phrase
         elif negated:
             order.lost.append(f"not {noun.text}")
-        elif self._pending is not None and self._mode != "so":
+        elif self._pending is not None and (self._mode != "so" or self._so):
             self._compared(phrase)
         elif self._excepted is not None:
             (order.things[-1].spared if order.things else order.spared).append(phrase)
@@ -836,6 +836,9 @@ class _OrderReader:
 
     def _face(self) -> None:
         """Read "to face the room", "so that it faces the door"."""
+        following = self._items[self._at] if self._at < len(self._items) else None
+        if isinstance(following, OrderMark) and following.key == "farther":
+            return
         noun = self._next_noun()
         if noun is None:
             self.order.lost.append("face")
@@ -1082,6 +1085,8 @@ class _OrderReader:
         noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
         beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
         cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
+        if where.word == "from" and isinstance(link, Connector) and link.text.lower() == "to":
+            return where
         if not cornered or noun is None or where.whole is not None or self._told_by(where, noun, link, beside):
             return where
         each = noun.each or noun.plural
@@ -1197,7 +1202,8 @@ def _of_kind(item: Item, kinds: Collection[str]) -> Item:
 
 def _is_theirs(noun: Noun) -> bool:
     """Whether it belongs to what was named before: "its chairs"."""
-    return noun.det == "my" and noun.text.lower().split()[:1] in (["its"], ["their"])
+    words = [word for word in noun.text.lower().split() if word not in ("all", "both", "of")]
+    return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"])
 
 
 def _is_it(noun: Noun) -> bool:

@@ -472,6 +472,15 @@ def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:
     return tuple(wall.name for wall in scene.room.walls if abs(rank * wall.length - most) < SAME_LENGTH)
 
 
+def told_by(where: Where, finder: Finder) -> tuple[str, ...]:
+    """The things by which a corner is told, on which nothing stands that is put there: "the corner by the wardrobe"."""
+    noun, beside = where.noun, where.whole or where.second
+    cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] == "corner"
+    if not cornered or where.negated or beside is None or beside.kind != "thing":
+        return ()
+    return finder.ids(NounPhrase(beside, id=beside.id))
+
+
 def _stands(finder: Finder) -> bool:
     """Whether what is moved stands on the floor."""
     return finder.about in finder.scene and finder.scene.asset_of(finder.scene[finder.about]).mount == "floor"
