@@ -69,7 +69,7 @@ class Finder:
             InputError: nothing fits, which lists what there is, or several do, which names them.
         """
         ids = self._ids(phrase, picks, among)
-        self.named += ids
+        self.named += ids if phrase.noun.det != "other" else ()
         return ids
 
     def _ids(self, phrase: NounPhrase, picks: Sequence[Picks], among: Sequence[Placement] | None) -> tuple[str, ...]:
