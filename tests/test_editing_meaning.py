@@ -10,7 +10,7 @@ from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
 from thinkblox.scene.relations import measure
-from thinkblox.scene.room import turn_between
+from thinkblox.scene.room import rectangle, turn_between
 
 OFFICE = ("desk_1", "desk_2", "office_chair_1", "office_chair_2", "laptop_1", "whiteboard_1")
 
@@ -309,3 +309,39 @@ def test_objects_are_named_by_number_before_an_angle_and_as_number_two() -> None
         order = read_instruction(said, OFFICE).orders[0]
         assert [phrase.noun.id for phrase in order.things] == ["desk_2"], said
         assert order.turn == 45.0
+
+
+def test_what_is_at_either_of_two_is_meant_and_not_the_second_of_them() -> None:
+    for said in ("Remove the monitors on desk_1 and desk_2", "Replace the monitors on desks 1 and 2 with laptops"):
+        order = read_instruction(said, OFFICE).orders[0]
+        assert [phrase.noun.value for phrase in order.things] == ["monitor", "monitor"], said
+        assert [phrase.places[0].noun.id for phrase in order.things if phrase.places[0].noun] == ["desk_1", "desk_2"]
+
+
+def test_its_left_is_that_of_what_the_thing_before_stands_by() -> None:
+    order = read_instruction("Move the bin to the left of the desk and the cabinet to its right").orders[0]
+    assert not order.direction
+    (where,) = order.things[1].places
+    assert (where.word, where.noun.value if where.noun else "") == ("right_of", "desk")
+
+
+def test_in_the_middle_is_of_what_it_stands_on() -> None:
+    before = built(room(), ("dining_table_1", 1.5, 3.8, 90.0, "floor"), ("desk_1", 5.5, 1.5, 180.0, "floor"),
+                   ("vase_1", 5.5, 1.5, 0.0, "desk_1"))  # fmt: skip
+    after = done(before, "Put the vase on the table, in the middle").scene
+    assert math.dist(after["vase_1"].position[:2], (1.5, 3.8)) < 0.3
+
+
+def test_away_from_the_wall_is_away_from_the_one_behind() -> None:
+    before = built(rectangle(6.0, 5.0), ("bed_1", 5.2, 3.9, 270.0, "floor"))
+    after = done(before, "Move the bed 20 cm away from the wall").scene
+    x, y, _ = before["bed_1"].position
+    assert after["bed_1"].position[:2] == pytest.approx((x, y - 0.2), abs=0.01)
+
+
+def test_all_that_could_be_meant_stays_where_one_is_to_stay() -> None:
+    before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"), ("sideboard_1", 5.7, 2.5, 180.0, "floor"),
+                   ("vase_1", 0.5, 2.3, 0.0, "desk_1"), ("vase_2", 5.7, 2.2, 0.0, "sideboard_1"),
+                   ("bowl_1", 0.5, 2.9, 0.0, "desk_1"))  # fmt: skip
+    after = done(before, "Clear the desk but leave the vase").scene
+    assert {p.id for p in before.placements} - {p.id for p in after.placements} == {"bowl_1"}

@@ -372,6 +372,10 @@ def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
         if not found:
             raise finder.nothing(phrase.noun.text)
         return found
+    alike = finder.matching(phrase.noun) if phrase.noun.kind == "thing" and not phrase.noun.id else []
+    bare = not (phrase.places or phrase.rank or phrase.noun.side or phrase.noun.ordinal or phrase.noun.count)
+    if len(alike) > 1 and bare and phrase.noun.definite:
+        return tuple(p.id for p in alike)
     return named(finder, phrase, phrase.places)
 
 

@@ -66,6 +66,7 @@ from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
 
@@ -296,6 +297,7 @@ def _split(
     wanted = [w for w in rest if not w.negated]
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
         several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here
+        several |= all(w.word == "on" and w.noun is not None and w.noun.kind == "thing" for w in wanted[:2])
         if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest
     return here, rest
@@ -415,6 +417,9 @@ def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, ph
         nearest = min(own, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id))
         return Nearing((nearest,), nearer, by, order.slight)
     anchors = mark_names(finder, phrase)
+    if anchors == ("wall",) and not nearer and at_wall(work.scene, id):
+        behind = [w.name for w in work.scene.room.walls if measure(work.scene, "against_wall", id, (w.name,)).holds]
+        anchors = tuple(behind[:1])
     if order.rest and not nearer and by is not None:
         return Apart(anchors, by, "ge")
     return Nearing(anchors, nearer, by, order.slight)

@@ -105,12 +105,22 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
             settled.append(where)
             continue
         found = finder.matching(last)
+        if len(found) == 1 and _is_bare_part(where) and settled[-1].word in ("on", "in"):
+            settled[-1] = dataclasses.replace(where, whole=dataclasses.replace(last, id=found[0].id))
+            continue
         if len(found) < 2 or not (told or where.noun is None or where.noun.kind in ("place", "thing", "part")):
             settled.append(where)
             continue
         id = _named(finder, NounPhrase(last), [where], ())[0]
         settled[-1] = dataclasses.replace(settled[-1], noun=dataclasses.replace(last, id=id))
     return [_by_carrier(finder, where, settled) for where in settled]
+
+
+def _is_bare_part(where: Where) -> bool:
+    """Whether it is a part of what was named before it: "on the table, in the middle"."""
+    noun = where.noun
+    part = noun is not None and noun.kind == "part" and noun.value in ("middle", *get_args(PartOfTop))
+    return part and where.whole is None and where.word in ("on", "in", "at") and noun is not None and not noun.owner
 
 
 def _by_carrier(finder: Finder, where: Where, places: Sequence[Where]) -> Where:
