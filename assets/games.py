@@ -322,25 +322,45 @@ def _guitar(spec: Spec) -> list[Part]:
     return parts
 
 
+_THRONE = 0.5
+"""Depth that the drummer takes behind the drums [m]."""
+
+
 def drum_kit(spec: Spec) -> Build:
-    """Return a drum kit: bass, snare, two toms and two cymbals; the drummer sits at +x."""
-    x, y, z = spec.size
+    """Return a drum kit: bass, snare, two toms, two cymbals and, at -x, a stool; who listens is at +x."""
+    depth, y, z = spec.size
+    x = depth - _THRONE
+    middle = _THRONE / 2
     shell = spec.main(Finish((0.55, 0.16, 0.16), "plastic"))
     skin = Finish((0.93, 0.92, 0.88), "plastic")
     radius = min(0.28, 0.24 * z)
     body: list[Part] = [
-        cylinder(shell, (-x / 2 + 0.06, -x / 2 + 0.48), around(0, 2 * radius), (0.02, 0.02 + 2 * radius), axis=0)
+        cylinder(
+            shell,
+            (middle + x / 2 - 0.48, middle + x / 2 - 0.06),
+            around(0, 2 * radius),
+            (0.02, 0.02 + 2 * radius),
+            axis=0,
+        )
     ]
     body.append(
         cylinder(
-            skin, (-x / 2 + 0.05, -x / 2 + 0.06), around(0, 1.9 * radius), around(0.02 + radius, 1.9 * radius), axis=0
+            skin,
+            (middle + x / 2 - 0.06, middle + x / 2 - 0.05),
+            around(0, 1.9 * radius),
+            around(0.02 + radius, 1.9 * radius),
+            axis=0,
         )
     )
-    body += [box(CHROME, (-x / 2 + 0.1, -x / 2 + 0.14), (s * 0.3 - 0.05, s * 0.3 + 0.05), (0, 0.05)) for s in (-1, 1)]
     body += [
-        rod(CHROME, (-x / 2 + 0.12, s * 0.32, 0.01), (-x / 2 + 0.14, s * 0.9 * radius, radius), 0.01) for s in (-1, 1)
+        box(CHROME, (middle + x / 2 - 0.14, middle + x / 2 - 0.1), (s * 0.3 - 0.05, s * 0.3 + 0.05), (0, 0.05))
+        for s in (-1, 1)
     ]
-    drums = ((0.12 * x, 0.27 * y, 0.6, 0.17, 0.14), (0.1 * x, -0.3 * y, 0.55, 0.2, 0.38))
+    body += [
+        rod(CHROME, (middle + x / 2 - 0.12, s * 0.32, 0.01), (middle + x / 2 - 0.14, s * 0.9 * radius, radius), 0.01)
+        for s in (-1, 1)
+    ]
+    drums = ((middle - 0.12 * x, 0.27 * y, 0.6, 0.17, 0.14), (middle - 0.1 * x, -0.3 * y, 0.55, 0.2, 0.38))
     for ax, ay, top, r, tall in drums:
         body += [disc(shell, (ax, ay), r, (top - tall, top - 0.01)), disc(skin, (ax, ay), r * 0.98, (top - 0.01, top))]
         body += [
@@ -355,13 +375,13 @@ def drum_kit(spec: Spec) -> Build:
             for a in (0.5, 2.6, 4.7)
         ]
     for s in (-1, 1):
-        at = (-x / 2 + 0.27, 0.17 * s)
+        at = (middle + x / 2 - 0.27, 0.17 * s)
         body += [
             disc(shell, at, 0.15, (2 * radius + 0.07, 2 * radius + 0.23)),
             disc(skin, at, 0.148, (2 * radius + 0.23, 2 * radius + 0.24)),
             disc(CHROME, at, 0.015, (2 * radius, 2 * radius + 0.07)),
         ]
-        tip = (-0.18 * x, s * (y / 2 - 0.2))
+        tip = (middle + 0.18 * x, s * (y / 2 - 0.2))
         body += [
             disc(CHROME, tip, 0.01, (0.12, z - 0.02)),
             disc(Finish((0.83, 0.68, 0.34), "metal"), tip, 0.2, (z - 0.03, z - 0.022)),
@@ -371,4 +391,10 @@ def drum_kit(spec: Spec) -> Build:
             round_leg(CHROME, (tip[0] + 0.18 * cos(a), tip[1] + 0.18 * sin(a)), tip, (0, 0.2), 0.009, 0.009)
             for a in (0.0, 2.1, 4.2)
         ]
+    seat = (-depth / 2 + 0.17, 0.0)
+    body += [disc(BLACK_PLASTIC, seat, 0.16, (0.42, 0.5)), disc(CHROME, seat, 0.015, (0.1, 0.42))]
+    body += [
+        round_leg(CHROME, (seat[0] + 0.15 * cos(a), 0.15 * sin(a)), seat, (0, 0.15), 0.01, 0.01)
+        for a in (0.0, 2.1, 4.2)
+    ]
     return Build(body=body)

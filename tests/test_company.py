@@ -2,9 +2,10 @@
 
 import pytest
 
-from thinkblox.assets import make_asset
+from thinkblox.assets import kind_of, make_asset
+from thinkblox.knowledge.keepers import load_keepers
 from thinkblox.knowledge.rooms import room_type
-from thinkblox.planning import fitted, plan_brief, plan_room, relieved, with_sizes
+from thinkblox.planning import fitted, plan_brief, plan_room, relieved, varied, with_sizes
 from thinkblox.reading import read_brief
 
 
@@ -33,7 +34,22 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("An office with six desks and chairs", "chair", 6),
         ("A restaurant with ten tables and chairs and a bar", "chair", 40),
         ("A room for two children with two beds and two desks", "chair", 2),
-        ("A CEO's office with a large desk, a meeting table with six chairs and a sofa", "office_chair", 1),
+        ("A CEO's office with a large desk, a meeting table with chairs and a sofa", "office_chair", 1),
+        ("A restaurant with tables for four", "chair", 12),
+        ("A canteen with long tables for thirty guests", "chair", 30),
+        ("A hall with three long tables for thirty guests", "chair", 30),
+        ("A playroom with low tables and small chairs", "child_chair", 8),
+        ("A chemistry lab for 20 students with a fume hood", "stool", 20),
+        ("A chemistry lab for 20 students with a demonstration bench", "stool", 22),
+        ("A two-person home office with back-to-back desks and a printer", "office_chair", 2),
+        ("A one-room flat with a dining table for two and a sofa", "chair", 2),
+        ("A dining room for six with a high chair", "chair", 6),
+        ("An art classroom with six tables, stools and a sink", "stool", 24),
+        ("A home library with bookshelves and a desk", "bookcase", 6),
+        ("A barbershop with four chairs, mirrors and a waiting bench", "mirror", 4),
+        ("An open office with twelve desks, a printer, a plant and a meeting corner", "conference_table", 1),
+        ("A dining room with a high chair and a rug", "chair", 4),
+        ("She needs a room with a bed and a desk", "office_chair", 1),
     ],
 )
 def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
@@ -50,6 +66,14 @@ def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):
         ("A laundry room with a washer and a dryer", "dryer"),
         ("A sauna with a stove in the corner", "sauna_heater"),
         ("A kitchen with a stove", "stove"),
+        ("A board room with a table", "conference_table"),
+        ("A dining room with a buffet", "sideboard"),
+        ("A buffet restaurant with a buffet", "counter"),
+        ("A gym with a rack and a bench", "squat_rack"),
+        ("A gym with a rack and a bench", "weight_bench"),
+        ("A hair salon with two chairs in front of a mirror", "salon_chair"),
+        ("A hallway with a spot for coats", "console_table"),
+        ("A physiotherapy room with a treatment table", "massage_table"),
         ("A patio room with a picnic table and a cooler under it", "cooler"),
     ],
 )
@@ -173,3 +197,46 @@ def test_in_a_room_of_a_given_size_furniture_is_hardly_larger_than_usual():
     sized, free = (with_sizes(read_brief(p), 2) for p in ("A bedroom, 3 m by 3 m", "A bedroom"))
     wide = [b.request("wardrobe").drawn[1] or 0.0 for b in (sized, free)]
     assert wide[0] <= wide[1]
+
+
+def test_every_size_that_is_drawn_can_be_made() -> None:
+    brief = read_brief("A bathroom with a toilet, a bathtub, a bidet, a stool, a sofa, a desk and a wardrobe")
+    for seed in range(60):
+        for request in with_sizes(brief, seed).requests:
+            least, most = kind_of(request.category).size_range
+            told = zip(least, request.drawn, most, strict=True)
+            assert all(low <= side <= high for low, side, high in told if side is not None), (seed, request)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "keepers"),
+    [
+        ("A hallway with a place for shoes, umbrellas and coats", {"shoe_rack", "umbrella_stand", "coat_rack"}),
+        ("A bedroom with somewhere to put her books and a bed", {"bookcase", "bed"}),
+        ("A hallway with a bench and a spot for my umbrellas", {"bench", "umbrella_stand"}),
+    ],
+)
+def test_a_place_for_things_is_what_they_are_kept_in(prompt, keepers):
+    assert {request.category for request in read_brief(prompt).requests if request.asked} == keepers
+
+
+def test_what_is_named_for_itself_is_not_kept():
+    assert counts("A hallway with three umbrellas and a coat rack")["umbrella"] == 3
+
+
+def test_every_keeper_can_be_made():
+    assert all(kind_of(keeper).mount == "floor" or keeper == "towel_rail" for keeper in load_keepers().keepers.values())
+
+
+def test_a_sofa_bed_is_a_bed_and_a_crowd_brings_nothing_of_its_own():
+    assert "bed" not in counts("A studio with a sofa bed and a dining table for two")
+    assert "backpack" not in counts("A chemistry lab for 20 students")
+
+
+def test_what_a_room_may_hold_is_no_second_of_what_it_has():
+    for prompt, other in (
+        ("A living room with a grand piano and two armchairs", "piano"),
+        ("A photo studio with a backdrop and two softboxes", "studio_light"),
+    ):
+        brief = read_brief(prompt)
+        assert not any(other == r.category for seed in range(12) for r in varied(brief, seed).requests)

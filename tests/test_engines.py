@@ -103,3 +103,6 @@ def test_rapier_reads_our_mjcf(tmp_path: Path) -> None:
     for thing in case["things"]:
         assert told["masses"][thing["name"]] == pytest.approx(thing["mass"], rel=1e-5)
     assert moved(case, told["poses"])[0] < 5.0
+    for asset, joints in case["slipping"].items():
+        for joint, values in joints.items():
+            assert told["swings"][asset][joint] == pytest.approx(values, abs=0.05), joint

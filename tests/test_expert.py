@@ -4,6 +4,7 @@ import math
 from functools import cache
 from itertools import combinations
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
@@ -19,8 +20,9 @@ from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target, Tie
 from thinkblox.planning import plan_brief
 from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import ground_costs, used_costs
-from thinkblox.policies.expert.imagine import from_ties
+from thinkblox.policies.expert.imagine import ELSEWHERE, from_ties
 from thinkblox.policies.expert.judge import ranked
 from thinkblox.policies.expert.needs import need
 from thinkblox.policies.expert.row_layout import layouts
@@ -29,7 +31,7 @@ from thinkblox.policies.expert.ways import CLOSED, gap_cost, imbalance, moment
 from thinkblox.reading import read_brief
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects, outside, overlap_depth, separation
-from thinkblox.scene.room import rectangle
+from thinkblox.scene.room import Opening, rectangle
 from thinkblox.scene.scene import Scene
 from thinkblox.scene.support import placed_at
 from thinkblox.scene.zones import beside
@@ -266,3 +268,45 @@ def test_what_comes_onto_a_shelf_keeps_clear_of_what_is_there():
     own = Rects.of([(best.position[:2], s.size[:2], best.yaw, best.position[2], best.position[2] + s.size[2])])
     assert float(overlap_depth(own, Rects.of_placements(scene.placements[1:])).max()) == 0.0
     assert best.position[2] < case.size[2] - 0.1
+
+
+def test_what_nobody_asked_for_is_not_hung_over_a_window():
+    room = rectangle(6.0, 5.0)
+    windows = tuple(
+        Opening(id=f"window_{n}", kind="window", wall=n, offset=0.1, width=wall.length - 0.2, height=1.4, sill=0.8)
+        for n, wall in enumerate(room.walls)
+    )
+    scene = Scene(prompt="", seed=0, room=msgspec.structs.replace(room, openings=windows))
+    for asked in (True, False):
+        target = Target(id="picture_1", category="picture", request="picture", asked=asked)
+        plan = Plan(brief=read_brief("A room with a chair."), targets=(target,))
+        texts = ExpertPolicy().propose(seen(scene, plan, target, seed=1), 6, np.random.default_rng(1))
+        assert bool(texts) == asked
+
+
+def test_what_usually_stands_beside_a_sofa_is_not_put_before_it():
+    stands = (("sofa", 1.2, 0.5, 90.0),)
+    tie = Tie(kind="next_to", anchors=("sofa_1",), asked=False)
+    asked = Tie(kind="next_to", anchors=("sofa_1",))
+
+    def cheapest(s: Situation) -> float:
+        sofa = s.scene.placements[0]
+        return min(i.cost for i in from_ties(s) if sofa.to_local(i.position[:2])[0] > sofa.size[0] / 2)
+
+    assert (
+        cheapest(situation("plant", tie, stands=stands))
+        > ELSEWHERE
+        > cheapest(situation("plant", asked, stands=stands))
+    )
+
+
+def test_a_sofa_stands_where_the_wall_before_it_is_not_too_far():
+    tie = Tie(kind="opposite", anchors=("sofa_9",), asked=False)
+    sofa = Target(id="sofa_9", category="sofa", request="sofa")
+    stand = Target(id="tv_stand_1", category="tv_stand", request="tv_stand", ties=(tie,))
+    plan = Plan(brief=read_brief("A room with a chair."), targets=(sofa, stand))
+    scene = Scene(prompt="", seed=0, room=rectangle(5.0, 6.2))
+    s = Situation(seen(scene, plan, sofa, seed=1))
+    deep = s.size[0] / 2 + 0.02
+    along, across = follower_costs(s, boxes(s, (2.5, deep, 90.0), (deep, 3.1, 0.0)))
+    assert across + 0.5 < along

@@ -53,6 +53,18 @@ def test_a_pair_leaves_just_the_room_between_that_a_third_needs(prompt: str, pai
     assert all(apart(of(prompt, middle)[0], each) <= NEXT_TO for each in of(prompt, pair))
 
 
+def test_what_comes_between_every_two_of_a_row_has_its_gap():
+    prompt = "A spa with four recliners in a row and a side table between every two recliners."
+    assert unmet(prompt) == []
+    tables, recliners = of(prompt, "side_table"), of(prompt, "recliner")
+    assert [sum(apart(table, each) <= NEXT_TO for each in recliners) for table in tables] == [2, 2, 2]
+
+
+def test_what_is_between_two_of_its_own_has_these():
+    prompt = "A hall with three booths, each with a table between two benches."
+    assert ("between", ("bench_3", "bench_4")) in ties(prompt, "dining_table_2")
+
+
 def test_every_two_share_what_there_are_half_as_many_of():
     prompt = "A spa, 7 m by 5 m, with four loungers; two small round tables stand next to the loungers."
     assert unmet(prompt) == []

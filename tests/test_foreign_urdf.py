@@ -179,6 +179,13 @@ def test_an_inertia_that_no_body_has_is_balanced_by_the_least(tmp_path: Path) ->
     assert any(note.startswith("No body has the inertia of a: the two smaller moments") for note in subject.notes)
 
 
+def test_products_of_inertia_that_are_missing_are_zero(tmp_path: Path) -> None:
+    bare = inertial(2, 0.2, 0.2, 0.3).replace(' ixy="0.0" ixz="0" iyz="0"', "")
+    subject = opened(tmp_path, link("a", bare + SHAPE))
+    assert subject.model.body_inertia[1] == pytest.approx([0.3, 0.2, 0.2])
+    assert "Products of inertia that a does not say are taken as 0." in subject.notes
+
+
 def test_a_tensor_that_is_turned_is_balanced_along_its_axes(tmp_path: Path) -> None:
     subject = opened(tmp_path, link("a", inertial(2, 0.3, 0.3, 0.9, products=0.1) + SHAPE))
     assert sorted(subject.model.body_inertia[1]) == pytest.approx([0.35, 0.55, 0.9], rel=1e-5)

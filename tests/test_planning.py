@@ -274,3 +274,15 @@ def test_what_cannot_be_is_said() -> None:
     notes = plan_brief(brief, plan_room(brief, rng=0)).notes
     assert any("sofa" in note and "12 m" in note for note in notes)
     assert any("windows in the north wall did not fit" in note for note in notes)
+
+
+def test_benches_at_which_people_sit_stand_in_rows_and_look_at_the_board() -> None:
+    plan = plan_of("A biology classroom with lab tables for 24 pupils")
+    assert ties_of(plan, "lab_table_12") == [("in_rows",), ("facing", "whiteboard_1")]
+    assert sum(target.category == "stool" for target in plan.targets) == 24
+    assert ties_of(plan_of("A workshop with four workbenches"), "workbench_4")[0] != ("in_rows",)
+
+
+def test_two_beds_stand_in_line() -> None:
+    plan = plan_of("A hotel room with two double beds and a desk")
+    assert ties_of(plan, "bed_2") == [("in_rows",)]

@@ -226,7 +226,7 @@ OWN = {
             "floor_lamp next_to sofa"
         ),
     ),
-    "A hair salon with four chairs each facing a mirror.": ("4 chair, 4 mirror", "chair facing mirror"),
+    "A hair salon with four chairs each facing a mirror.": ("4 salon_chair, 4 mirror", "salon_chair facing mirror"),
     "Ein Büro mit drei Schreibtischen, jeder mit einem Monitor und einem Bürostuhl, und einem Drucker auf einem "
     "Aktenschrank neben der Tür.": (
         "3 desk, 3 monitor, 3 office_chair, 1 printer, 1 filing_cabinet",

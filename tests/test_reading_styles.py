@@ -115,7 +115,7 @@ PROMPTS = {
     ),
     "A pharmacy with shelves of medicine bottles along the walls, a counter with a computer and a cash register, "
     "and three chairs for waiting.": (
-        "2 shelving_unit, 3 medicine_bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
+        "4 shelving_unit, 3 medicine_bottle, 1 counter, 1 computer, 1 cash_register, 3 chair",
         (
             "medicine_bottle inside shelving_unit, shelving_unit against_wall wall, computer on counter, "
             "cash_register on counter"
@@ -218,7 +218,7 @@ PROMPTS = {
     ),
     "hospital ward 8m x 6m, 4 beds along the long wall, each with a bedside table, curtains between beds, sink by"
     " the door": (
-        "4 hospital_bed, 4 nightstand, 2 curtain, 1 washbasin",
+        "4 hospital_bed, 4 nightstand, 3 curtain, 1 washbasin",
         (
             "hospital_bed against_wall long_wall, nightstand next_to hospital_bed, curtain between "
             "hospital_bed, washbasin next_to door"

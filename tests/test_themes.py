@@ -79,3 +79,31 @@ def test_themes_bring_only_things_with_a_shape_of_their_own() -> None:
 @pytest.mark.slow
 def test_a_way_round_what_was_cut_off_is_found_where_the_cut_touches_itself() -> None:
     assert generate_room("christmas eve at grandma's living room, cosy and warm").report.valid
+
+
+@pytest.mark.parametrize(
+    ("prompt", "expected"),
+    [
+        (
+            "A flat with a bed, a desk, a wardrobe, a fridge, a sofa and a place to eat",
+            {"kitchen_table": 1, "chair": 2},
+        ),
+        ("An office with six desks and somewhere to relax", {"sofa": 1}),
+        ("A hair salon with three chairs in front of mirrors and a waiting area", {"sofa": 1, "coffee_table": 1}),
+        ("A loft with a sofa, a TV, a rug, a coffee table and a bookcase; a space for studying", {"desk": 1}),
+        ("A dining area with a round table", {"dining_table": 1}),
+        ("A waiting area with six chairs and a plant", {"sofa": 0}),
+        ("A living room with a dining area: a dining table and six chairs", {"dining_table": 1, "chair": 6}),
+    ],
+)
+def test_a_part_of_a_room_is_made_once(prompt: str, expected: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    counts = counted(brief)
+    assert {noun: counts.get(noun, 0) for noun in expected} == expected
+    assert brief.unknown == ()
+
+
+def test_to_do_something_is_beside_nothing() -> None:
+    brief = read_brief("A studio with a bed, a desk and a place to eat")
+    assert not [relation for relation in brief.relations if relation.asked]
+    assert brief.request("kitchen_table").asked

@@ -113,6 +113,8 @@ def _kind(shape: str, place: str, square: bool) -> Category:
         groups=kept.groups,
         habits=kept.habits,
         hanging=kept.hanging,
+        gaze=kept.gaze,
+        row=kept.row,
         forms={"over": "open"} if shape == "platform" else {},
     )
     _ = kind.places  # worked out once for all of them

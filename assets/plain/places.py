@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from thinkblox.assets.facts import Hanging
-from thinkblox.scene.asset import Mount
+from thinkblox.assets.facts import Hanging, RowGaps
+from thinkblox.scene.asset import Gaze, Mount
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -16,6 +16,8 @@ class Keeping:
         clearance: depth to keep free before its front [m].
         large: people walk to it.
         flat: it is walked on.
+        gaze: which way one looks who uses it.
+        row: free distances where several stand in rows.
     """
 
     mount: Mount
@@ -25,6 +27,8 @@ class Keeping:
     large: bool = False
     flat: bool = False
     hanging: Hanging = field(default_factory=Hanging)
+    gaze: Gaze = "front"
+    row: RowGaps = field(default_factory=RowGaps)
 
 
 def _small(*anchors: str, also: tuple[str, ...] = ()) -> Keeping:
@@ -64,8 +68,14 @@ KEEPING: Mapping[str, Keeping] = {
     "machine": _standing("against_wall wall", clearance=0.7, large=True),
     "storage": _standing("against_wall wall", groups=("storage", "surfaces", "cases"), clearance=0.6, large=True),
     "tables": _standing("in_centre centre", groups=("tables", "surfaces"), clearance=0.4, large=True),
-    "benches": _standing(
-        "against_wall wall", groups=("worktops", "worked_at", "long_sides", "surfaces"), clearance=0.7, large=True
+    "benches": Keeping(
+        mount="floor",
+        habits=("against_wall wall",),
+        groups=("worktops", "worked_at", "long_sides", "surfaces"),
+        clearance=0.7,
+        large=True,
+        gaze="back",
+        row=RowGaps(beside=(0.6, 0.3, 0.08), aisle=(1.2, 1.0, 0.85)),
     ),
     "window_seats": _standing("near window", "against_wall wall", groups=("seats", "seating"), clearance=0.4),
     "seats": _standing("against_wall wall", groups=("seats", "seating"), clearance=0.4),

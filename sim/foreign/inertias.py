@@ -29,6 +29,7 @@ class Mended:
     balanced: list[str]
     guessed: list[str]
     weightless: list[str]
+    filled: list[str]
 
     def notes(self) -> tuple[str, ...]:
         """A sentence for each kind."""
@@ -39,6 +40,8 @@ class Mended:
             found.append(f"The inertia of {listed(self.guessed)} is that of a ball of water, for want of a usable one.")
         if self.weightless:
             found.append(f"What moves must weigh something: {listed(self.weightless)} was given {LIGHTEST:g} kg.")
+        if self.filled:
+            found.append(f"Products of inertia that {listed(self.filled)} does not say are taken as 0.")
         return tuple(found)
 
 
@@ -46,18 +49,21 @@ def mend_inertias(root: ElementTree.Element, free: tuple[str, ...]) -> Mended:
     """Mend the links of a URDF; what the engine cannot read as numbers is left for it to refuse.
 
     An inertia that breaks the triangle inequality has its smaller moments raised; one that is zero or not positive is
-    that of a ball. A link that moves and, with all that is fixed to it, weighs nothing is given a little mass.
+    that of a ball; products that are missing are 0. A link that moves and, with all that is fixed to it, weighs nothing
+    is given a little mass.
 
     Args:
         root: the <robot>; changed in place.
         free: links that nothing holds.
     """
-    mended = Mended([], [], [])
+    mended = Mended([], [], [], [])
     for link in _weightless(root, free):
         _weigh(link)
         mended.weightless.append(link.get("name", ""))
     for link in root.iterfind("link"):
         inertia, mass = link.find("inertial/inertia"), _mass(link)
+        if inertia is not None and _fill(inertia):
+            mended.filled.append(link.get("name", ""))
         tensor = None if inertia is None else _tensor(inertia)
         if inertia is None or tensor is None or not 0.0 < mass < math.inf:
             continue
@@ -69,6 +75,14 @@ def mend_inertias(root: ElementTree.Element, free: tuple[str, ...]) -> Mended:
             _write(inertia, axes @ np.diag(balanced(moments)) @ axes.T)
             mended.balanced.append(link.get("name", ""))
     return mended
+
+
+def _fill(inertia: ElementTree.Element) -> bool:
+    """Make 0 of the products of inertia that are missing, if any are, as Bullet reads them."""
+    missing = [name for name, row, column in _NAMES if row != column and inertia.get(name) is None]
+    for name in missing:
+        inertia.set(name, "0")
+    return bool(missing)
 
 
 def balanced(moments: Floats) -> Floats:

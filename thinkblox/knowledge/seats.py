@@ -5,6 +5,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.knowledge.rooms import Usual, read_usual
 
 
@@ -15,7 +16,7 @@ def usual_seat(category: str) -> Usual | None:
 
 def places_at(category: str) -> int:
     """How many have a place on such a seat, or at such a desk or bench."""
-    drawn = usual_seat(category)
+    drawn = usual_seat(category) or usual_seat(stand_in(category).like)
     return max(1, kind_of(category).seats, drawn.count if drawn else 1)
 
 

@@ -10,8 +10,12 @@ from typing import NamedTuple
 import msgspec
 
 from thinkblox.errors import InputError
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import Usual, kinds_of_room, read_usual, room_types
 from thinkblox.value import Value
+
+_SPOTS = ("place", "somewhere", "corner", "area", "spot", "nook", "space", "room", "zone")
+"""Where something is done: "a place to eat"."""
 
 
 class Theme(Value, frozen=True, kw_only=True):
@@ -23,8 +27,12 @@ class Theme(Value, frozen=True, kw_only=True):
             where such a thing usually does.
         by_room: the same for a type of room, or for a wider one that it is one of, instead.
         without: categories that nobody expects there any more, separated by commas.
-        room: the type of room where none is named; empty for any.
+        room: the type of room where none is named; empty for any. One that a part of a room is by itself.
         refines: types of room, and which they turn out to be.
+        done: what is done in a part of the room, "eat/eating, dine/dining": "a place to eat" and "an area for dining"
+            tell it too.
+        unless: for a part of the room, what makes one of it: categories, or groups of them after an "@". Such a part
+            is wanted in full, however much else is named, where nothing of that is there.
     """
 
     words: str
@@ -33,6 +41,22 @@ class Theme(Value, frozen=True, kw_only=True):
     without: str = ""
     room: str = ""
     refines: dict[str, str] = {}
+    done: str = ""
+    unless: str = ""
+
+    @property
+    def phrases(self) -> tuple[str, ...]:
+        """Everything that tells it."""
+        pairs = [act.partition("/") for act in filter(None, self.done.split(", "))]
+        said = [
+            f"{where} {how}" for act, _, doing in pairs for where in _SPOTS for how in (f"to {act}", f"for {doing}")
+        ]
+        return (*self.words.split(", "), *said)
+
+    def is_served_by(self, category: str) -> bool:
+        """Whether a thing makes the part of the room that it tells."""
+        makers = self.unless.split(", ")
+        return category in makers or load_habits().is_in(category, *(m[1:] for m in makers if m.startswith("@")))
 
     def expected(self, room: str) -> tuple[Usual, ...]:
         """What is expected in a type of room."""
@@ -86,9 +110,7 @@ def _themes() -> dict[str, Theme]:
 @lru_cache(maxsize=1)
 def _phrases() -> tuple[dict[tuple[str, ...], Theme], int]:
     """The theme of every phrase, and how many words the longest has."""
-    phrases = {
-        tuple(map(_plain, phrase.split())): theme for theme in _themes().values() for phrase in theme.words.split(", ")
-    }
+    phrases = {tuple(map(_plain, phrase.split())): theme for theme in _themes().values() for phrase in theme.phrases}
     return phrases, max(map(len, phrases))
 
 

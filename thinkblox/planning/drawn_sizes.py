@@ -55,7 +55,7 @@ def _drawn(request: Request, seed: int, *, close: bool, carries: bool) -> Measur
     factors = [_as_said(factor, side, of) for factor, side, of in zip(factors, usual, plain, strict=True)]
     least, most = kind.size_range
     x, y, z = (
-        round(min(max(side * factor ** (_SAID if told else 1.0), a), b), 2)
+        min(max(round(side * factor ** (_SAID if told else 1.0), 2), a), b)
         for side, factor, a, b in zip(usual, factors, least, most, strict=True)
     )
     return (x, y, z)

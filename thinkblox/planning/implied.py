@@ -4,6 +4,7 @@ from collections.abc import Collection
 
 from msgspec.structs import replace
 
+from thinkblox.assets import facts_of
 from thinkblox.knowledge.habits import Habit, load_habits
 from thinkblox.plan import Tie, carries
 from thinkblox.planning.asked import rows_for, share
@@ -21,7 +22,9 @@ _VISITORS = 3
 """So many are received at once across a desk."""
 _MANY_DESKS, _MANY_SEATS = 10, 12
 """From so many on desks, and chairs at no table, stand in rows rather than along the walls."""
-_LINE, _BED_LINE = 2, 3
+_MANY_BENCHES = 4
+"""From so many on benches at which people sit stand in rows."""
+_LINE, _BED_LINE = 2, 2
 """From so many on alike things stand in line, and beds."""
 _ALL_ROUND = ("behind", "around", "back_to_back", "at_long_side")
 """Relations of things that stand where an anchor with its back to a wall leaves no room."""
@@ -44,7 +47,7 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
         if whole and _is_lined_up(waiting):
             waiting = _in_rows(waiting)
         for habit in load_habits().of(request[0].category):
-            if habit.kind == "against_wall" and len(waiting) >= _crowd(request[0].category):
+            if habit.kind == "against_wall" and len(waiting) >= _crowd(members, request[0]):
                 waiting = _in_rows(waiting)
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
@@ -60,9 +63,12 @@ def _is_lined_up(waiting: list[Member]) -> bool:
     return len(waiting) >= (_BED_LINE if habits.is_in(first.category, "beds") else _LINE)
 
 
-def _crowd(category: str) -> int:
+def _crowd(members: Members, first: Member) -> int:
     """From how many on alike things stand in rows rather than along the walls."""
-    habits = load_habits()
+    habits, category = load_habits(), first.category
+    seated = any(tie.kind == "at" and first.id in tie.anchors for other in members.all for tie in other.ties)
+    if habits.is_in(category, "long_sides") and facts_of(category).gaze == "back" and seated:
+        return _MANY_BENCHES
     if habits.is_in(category, "worked_at") and habits.is_in(category, "desks"):
         return _MANY_DESKS
     return _MANY_SEATS if habits.is_in(category, "chairs") else _UNLIMITED
@@ -73,7 +79,7 @@ def _look_ahead(members: Members, request: list[Member]) -> None:
     habits, first = load_habits(), request[0]
     in_rows = all(any(tie.kind == "in_rows" for tie in member.ties) for member in request)
     looking = any(tie.kind in _WITHOUT_PLACE for tie in first.ties)
-    if not in_rows or looking or not habits.is_in(first.category, "lined_up", "seating"):
+    if not in_rows or looking or not habits.is_in(first.category, "lined_up", "seating", "long_sides"):
         return
     for category in (*habits.group("boards"), "podium"):
         boards = (m for m in members.of_category(category) if not any(members.depends(m, w) for w in request))

@@ -7,6 +7,7 @@ import numpy as np
 from msgspec.structs import replace
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Brief, Relation, RelationKind, Request
 from thinkblox.fills import Fill
 from thinkblox.knowledge.dressing import dressing
@@ -175,7 +176,7 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str]) -> Opt
     """As much of an option as the room lacks; nothing where it has that, or where what it belongs to is absent."""
     there = [request.category for request in brief.requests]
     first = option[0].category
-    if any(are_alike(first, name) or counts_as(first, name) for name in (*there, *gone)):
+    if any(counts_as(first, name) or _does_for(name, first) for name in (*there, *gone)):
         return ()
     wanted: list[Usual] = []
     for usual in option:
@@ -189,6 +190,11 @@ def _wanted(brief: Brief, option: Option, gone: Sequence[str] | set[str]) -> Opt
             return ()
         wanted.append(usual)
     return tuple(wanted)
+
+
+def _does_for(name: str, wanted: str) -> bool:
+    """Whether a <name> does where a <wanted> may be: a grand piano for a piano."""
+    return are_alike(wanted, name) or counts_as(name, wanted) or stand_in(name).like == wanted
 
 
 def _is_taken(brief: Brief, usual: Usual, found: Sequence[tuple[str, str]]) -> bool:

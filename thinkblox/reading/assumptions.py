@@ -1,14 +1,16 @@
 """What a prompt leaves unsaid: the usual furniture of a bare room, seats for people, a table for a vase."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
+from thinkblox.assets import facts_of
+from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import Usual, kinds_of_room, room_type
-from thinkblox.knowledge.seats import usual_seat
-from thinkblox.knowledge.things import are_alike, counts_as
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
+from thinkblox.knowledge.seats import places_at, usual_seat
+from thinkblox.knowledge.things import are_alike, counts_as, things
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.moods import FEW
@@ -23,12 +25,15 @@ _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
+_SEVERAL = 2
+"""So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
 
 
 def assume(draft: Draft, fill: Fill) -> None:
     """Add what the prompt takes for granted, marked as not asked for; for "named" only what carries something."""
     if fill == "named" and not draft.empty:
+        _part_off(draft)
         _carry(draft, seated=False)
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
@@ -40,7 +45,9 @@ def assume(draft: Draft, fill: Fill) -> None:
             _fill(draft, room_type(draft.room).expected)
         if bare or sketched:
             for theme in draft.themes:
-                _fill(draft, theme.expected(draft.room))
+                if not theme.unless:
+                    _fill(draft, theme.expected(draft.room))
+        _part_off(draft)
         _staff(draft)
         _give_places(draft)
         _carry(draft, seated=True)
@@ -75,16 +82,27 @@ def bed_down(draft: Draft) -> None:
             bed.attributes.append(_SINGLE)
 
 
-def draw_up(draft: Draft) -> None:
+def counted_seats(draft: Draft) -> tuple[str, ...]:
+    """What several seats are called of which a prompt gives the number; visitors' chairs are apart from these."""
+    seats = (t for t in draft.things if t.asked and _is_upright(t) and t.count is not None and not t.vague)
+    seats = (t for t in seats if t.many or any(bond.each for bond in draft.bonds_of(t)))
+    names = ((t.noun, *(singular(word) for word in t.text.lower().split()[-1:])) for t in seats)
+    return tuple(name for pair in names for name in pair)
+
+
+def draw_up(draft: Draft, counted: Collection[str]) -> None:
     """Seats at the desks that a prompt names in a room, and at the tables that people sit around there.
 
     As many as are usual for each, where the prompt speaks of no such seats itself; counts are settled by now. Visitors'
     chairs, and what is assumed for another table, are no seats for it.
+
+    Args:
+        draft: what was read.
+        counted: what the seats are called of which there are to be as many as the prompt says, and no more.
     """
-    if draft.room in ("", "room"):
+    if not draft.room:
         return
-    if not draft.people:
-        _share_out(draft)
+    _share_out(draft)
     seats = [t for t in draft.things if _is_upright(t)]
     taken = {id(t) for t in seats if _has_its_table(draft, t)}
     free = [t for t in seats if id(t) not in taken]
@@ -97,7 +115,7 @@ def draw_up(draft: Draft) -> None:
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
-        elif seat and not drawn and not free and not any(counts_as(seat, noun) for noun in draft.excluded):
+        elif seat and not (drawn or free) and not any(counts_as(seat, n) for n in (*draft.excluded, *counted)):
             draft.bonds.append(Bond(kind, _add(draft, seat, count), (table,), each=table.count != 1, asked=False))
 
 
@@ -120,7 +138,8 @@ def _has_its_table(draft: Draft, seat: Mention) -> bool:
 def _is_for_one(draft: Draft, table: Mention) -> bool:
     """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
     place = room_type(draft.room).place
-    if not draft.people or not place:
+    drawn = sum(b.subject.count or 1 for b in draft.bonds if b.kind in _DRAWN_UP and table in b.anchors)
+    if not draft.people or not place or (table.noun == place and table.asked and drawn < (table.count or 1)):
         return True
     return table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
 
@@ -149,12 +168,17 @@ def _share_out(draft: Draft) -> None:
     for bond in draft.bonds:
         anchor = bond.anchors[0] if bond.anchors else None
         assumed = not bond.asked and not bond.subject.asked
-        shared = bond.each and bond.kind in ("on", "above", "at")
+        shared = bond.each and (bond.kind in ("on", "above") or (bond.kind == "at" and not _is_manned(draft, bond)))
         if assumed and shared and isinstance(anchor, Mention) and anchor.asked:
             usual = next((u for u in usuals if u.category == bond.subject.noun), None)
             number = next((u.count for u in usuals if u.category == anchor.noun), 0)
             if usual is not None and number:
                 bond.subject.count = max(1, usual.count // number) * (anchor.count or 1)
+
+
+def _is_manned(draft: Draft, bond: Bond) -> bool:
+    """Whether the seats are those of the people that a prompt counts."""
+    return 0 < draft.people <= (bond.subject.count or 1)
 
 
 def _usual_seat(room: str, noun: str) -> tuple[RelationKind, str, int]:
@@ -190,7 +214,7 @@ def _is_sketched(draft: Draft) -> bool:
 
 
 def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
-    present = {thing.noun for thing in draft.things}
+    present = {noun for thing in draft.things for noun in (thing.noun, *_called(thing))}
     made: dict[str, Mention] = {thing.noun: thing for thing in draft.things}
     unlikely = {noun for theme in draft.themes for noun in theme.unlikely}
     for usual in wanted:
@@ -209,11 +233,45 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     _scale(draft)
 
 
+def _called(thing: Mention) -> list[str]:
+    """What a thing is called besides what it is made as: a sofa bed is a bed."""
+    words = thing.text.lower().split()[-1:] if thing.asked else []
+    return [word for word in words if word in things() and not thing.noun.endswith(word)]
+
+
+def _part_off(draft: Draft) -> None:
+    """Add the parts of the room that a prompt names by their use, each with what makes it, its own but for storage."""
+    for theme in [t for t in draft.themes if t.unless and t.room not in kinds_of_room(draft.room)]:
+        if served := [t for t in draft.things if theme.is_served_by(t.noun) and not _is_of_other(draft, t)]:
+            served[0].asked |= not any(t.asked for t in served)
+            continue
+        own: dict[str, Mention] = {}
+        for number, usual in enumerate(theme.expected(draft.room)):
+            places = [_place(anchors, own) for _, anchors, _ in usual.relations]
+            shared = number and not any(kind in _DRAWN_UP for kind, _, _ in usual.relations)
+            there = shared and any(_serves(t.noun, usual) for t in draft.things)
+            if there or usual.category in draft.excluded or not all(places):
+                continue
+            thing = own[usual.category] = _add(draft, usual.category, usual.count)
+            thing.asked = not number
+            for (kind, _, each), place in zip(usual.relations, places, strict=True):
+                draft.bonds.append(Bond(relation_kind(kind), thing, (own.get(place, place),), each=each, asked=False))
+
+
+def _is_of_other(draft: Draft, thing: Mention) -> bool:
+    """Whether it is told to be at, on or before another thing, and so no part of the room by itself."""
+    return any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(thing) for a in b.anchors)
+
+
 def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None:
     """Give every seat that is asked for what is assumed that people sit at on it: a mirror and a shelf to each."""
     seats = [t for t in draft.things if t.asked and t.count and _serves(t.noun, usual) and not draft.bonds_of(t)]
+    uncounted = [t for t in draft.things if t.asked and t.count is None and t.plural and not draft.bonds_of(t)]
+    hung = [t for t in uncounted if _serves(t.noun, usual)]
     for kind, anchors, each in usual.relations:
         place = made.get(_place(anchors, made))
+        if hung and each and kind == "above" and place is not None:
+            draft.bonds.append(Bond("above", hung[0], (place,), each=True, asked=False))
         if len(seats) == 1 and kind in _SEATED and each and place is not None and not place.asked:
             if place.count != seats[0].count:
                 _multiply(draft, place, seats[0].count or 1)
@@ -254,6 +312,8 @@ def _have_places(draft: Draft, category: str) -> bool:
 
 def _is_one(noun: str, category: str) -> bool:
     """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
+    if load_habits().is_in(category, "chairs") and not load_habits().is_in(noun, "chairs", "seats"):
+        return False
     return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
 
 
@@ -266,11 +326,14 @@ def _scale(draft: Draft) -> None:
     for thing in [t for t in draft.things if not t.asked]:
         bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
         place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
-        several = any(isinstance(a, Mention) and (a.count or 1) > 1 for b in draft.bonds_of(thing) for a in b.anchors)
+        anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Mention)]
+        if any(anchor.seats for anchor in anchors):
+            continue
+        several = any((anchor.count or 1) > 1 for anchor in anchors)
         if several and thing.noun != room.place and draft.people < (thing.count or 1):
             continue
         if bed or thing.noun == room.place or (place and thing.many):
-            _multiply(draft, thing, draft.people)
+            _multiply(draft, thing, draft.people if bed else _enough(thing.noun, draft.people))
 
 
 def _multiply(draft: Draft, thing: Mention, count: int) -> None:
@@ -289,6 +352,8 @@ def _multiply(draft: Draft, thing: Mention, count: int) -> None:
 def _seat(draft: Draft) -> None:
     """Chairs for "a table for four" and "a dining room for six", unless seats were named."""
     for thing in [t for t in draft.things if t.seats]:
+        if thing.count is None and thing.plural and not thing.rows and not any(b.each for b in draft.bonds_of(thing)):
+            thing.count = facts_of(thing.noun).plenty or _SEVERAL
         if drawn := [b.subject for b in draft.bonds if b.kind in _SEATED and thing in b.anchors]:
             if len(drawn) == 1 and not drawn[0].asked:
                 drawn[0].count = thing.seats * (thing.count or 1)
@@ -314,15 +379,27 @@ def _staff(draft: Draft) -> None:
     for desk in draft.things:
         own = desk.noun == place if place else _is_desk(desk)
         if draft.people and desk.count is None and not desk.rows and own:
-            desk.count = draft.people
+            desk.count = _enough(desk.noun, draft.people)
     bare = [t for t in draft.things if t.count is None and not t.rows and not draft.bonds_of(t)]
     for seat in [t for t in bare if _is_upright(t)]:
-        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and t.count]
-        tables = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun) and not _is_sat_at(draft, t)]
+        tables = [(t, _usual_seat(draft.room, t.noun)) for t in draft.things if t.asked and (t.count or t in bare)]
+        tables = [(t, usual) for t, usual in tables if usual[1] and not _is_sat_at(draft, t)]
+        served = [(t, usual) for t, usual in tables if counts_as(usual[1], seat.noun)]
+        tables = served or [(t, usual) for t, usual in tables if _is_stool(seat) and not _is_bar(t)]
         if len(tables) == 1:
             table, (kind, _, each) = tables[0]
+            table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+
+
+def _is_bar(thing: Mention) -> bool:
+    return load_habits().is_in(thing.noun, "counters")
+
+
+def _enough(noun: str, people: int) -> int:
+    """How many of what people work at are enough for so many."""
+    return -(-people // places_at(noun)) if load_habits().is_in(noun, "worked_at") else people
 
 
 def _is_sat_at(draft: Draft, table: Mention) -> bool:
@@ -333,7 +410,9 @@ def _give_places(draft: Draft) -> None:
     """A place for each of the people of a room, where fewer are named: pupils do not sit at the teacher's desk."""
     room = room_type(draft.room)
     there = [t for t in draft.things if _is_one(t.noun, room.place)]
+    shared = places_at(room.place) if room.place else 1
     unsaid = any(t.count is None or t.noun == room.place or t.count >= draft.people for t in there)
+    unsaid &= shared == 1 or any(t.count is None or t.count * shared * 2 >= draft.people for t in there)
     if draft.people < 2 or not room.place or not there or unsaid or _has(draft, "meal_tables"):
         return
     made: dict[str, Mention] = {t.noun: t for t in draft.things}
@@ -343,7 +422,8 @@ def _give_places(draft: Draft) -> None:
         if own or (
             drawn and room.place in made and not any(t.asked and _is_one(t.noun, usual.category) for t in draft.things)
         ):
-            thing = made[usual.category] = _add(draft, usual.category, draft.people)
+            count = _enough(usual.category, draft.people) if own else draft.people
+            thing = made[usual.category] = _add(draft, usual.category, count)
             for kind, anchor, each in usual.relations:
                 if place := _place(anchor, made):
                     bond = Bond(relation_kind(kind), thing, (made.get(place, place),), each=each, asked=False)
@@ -427,7 +507,12 @@ def _lies_somewhere(draft: Draft, thing: Mention) -> bool:
 
 
 def _carrier(draft: Draft, carriers: list[str]) -> str:
-    """Return the usual carrier; a side table rather than a dining table where nobody dines."""
+    """Return the usual carrier; a side table rather than a dining table where nobody dines, no bed in a hall."""
+    usual = {usual.category for usual in room_type(draft.room).usual}
+    awake = not room_type(draft.room).sleeps and draft.room not in ("", UNKNOWN_ROOM)
+    if awake and carriers and load_habits().is_in(carriers[0], "beds"):
+        beds = load_habits().group("beds")
+        carriers = sorted((c for c in carriers if c not in beds), key=lambda c: c not in usual)
     if not carriers:
         return ""
     large = load_habits().is_in(carriers[0], "large_tables")

@@ -2,6 +2,7 @@
 
 from thinkblox.assets import facts_of
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, room_type
 from thinkblox.reading.draft import Bond, Draft, Mention
 
 MAX_OF_A_KIND = 200
@@ -10,6 +11,9 @@ MAX_OBJECTS = 400
 """Most objects that one prompt may ask for; the rest is listed as beyond it."""
 _CORNERS = _WALLS = 4
 _PER_ROW, _ROWS = 3, 2
+_PAIR = 2
+_SET_OUT = ("around", "at", "at_long_side", "at_short_side", "facing")
+"""Relations that say in what order several stand."""
 _SEVERAL = 2
 """So many of a plural are there at least where something is said to have them."""
 
@@ -59,7 +63,9 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
         return
     shares = next((bond for bond in bonds if bond.each and thing.asked and bond.anchors != (thing,)), None)
     anchors = shares.anchors if shares else ()
-    if shares and any(isinstance(a, str) and a == "corner" for a in anchors):
+    if (between := next((bond for bond in bonds if _is_of_neighbours(thing, bond)), None)) is not None:
+        _settle_between(draft, thing, between)
+    elif shares and any(isinstance(a, str) and a == "corner" for a in anchors):
         thing.count = (thing.count or 1) * _CORNERS
     elif shares and any(isinstance(a, str) and a == "wall" for a in shares.anchors):
         thing.count = (thing.count or 1) * _WALLS
@@ -71,8 +77,29 @@ def _settle(draft: Draft, thing: Mention, bonds: list[Bond]) -> None:
         one_each.each = True
         thing.count = sum((a.count or 1) for a in one_each.anchors if isinstance(a, Mention))
     elif thing.count is None:
-        thing.count = _one_before_each(draft, thing) or _bare(thing, bonds)
+        thing.count = _one_before_each(draft, thing) or max(_bare(thing, bonds), _usual(draft, thing))
     _carriers(draft, thing)
+
+
+def _is_of_neighbours(thing: Mention, bond: Bond) -> bool:
+    """Whether it stands between any two neighbours: "between every two chairs", "screens between the six beds"."""
+    anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
+    several = isinstance(anchor, Mention) and (anchor.count or 0) > _PAIR
+    each = bond.each or (several and thing.count is None and thing.plural)
+    return bond.kind == "between" and each and isinstance(anchor, Mention) and (anchor.count or 0) >= _PAIR
+
+
+def _settle_between(draft: Draft, thing: Mention, bond: Bond) -> None:
+    """So many in every gap between neighbours, which stand in a row where nothing else is said of them."""
+    anchor = bond.anchors[0]
+    if not isinstance(anchor, Mention):
+        return
+    lined = next((b for b in draft.bonds_of(anchor) if b.kind == "in_rows"), None)
+    if lined is None and not any(b.kind in _SET_OUT for b in draft.bonds_of(anchor)):
+        lined = Bond("in_rows", anchor, rows=1, asked=False)
+        draft.bonds = [lined, *draft.bonds]
+    bond.each = True
+    thing.count = (thing.count or 1) * max(1, (anchor.count or 1) - max(1, lined.rows if lined else 1))
 
 
 def _each(thing: Mention, anchors: tuple[Mention | str, ...]) -> int:
@@ -108,6 +135,13 @@ def _bare(thing: Mention, bonds: list[Bond]) -> int:
     if rows is not None:
         return max(rows, _ROWS) * _PER_ROW
     return facts_of(thing.noun).plenty or (3 if load_habits().is_in(thing.noun, "small", "plants") else 2)
+
+
+def _usual(draft: Draft, thing: Mention) -> int:
+    """How many of a bare plural such a room usually has: a library with bookcases has more than two."""
+    usual = (usual.count for usual in room_type(draft.room).usual if usual.category == thing.noun)
+    furniture = thing.plural and thing.asked and load_habits().is_in(thing.noun, "storage", "shelves", "worked_at")
+    return next(usual, 0) if furniture and draft.room not in ("", UNKNOWN_ROOM) else 0
 
 
 def _carriers(draft: Draft, thing: Mention) -> None:

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Word
-from thinkblox.knowledge.themes import Theme, themes_in
+from thinkblox.knowledge.themes import Found, Theme, themes_in
 from thinkblox.reading.draft import Draft
 
 _REACH = 4
@@ -15,6 +15,8 @@ _NEGATIONS = frozenset(
     {"no", "not", "without", "never", "nothing", "nor", "minus", "isn't", "except", "don't", "hates"}
 )
 _ARTICLES = frozenset({"a", "an", "the", "my", "our", "his", "her", "their", "some", "old", "little", "two"})
+_HOUSEHOLD = 5
+"""More people than this use a room, and do not live in it."""
 _IDLE = ("filler", "not_understood", "requested")
 """Fates of words of which no thing was made."""
 FEW = 5
@@ -32,6 +34,8 @@ def read_moods(draft: Draft) -> None:
     for found in themes_in([word.text for word in words]):
         told = range(found.start, found.end)
         if taken & set(told) or _is_denied(words, found.start) or _is_of_thing(words, found.start, taken):
+            continue
+        if _is_crowd(draft, words, found):
             continue
         draft.themes.append(found.theme)
         _account(draft, found.start, found.end)
@@ -67,7 +71,7 @@ def _is_known(name: list[str]) -> bool:
 def _choose_room(draft: Draft, theme: Theme) -> None:
     if draft.room in theme.refines:
         draft.room = theme.refines[draft.room]
-    elif draft.room in ("", "room") and theme.room:
+    elif theme.room and (not draft.room or (draft.room == "room" and not theme.unless)):
         draft.room = theme.room
 
 
@@ -100,6 +104,12 @@ def _places(said: list[str], name: list[str], begins: Mapping[str, list[int]]) -
 
 def _words(text: str) -> list[str]:
     return text.lower().split()
+
+
+def _is_crowd(draft: Draft, words: tuple[Word, ...], found: Found) -> bool:
+    """Whether it is who the room is for, too many to live there: "a lab for 20 students"."""
+    plural = found.end - found.start == 1 and words[found.start].text.lower().endswith("s")
+    return plural and draft.people > _HOUSEHOLD
 
 
 def _is_denied(words: tuple[Word, ...], start: int) -> bool:

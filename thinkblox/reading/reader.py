@@ -10,13 +10,14 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, bed_down, draw_up, stock
+from thinkblox.reading.assumptions import anticipated, assume, bed_down, counted_seats, draw_up, stock
 from thinkblox.reading.carriers import too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
 from thinkblox.reading.english import read_english
 from thinkblox.reading.grammar import Walker
+from thinkblox.reading.keeping import keep_things
 from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
@@ -79,16 +80,18 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _drop_impossible_sizes(draft)
     limit_things(draft)
     _drop_general(draft)
+    keep_things(draft)
     read_moods(draft)
     choose_senses(draft, anticipated(draft) if fill != "named" else ())
     emphasise(draft)
     _settle_carriers(draft)
     draft.unknown += too_large(draft)
     assume(draft, fill)
+    counted = counted_seats(draft)
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
-        draw_up(draft)
+        draw_up(draft, counted)
         bed_down(draft)
     if fill == "essentials":
         stock(draft)

@@ -58,6 +58,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
+        "has_to_it": {name for b in bonds if b.subject is not thing for name in _relations(b)},
         "has": company,
     }
     for category, conditions in senses_of(thing.noun):
@@ -71,6 +72,8 @@ def _relations(bond: Bond) -> tuple[str, ...]:
     on_wall = (
         bond.kind == "on" and bond.anchors and isinstance(bond.anchors[0], str) and bond.anchors[0].endswith("wall")
     )
+    if bond.kind == "between" and bond.each:
+        return ("between", "between_neighbours")
     return ("on_wall", "against_wall") if on_wall else (str(bond.kind),)
 
 

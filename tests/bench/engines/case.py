@@ -57,7 +57,7 @@ def write_case(scene: Scene, folder: Path, dropped: Mapping[str, Vec3] | None = 
     ]
     swinging = {thing["asset"]: thing for thing in things if thing["joints"]}
     for number, thing in enumerate(swinging.values()):
-        thing |= _alone(inventory.scene, inventory.scene[thing["id"]], folder / f"swinging_{number}.usdc")
+        thing |= _alone(inventory.scene, inventory.scene[thing["id"]], folder / f"swinging_{number}")
     case = {
         "folder": str(folder),
         "stage": str(folder / "room.usdc"),
@@ -110,16 +110,29 @@ def _dropped(inventory: Inventory, dropped: Mapping[str, Vec3]) -> Inventory:
     return replace(inventory, objects=tuple(put(item) for item in inventory.objects))
 
 
-def _alone(scene: Scene, placement: Placement, path: Path) -> dict[str, Any]:
-    """A stage of one thing, held where it is and under tilted gravity, and which prims its joints are."""
+def _alone(scene: Scene, placement: Placement, folder: Path) -> dict[str, Any]:
+    """One thing as MJCF and as a stage, held where it is and under tilted gravity, and what its joints are there.
+
+    Of each joint there are its prim, and the bodies of the MJCF that it joins, and whether it slides.
+    """
     asset = structs.replace(scene.asset_of(placement), mount="wall")
     alone = Scene(room=rectangle(_WIDE, _WIDE, height=_WIDE))
     alone = alone.with_placement(structs.replace(placement, position=(_WIDE / 2, _WIDE / 2, 0.0), yaw=0.0), asset)
     inventory = inventory_of(alone, settled=settle(alone), physics=Physics(gravity=TILTED))
-    write_usd(inventory, path)
+    stage = folder.with_suffix(".usdc")
+    write_usd(inventory, stage)
+    export_scene(alone, folder, formats=("mjcf",))
     (item,) = inventory.objects
-    joints = {f"{safe_name(body.link)}_joint": f"{_OBJECTS}/{item.name}/Joints/{body.name}" for body in item.bodies[1:]}
-    return {"stage": str(path), "joint_prims": joints}
+    joints = {f"{safe_name(body.link)}_joint": body for body in item.bodies[1:]}
+    return {
+        "stage": str(stage),
+        "joint_prims": {joint: f"{_OBJECTS}/{item.name}/Joints/{body.name}" for joint, body in joints.items()},
+        "mjcf": str(folder),
+        "links": {
+            joint: [body.parent, body.name, body.joint is not None and body.joint.kind == "slide"]
+            for joint, body in joints.items()
+        },
+    }
 
 
 def _prims(item: InventoryObject) -> list[str]:

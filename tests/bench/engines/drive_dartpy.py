@@ -22,7 +22,7 @@ def world_of(case: dict[str, Any], gravity: Any) -> Any:
     world = dart.simulation.World()
     world.setTimeStep(case["timestep"])
     world.setGravity(gravity)
-    world.getConstraintSolver().setCollisionDetector(dart.collision.BulletCollisionDetector())
+    world.getConstraintSolver().setCollisionDetector(dart.collision.OdeCollisionDetector())
     return world
 
 

@@ -7,12 +7,15 @@ from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import BEFORE_BOARD, need, seat_need
 from thinkblox.policies.expert.partners import pair_need
 from thinkblox.policies.expert.situation import Situation
+from thinkblox.policies.expert.walls import VIEW_RANGE
 from thinkblox.scene.pairs import ACROSS
 from thinkblox.scene.rectangles import Array, Rects, overlap_depth
 from thinkblox.scene.zones import beside, fewest
 
 END_OF_RUN = 0.75
 """Length of a fridge or the like at the end of a run [m]."""
+FAR_VIEW = 0.8
+"""Cost per metre by which one sits farther from what is to be looked at across the room than is good."""
 TOO_DEEP = 2.0
 """Cost of looking across the room at a wall from which what stands there is too far away."""
 DARKENS = 0.85
@@ -46,8 +49,10 @@ def _too_deep(situation: Situation, rects: Rects, depth: float) -> Array:
         inward = np.array(wall.inward)
         away = (rects.centre - np.array(wall.start)) @ inward - rects.half[:, 0]
         ahead = np.where((front @ inward < -0.9) & (away > 0.0), np.minimum(ahead, away), ahead)
-    beyond = np.where(np.isfinite(ahead), ahead - depth - ACROSS[1], 0.0)
-    return np.where(beyond > 0.0, TOO_DEEP + beyond, 0.0)
+    free = np.where(np.isfinite(ahead), ahead - depth, 0.0)
+    beyond = free - ACROSS[1]
+    costs = np.where(beyond > 0.0, TOO_DEEP + beyond, 0.0)
+    return costs + FAR_VIEW * np.maximum(0.0, free - VIEW_RANGE[1]) * situation.facts.is_in("seating")
 
 
 def _room_beside(situation: Situation, rects: Rects) -> Array:

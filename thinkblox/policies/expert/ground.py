@@ -25,7 +25,8 @@ MOVABLE = 15.0
 def ground_costs(situation: Situation, rects: Rects) -> Array:
     """What the floor says against each box: no room to use it, in the room others need, or in the way."""
     costs = used_costs(situation, rects)
-    weight = 2.0 if situation.asset.mass < MOVABLE else 5.0
+    movable = situation.asset.mass < MOVABLE and not situation.facts.is_in("plants", "in_corners")
+    weight = 2.0 if movable else 5.0
     costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)

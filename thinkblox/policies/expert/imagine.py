@@ -82,7 +82,10 @@ def from_ties(situation: Situation) -> list[Idea]:
     mutual = tuple(tie for tie in ties if tie.kind == "facing" and like.issuperset(tie.anchors))
     if mutual and not any(tie.kind in _PLACED_TOGETHER for tie in ties):
         ties = mutual
-    paired = list(partners.partner_ideas(situation))
+    lined = in_rows and partners.gaps_in_row(situation)
+    if lined:
+        ties = tuple(tie for tie in ties if tie.kind == "in_rows")
+    paired = [] if lined else list(partners.partner_ideas(situation))
     paired += runs.run_ideas(situation) if runs.is_built(situation) else ()
     dear = UNPAIRED if paired else 0.0
     ideas = [_dearer(idea, 2.0 * rank + dear) for rank, tie in enumerate(ties) for idea in _from_tie(situation, tie)]
@@ -308,7 +311,8 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
             yield _dearer(idea, taken + (0.3 * rank if tie.count > 1 else 0.0))
     used = situation.scene.asset_of(anchor).front == "one"
     alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
-    for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", IN_USE if used else 2.5)):
+    before = (IN_USE if tie.asked else ELSEWHERE + IN_USE) if used else 2.5
+    for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", before)):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, dear + alike)
     for other in situation.alike(anchor.id):

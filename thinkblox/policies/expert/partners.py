@@ -28,6 +28,18 @@ def partner_ideas(situation: Situation) -> Iterator[Idea]:
             yield from sides_of(situation, partner, ("left", "right"), gaps=gaps, why=why)
 
 
+def gaps_in_row(situation: Situation) -> tuple[float, ...]:
+    """Free distances that neighbours in a row leave for what is to come between them [m]; none where nothing does."""
+    alike = {t.id for t in situation.observation.plan.targets if t.request == situation.target.request}
+    between = (t for t in situation.observation.plan.targets if alike.issuperset(_sharers(t)) and _sharers(t))
+    width = max((situation.kind(t).size[1] for t in between if _takes_floor(situation, t)), default=0.0)
+    return tuple(round(width + 2 * air, 3) for air in AIRS) if width else ()
+
+
+def _takes_floor(situation: Situation, target: Target) -> bool:
+    return situation.kind(target).mount in ("floor", "surface")
+
+
 def pair_need(situation: Situation, follower: Target, size: Vec3) -> Need | None:
     """Floor beside the first of a pair: for what comes between them, and the second; None where there is no second."""
     own = situation.target
@@ -47,7 +59,7 @@ def _shared(situation: Situation) -> Iterator[tuple[Target, Placement]]:
     own = situation.target.id
     for later in situation.followers:
         sharers = _sharers(later)
-        if situation.kind(later).mount not in ("floor", "surface") or own not in sharers:
+        if not _takes_floor(situation, later) or own not in sharers:
             continue
         for other in situation.placed(sharers):
             if other.id != own and other.position[2] < 0.1 and _makes_pair(situation, situation.target, other.id):

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from thinkblox.plan import Tie
+from thinkblox.policies.expert.partners import gaps_in_row
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.room import turn_between
 from thinkblox.value import Vec2
@@ -37,7 +38,7 @@ class _Spacing:
 
 def layouts(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: bool) -> Iterator[RowLayout]:
     """Every way to lay out the members of a request in rows."""
-    for rank, rows in enumerate(_row_counts(tie)):
+    for rank, rows in enumerate((tie.rows,) if gaps_in_row(situation) and tie.rows else _row_counts(tie)):
         columns = -(-tie.count // rows)
         dear = rank + UNEVEN * bool(tie.count % rows)
         for yaw in _directions(situation, facing, mutual=mutual):
@@ -83,7 +84,7 @@ def _spacings(situation: Situation, rows: int, columns: int, yaw: float, *, mutu
     costs = {aisle: 0.1 * rank for rank, aisle in enumerate(aisles if rows > 1 else aisles[:1])}
     if situation.facts.is_in("from_aisles") and rows > 1 and even_aisle > aisles[0]:
         costs |= {round(aisles[0] + (even_aisle - aisles[0]) * k / 3, 2): 0.05 * k for k in (1, 2, 3, 4)}
-    for order, beside in enumerate(situation.facts.row.beside):
+    for order, beside in enumerate(gaps_in_row(situation) or situation.facts.row.beside):
         yield from (_Spacing(beside, aisle, cost + 0.1 * order) for aisle, cost in costs.items())
 
 

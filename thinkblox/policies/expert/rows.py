@@ -1,7 +1,7 @@
 """Ideas for things that stand in rows: the whole block is laid out, then each member takes its place in it."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +15,7 @@ from thinkblox.policies.expert.followers import follower_costs
 from thinkblox.policies.expert.ground import darkens, ground_costs
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.needs import need
+from thinkblox.policies.expert.partners import gaps_in_row
 from thinkblox.policies.expert.row_layout import RowLayout
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.wall_rows import belongs_to_wall, wall_rows
@@ -88,9 +89,11 @@ def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
     """
     layouts = list(row_layout.layouts(situation, tie, facing=facing, mutual=mutual))
     blocks = _everywhere(situation, layouts, facing)
-    if not facing and not mutual and belongs_to_wall(situation):
+    order = _in_order(situation)
+    walled = order and any(t.kind == "against_wall" for t in situation.target.ties)
+    if not facing and not mutual and (walled or belongs_to_wall(situation)):
         blocks = _joined(_at_walls(situation, tie), _dearer(blocks, AWAY_FROM_WALL))
-    blocks = _holding(situation, blocks)
+    blocks = _holding(situation, blocks, order)
     if not len(blocks):
         return
     before = situation.without({p.id for p in situation.siblings})
@@ -101,7 +104,7 @@ def in_rows(situation: Situation, tie: Tie, *, facing: tuple[str, ...], mutual: 
     if HARD > costs.min() > WORTH:
         costs -= costs.min() - WORTH
     for i in np.argsort(costs, kind="stable")[:12]:
-        slot = _free_slot(situation, blocks, int(i))
+        slot = order[situation.target.id] if order else _free_slot(situation, blocks, int(i))
         if slot is not None:
             yield _idea(blocks, int(i), slot, tie, float(costs[i]))
 
@@ -198,13 +201,21 @@ def _first_row(situation: Situation, board: Placement) -> float:
     return max([FIRST_ROW, *(n.depth + MAIN_WAY for n in wanted if n is not None)])
 
 
-def _holding(situation: Situation, blocks: Blocks) -> Blocks:
-    """Those in which every placed member has a slot."""
+def _in_order(situation: Situation) -> dict[str, int]:
+    """The slot of each member where something comes between neighbours; none where any may have any."""
+    if not gaps_in_row(situation):
+        return {}
+    alike = (t.id for t in situation.observation.plan.targets if t.request == situation.target.request)
+    return {id: slot for slot, id in enumerate(alike)}
+
+
+def _holding(situation: Situation, blocks: Blocks, order: Mapping[str, int]) -> Blocks:
+    """Those in which every placed member has a slot: its own, where there is an order."""
     kept = np.ones(len(blocks), dtype=bool)
     for p in situation.siblings:
         near = np.abs(blocks.centre - np.array(p.position[:2])).max(-1) < SAME_PLACE
         same = np.abs((blocks.yaw - p.yaw + 180.0) % 360.0 - 180.0) < 1.0
-        kept &= (near & same).any(-1)
+        kept &= (near & same)[:, order[p.id]] if order else (near & same).any(-1)
     return blocks.take(np.flatnonzero(kept))
 
 

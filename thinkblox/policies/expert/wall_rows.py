@@ -7,6 +7,7 @@ import numpy as np
 
 from thinkblox.plan import Tie
 from thinkblox.policies.expert.idea import WALL_GAP
+from thinkblox.policies.expert.partners import gaps_in_row
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import oriented
 from thinkblox.scene.room import Wall, turn_between
@@ -30,7 +31,8 @@ def belongs_to_wall(situation: Situation) -> bool:
 
 def wall_rows(situation: Situation, tie: Tie) -> Iterator[tuple[list[Vec2], list[float], float]]:
     """Centres [m] and yaws [degrees] of all members of a request along walls, and what each way costs."""
-    for rows in (tie.rows,) if tie.asked and tie.rows else (1, 2):
+    told = tie.rows and (tie.asked or gaps_in_row(situation))
+    for rows in (tie.rows,) if told else (1, 2):
         columns = -(-tie.count // rows)
         dear = ONE_WALL * (rows != tie.rows) + UNEVEN * (tie.count % rows > 0)
         counts = [min(columns, tie.count - row * columns) for row in range(rows)]
@@ -53,6 +55,8 @@ def _walls(walls: tuple[Wall, ...], rows: int) -> Iterator[tuple[Wall, ...]]:
 
 def _gaps(situation: Situation, wall: Wall, columns: int) -> tuple[float, ...]:
     """Free distances to the neighbour: as even as the wall allows, then the usual ones [m]."""
+    if between := gaps_in_row(situation):
+        return between
     usual = situation.facts.row.beside
     _, (_, width) = oriented(situation.size, situation.asset.front)
     even = (wall.length - columns * width) / columns

@@ -148,6 +148,10 @@ class Boundaries(State):
             before.anchors = tuple(a for a in before.anchors if id(a) not in left_out)
         if noun.side or noun.ordinal:
             self._lose(noun.start, noun.end)
+        told = noun.text.lower() == "the one" and self._is_link(self.peek(), "prepositions")
+        if told:
+            self.frontier = [Node([self.referents.parts[thing][-1]], self.clause, known=True)]
+            return True
         self.frontier[-1].things = [thing]
         self.each = True
         return True

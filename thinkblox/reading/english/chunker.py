@@ -263,7 +263,7 @@ class Cutter:
 
     def _set_phrase(self) -> Chunk | None:
         """Read what is told by its first words alone."""
-        found = self._two_walls() or self._finish() or self._after_modal()
+        found = self._two_walls() or self._finish() or self._infinitive() or self._after_modal()
         return found or self._described() or self._said_round()
 
     def _two_walls(self) -> Noun | None:
@@ -307,6 +307,17 @@ class Cutter:
             return None
         people = isinstance(subject := self.made[-2] if len(self.made) > 1 else None, Noun) and subject.kind == "people"
         return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
+
+    def _infinitive(self) -> Connector | None:
+        """Read the "to" of "a place to eat", which is beside nothing."""
+        wished = self.at > 0 and self._text_at(self.at - 1) in grammar().lists["wishes"]
+        if not wished or self._text_at(self.at) != "to" or self.at + 1 >= len(self.tokens):
+            return None
+        after, token = self.at + 1, self.tokens[self.at]
+        named = grammar().at(self.tokens, after, "determiners", "pronouns", "count") or self._phrases.read(after)
+        if named or self.tokens[after].kind != "word":
+            return None
+        return Connector("fillers", "words", self.at, after, token.shown)
 
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None

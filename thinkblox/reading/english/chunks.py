@@ -5,6 +5,7 @@ from typing import Literal
 
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Fate, SurfaceRequest
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.sizes import Size
 
 NounKind = Literal["thing", "place", "room", "people", "pronoun", "part", "abstract", "number"]
@@ -153,3 +154,8 @@ class SaidSurface:
 
 
 Chunk = Noun | Connector | Adjective | Measured | Stray | SaidSurface
+
+
+def are_neighbours(several: Noun) -> bool:
+    """Whether any two of several are meant between which none of them stands."""
+    return not grammar().lists["neighbours"].isdisjoint(several.text.lower().split())

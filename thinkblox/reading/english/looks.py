@@ -17,6 +17,8 @@ _BESIDE, _NEAR = 0.5, 1.5
 """How far things beside, and near, each other are at most [m]."""
 _LEAST_SIDE = 1.5
 """A room is no narrower than this [m]."""
+_OF_JOINED = ("next_to", "facing")
+"""How the ones of two joined kinds may stand to the others: "two washers and two dryers side by side"."""
 _ROOMY = 3.0
 """Two sides that are both longer than this are a room's, whatever they stand beside [m]."""
 
@@ -90,7 +92,7 @@ class Descriptions(Rooms):
         node = next((n for n in nodes if any(t.many for t in n.things)), None)
         kind = link.value
         things = node.things if node is not None else list(self.clause.members)
-        if node is nodes[0] and node.frame is not None and kind == "next_to" and not self.predicate:
+        if node is nodes[0] and node.frame is not None and kind in _OF_JOINED and not self.predicate:
             things = self._joined_several(node, node.frame)
         if self.predicate and self.subject is not None:
             things = self.subject.things
@@ -100,8 +102,9 @@ class Descriptions(Rooms):
         if kind in ("in_rows", "in_row"):
             self._row(kind, list(things), nodes[0])
         elif len(things) > 1:
-            for one, other in pairwise(things[-2:]):
-                bind(self.draft, Bond(relation_kind(kind), other, (one,)))
+            one, other = things[-2:]
+            for each, to in ((other, one), (one, other)) if kind == "facing" else ((other, one),):
+                bind(self.draft, Bond(relation_kind(kind), each, (to,)))
             if nodes[0].frame is not None and nodes[0].things == things[-1:]:
                 nodes[0].things = things[-2:]
         elif things and things[-1].many:

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from thinkblox.assets import kind_of
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.reading.draft import Mention
+from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.across import ACROSS
 from thinkblox.reading.english.antecedents import Antecedents
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Noun, are_neighbours
 from thinkblox.reading.english.nodes import Meaning, Where
 from thinkblox.reading.english.parts import relation_at
 from thinkblox.reading.english.places import corner, opening, wall
@@ -35,10 +35,14 @@ _FAR_PARTS = ("head", "foot", "end", "side", "short_side", "long_side", "front",
 """Parts of things across from which something else may stand."""
 _TOPS = ("tables", "desks", "counters", "worktops")
 """What has a top on which things lie in the middle."""
+_SEVERAL = 3
+"""Of so many alike "between them" does not mean between the two of them."""
 _ROUNDED = {"round", "oval", "square"}
 """Shapes of tables that have no two long sides."""
 _NUMBERS = {"three": 3, "four": 4}
 """How many "all three" are."""
+_APART = ("on", "inside")
+"""Relations that one thing has to one other only, so that "a lamp on both tables" is one on each."""
 _TOWARDS = ("facing", "opposite", "next_to", "in_front_of", "behind", "left_of", "right_of", "far", "between")
 """Relations to other things rather than to places: "facing the others"."""
 
@@ -131,7 +135,9 @@ class Meanings:
         ):
             return None
         if kind == "between":
-            return Meaning(kind, self._several(kind, subjects, noun), told=True)
+            last = next((t for t in likely if t not in subjects), None)
+            two = self._two_sides([last]) if last is not None else ()
+            return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None
 
@@ -182,6 +188,7 @@ class Meanings:
             three = self.referents.latest(number, subjects)
             return self._fitting(Meaning(kind, three, told=True), subjects, noun) if three else None
         two = self.referents.both(subjects) if said.text.lower().startswith("both") else ()
+        two = two or (self._two_sides(likely) if kind == "between" and said.value == "them" else ())
         plural = [t for t in likely if t.many]
         if said.value == "each" and said.attributes:
             plural = [t for t in self.referents.plural() if set(said.attributes) <= set(t.attributes)] or plural
@@ -200,6 +207,18 @@ class Meanings:
             anchors = tuple(t for t in family if t not in subjects) or anchors
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
         return self._fitting(meaning, subjects, noun, where.word) if anchors else None
+
+    def _two_sides(self, likely: list[Mention]) -> tuple[Mention, ...]:
+        """The washers and dryers of "washers along one wall, dryers along the other, a table between them"."""
+        last = likely[0] if likely else None
+        things = self.referents.draft.things
+        before = things[things.index(last) - 1] if last in things[1:] else None
+        if last is None or before is None or not before.asked or (last.many and (last.count or _SEVERAL) < _SEVERAL):
+            return ()
+        where, across = self.referents.draft.bonds_of(last), self.referents.draft.bonds_of(before)
+        walls = any(b.kind == c.kind and b.anchors != c.anchors for b in where for c in across if _at_place(b, c))
+        opposite = any(b.kind in ("opposite", "facing") and before in b.anchors for b in where)
+        return (before, last) if walls or opposite else ()
 
     def _one_of(self, kind: str, subjects: list[Mention], noun: str) -> Meaning | None:
         name = subjects[-1].noun if subjects else noun
@@ -221,12 +240,15 @@ class Meanings:
         whole = self.referents.parted
         if whole is None and self.anchor is not None and kind == self.anchor[0] and not self.anchor[1].many:
             return self._fitting(Meaning(kind, (self.name.another(self.anchor[1]),), told=True), subjects)
-        if whole is None and kind in _TOWARDS:
+        across = self.place is not None and str(self.place.anchors[0]).endswith("_wall") and kind in ("on", "next_to")
+        if whole is None and kind in _TOWARDS and not across:
             kin = [t for t in self.referents.draft.things if subjects and t.noun == subjects[-1].noun]
             kin = [t for t in kin if t not in subjects]
             return Meaning(kind, tuple(kin[:1]), told=True) if len(kin) == 1 else None
         if whole is None and self.place is not None:
-            return Meaning(self.place.kind, self.place.anchors)
+            wall = str(self.place.anchors[0])
+            anchors = (ACROSS.get(wall, "opposite_wall"),) if wall.endswith("_wall") else self.place.anchors
+            return Meaning(self.place.kind, anchors)
         self.referents.parted = None
         return self._fitting(Meaning(kind, (whole,), told=True), subjects) if whole is not None else None
 
@@ -369,7 +391,8 @@ class Meanings:
 
     def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        if self.sided is None or said.det == "my" or {self.sided[0], said.value} != {"left", "right"}:
+        again = said.det == "my" and (bool(subjects) or self._sides_told > 0)
+        if self.sided is None or again or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None
 
@@ -385,7 +408,9 @@ class Meanings:
             return Meaning("in_centre", (whole.value,))
         if whole.kind in ("place", "room", "abstract", "people"):
             return self._of_room(said, subjects)
-        return self.of(Where("on" if said.value in _CARRYING else "next_to", whole), subjects, likely, noun)
+        found = self.of(Where("on" if said.value in _CARRYING else "next_to", whole), subjects, likely, noun)
+        rows = found is not None and any(isinstance(a, Mention) and a.rows for a in found.anchors)
+        return None if rows and whole.value == "each" else found
 
     def _is_part_of_room(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -421,7 +446,8 @@ class Meanings:
         if said.value == "middle":
             return Meaning("in_centre", ("centre",))
         if said.value == "end":
-            return Meaning("against_wall", ("short_wall",))
+            self.anchor, self.place = None, Meaning("against_wall", ("short_wall",))
+            return replace(self.place)
         self.room_side = said.value
         wall = ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):
@@ -503,7 +529,9 @@ class Meanings:
                 return Meaning("next_to" if opening in _OPENINGS else "near", anchors, told=told)
             second, _ = self.name.anchors(where.second, subjects)
             anchors = (*anchors, *second)
-        each = said.each or where.word == "per"
+        each = said.each or where.word == "per" or (kind == "between" and said.plural and are_neighbours(said))
+        each |= kind in _APART and said.det in ("all", "both") and said.plural and bool(subjects)
+        each &= kind not in _APART or said.each or all(s.count in (None, 1) for s in subjects)
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])
         if where.text.lower() == "across" and subjects and load_habits().is_in(subjects[-1].noun, "covers", "small"):
@@ -552,6 +580,11 @@ class Namer:
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number means."""
         raise NotImplementedError
+
+
+def _at_place(*bonds: Bond) -> bool:
+    """Whether all of these are to parts of the room."""
+    return all(isinstance(anchor, str) and not bond.negated for bond in bonds for anchor in bond.anchors)
 
 
 def is_seat(thing: Mention) -> bool:

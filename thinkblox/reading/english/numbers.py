@@ -11,6 +11,9 @@ from thinkblox.reading.english.verbs import Verbs
 _SIDES = ("in_front_of", "behind", "left_of", "right_of", "under", "above", "opposite")
 """Relations that one thing can have to another one at a time."""
 
+_RECENT = 20
+"""So many relations back, at most, something was said to be on each of several."""
+
 
 class Numbers(Verbs):
     """Reads numbers without a noun."""
@@ -34,6 +37,8 @@ class Numbers(Verbs):
         if self.bracket is not None and each is not None and each.kind == "pronoun" and each.value == "each":
             self.at += 2
             return
+        if self._shares_out(noun):
+            return
         whole = self._whole([])
         if whole is not None:
             aside = self._list_of(whole)
@@ -43,6 +48,37 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _shares_out(self, noun: Noun) -> bool:
+        """Read "twelve computers on six desks, two on each": how many of those just placed each of the others has."""
+        link, each = self.peek(), self._next_noun(1)
+        told = noun.of_known or noun.ordinal or noun.side or noun.attributes or noun.unshown
+        if told or not noun.count or each is None or not self._is_link(link, "prepositions"):
+            return False
+        if not (each.each or each.value == "each" or self._is_link(link, "prepositions", "per")):
+            return False
+        named = set(self.referents.every(each)) if each.kind == "thing" else set()
+        for bond in self.draft.bonds[::-1][:_RECENT]:
+            holders = [a for a in bond.anchors if isinstance(a, Mention) and (each.kind != "thing" or a in named)]
+            subject, many = bond.subject, sum(self.referents.total(a) for a in holders)
+            shared = bool(holders) and len(holders) == len(bond.anchors) and many > 1
+            if shared and not (bond.each or bond.implied or bond.negated) and subject.count == noun.count * many:
+                self.numbers.add(subject.count)
+                subject.count, bond.each = noun.count, True
+                self.meant[noun.start] = [subject]
+                self._spend(each)
+                self._go_past(each)
+                self.frontier = [Node([subject], self.clause, known=True)]
+                return True
+        many = sum(self.referents.total(t) for t in named)
+        for thing in self.clause.members[::-1] if many > 1 else ():
+            if thing.count == noun.count * many and not self.draft.bonds_of(thing) and thing not in named:
+                self.numbers.add(thing.count)
+                thing.count = noun.count
+                self.meant[noun.start] = [thing]
+                self.frontier, self.subject = [Node([thing], self.clause, known=True)], None
+                return True
+        return False
 
     def _adds(self, noun: Noun) -> bool:
         """Read numbers that ask for more of the same: "as many on the right", "three of roses", "and a red one"."""
@@ -196,7 +232,11 @@ class Numbers(Verbs):
         return False
 
     def _arrange(self, noun: Noun) -> None:
-        """Read "(six shelving units stand) in two rows of three"."""
+        """Read "(six shelving units stand) in two rows of three"; "the last row" is not understood."""
+        if noun.ordinal or noun.det in ("the", "my"):
+            self._lose(noun.start, noun.end)
+            self.frontier, self.subject = [Node()], None
+            return
         thing = self._whole([])
         if thing is not None:
             bind(self.draft, Bond("in_rows", thing, rows=max(noun.rows, 0)))

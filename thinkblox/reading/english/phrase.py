@@ -269,6 +269,8 @@ class PhraseReader(Heads):
             return 1
         if units.nouns or not (noun.det or noun.count is not None) or not self._may_be_doing(noun, at, stop):
             return 0
+        if noun.degree and stop.sort == "verbs" and not self._starts_noun(at + stop.length):
+            return 0
         if stop.sort == "verbs" and grammar().at(self.tokens, at + stop.length, "determiners", "count", "quantifiers"):
             return 0
         if self._starts_noun(at + stop.length):
@@ -293,8 +295,12 @@ class PhraseReader(Heads):
         return (facing or stop.sort in ("verbs", "participles")) and not ends
 
     def _is_plural_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
-        """Whether several of a singular noun have to be of the next: "four repair stands"."""
+        """Whether several of a singular noun have to be of the next: "four repair stands", "on repair stands"."""
         several = noun.count is not None and noun.count > 1 and bool(units.nouns)
+        if not (noun.det or several or noun.count is not None) and len(units.nouns) == 1:
+            after = grammar().at(self.tokens, noun.start - 1, "prepositions") if noun.start else None
+            follows = grammar().at(self.tokens, at + 1, "determiners", "count", "quantifiers", "vague")
+            several = after is not None and follows is None and units.nouns[0].known is None
         if not several or stop.sort != "verbs" or stop.length > 1 or not self.tokens[at].text.endswith("s"):
             return False
         last = units.nouns[-1]
@@ -318,7 +324,8 @@ class PhraseReader(Heads):
             self._idle(noun, at, at + 1)
             units.adjectives += 1
             return 1
-        if not units.nouns and degree_of(token.text):
+        ranked = token.text in grammar().lists["ranks"] and self._is_one(at + 1)
+        if not units.nouns and (ranked or degree_of(token.text)):
             return self._degree(noun, at, units)
         if units.nouns and self._ends_before(at, units):
             return 0

@@ -5,11 +5,18 @@ from dataclasses import replace
 
 from thinkblox.knowledge.seats import places_at
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.referents import is_small, last_word
+
+_MOST_AT_ONE = 12
+"""Tables for more people than this are for so many together."""
+_OWN = ("beds", "desks", "chairs", "storage")
+"""What each of several people may have one of."""
+_TOPS = ("tables", "desks", "counters")
+"""What "of" says to be full of things that lie on it."""
 
 
 class Prepositions(Negation):
@@ -20,8 +27,12 @@ class Prepositions(Negation):
         raise NotImplementedError
 
     def _preposition(self, link: Connector) -> None:
-        if link.value == "among" and self._is_on_walls():
-            link = replace(link, value="on")
+        thing = self._is_for_everyone(link)
+        if thing is not None and not self._is_at_each_place(thing):
+            self._one_for_each(thing, link)
+            return
+        if thing is not None or (link.value == "among" and self._is_on_walls()):
+            link = replace(link, value="on" if thing is None else "at")
         match link.value:
             case "with":
                 self._open("with")
@@ -40,6 +51,47 @@ class Prepositions(Negation):
             case _:
                 self._began = self.at - 1
                 self._where(self._read_where(link))
+
+    def _is_for_everyone(self, link: Connector) -> Mention | None:
+        """What there is one of "for each person"; None where no such thing was just named."""
+        noun, node = self._next_noun(), self.frontier[-1] if self.frontier else None
+        each = noun is not None and noun.kind == "people" and (noun.each or link.value == "per")
+        return node.thing if each and link.value in ("for", "per") and node is not None and not node.known else None
+
+    def _is_at_each_place(self, thing: Mention) -> bool:
+        """Read the person as a seat that was named, who has a plate there, or as a desk, at which is the chair."""
+        noun = self._next_noun()
+        if noun is None or (self.draft.people and not is_small(thing)):
+            return False
+        if is_small(thing):
+            places = self._seats()
+        else:
+            seat = self.habits.is_in(thing.noun, "chairs")
+            places = [t for t in self.draft.things if seat and self.habits.is_in(t.noun, "desks") and t.many]
+        if not places:
+            return False
+        noun.kind, noun.value, noun.det, noun.named = "thing", places[-1].noun, "each", False
+        if is_small(thing):
+            noun.value = "seat"
+        return True
+
+    def _one_for_each(self, thing: Mention, link: Connector) -> None:
+        """Let there be one for each of the people, and of what is listed with it and people have one of as well."""
+        noun, frame = self._next_noun(), self.frontier[-1].frame
+        if noun is None:
+            return
+        self._go_past(noun)
+        if not self.draft.people:
+            self._lose(link.start, noun.end)
+            return
+        members = frame.members[frame.begun :] if frame is not None else [thing]
+        places = any(self.habits.is_in(member.noun, "desks", "beds") for member in members)
+        for member in reversed(members):
+            small = is_small(member) or self.habits.is_in(member.noun, "lamps")
+            own = self.habits.is_in(member.noun, *_OWN) or (small and places)
+            if member is not thing and (member.many or not own):
+                break
+            member.count = (member.count or 1) * self.draft.people
 
     def _except_next(self, link: Connector) -> None:
         noun = self._next_noun()
@@ -117,10 +169,15 @@ class Prepositions(Negation):
                 self._hold_matter(noun)
             self._of_no_thing(noun)
             return
-        word = last_word(head)
-        contents = noun.plural or noun.count is not None or (not noun.det and noun.text.lower().endswith("s"))
-        if contents and (word in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves")):
-            self._open("inside")
+        self._of_thing(noun, head)
+
+    def _of_thing(self, noun: Noun, head: Mention) -> None:
+        """Say of a thing what it is made or full of, or to what it belongs."""
+        if self._is_of_material(noun, head):
+            return
+        if carried := self._carried_by(head, noun):
+            noun.plural |= noun.count is None and not noun.text.lower().endswith("s")
+            self._open(carried)
             if self.pending is not None:
                 self.pending.contents = True
             return
@@ -135,6 +192,27 @@ class Prepositions(Negation):
         self._go_past(noun)
         self._spend(noun)
         head.text = f"{head.text} of {noun.text}"
+        if not is_small(head) and self.habits.is_in(head.noun, "shelves", *_TOPS):
+            self._lose(noun.start, noun.end)
+
+    def _is_of_material(self, noun: Noun, head: Mention) -> bool:
+        """Take "a table of dark glass" for a glass table."""
+        plain = noun.material and not (noun.det or noun.plural or noun.count is not None)
+        if plain:
+            head.attributes.append(noun.material)
+            head.unshown += noun.unshown
+            self._spend(noun)
+            self._go_past(noun)
+        return bool(plain)
+
+    def _carried_by(self, head: Mention, noun: Noun) -> str:
+        """How what "shelves of bottles", "tables of books" name is carried; empty where it is no thing to be made."""
+        several = noun.plural or noun.count is not None or (not noun.det and noun.text.lower().endswith("s"))
+        if not several and (noun.det or not noun.named):
+            return ""
+        if last_word(head) in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves"):
+            return "inside"
+        return "on" if self.habits.is_in(head.noun, *_TOPS) and not noun.definite else ""
 
     def _of_no_thing(self, noun: Noun) -> None:
         """Go past "of the room", "of four people"; "every pew of the left column" is not understood."""
@@ -144,16 +222,24 @@ class Prepositions(Negation):
         self._go_past(noun)
         if each and noun.kind in ("number", "part", "abstract") and noun.det in ("the", "my"):
             self._lose(before.start if before is not None else noun.start, noun.end)
-        if noun.kind == "people" and noun.count:
+        thing = self.frontier[-1].thing if self.frontier else None
+        if noun.kind == "number" and noun.count and thing is not None and self.habits.is_in(thing.noun, *_TOPS):
+            self._serve(thing, noun.count)
+        elif noun.kind == "people" and noun.count:
             self._people(noun)
 
     def _for(self, link: Connector) -> None:
         noun = self._next_noun()
         if noun is None:
+            self.at += isinstance(self.peek(), Adjective) and isinstance(self._before(), Noun)
             return
         thing = self.frontier[-1].thing if self.frontier else None
         awaited = [a for f in self.front[-1:] for a in f.anchors if isinstance(a, Mention)]
         thing = awaited[0] if awaited and not self.frontier else thing
+        if self._is_purpose(noun):
+            self._spend(noun)
+            self._go_past(noun)
+            return
         if noun.kind in ("people", "number") and noun.count and thing is not None:
             if thing.seats and thing.seats != noun.count:
                 self._lose(link.start, noun.end)
@@ -180,12 +266,27 @@ class Prepositions(Negation):
             if noun.kind == "thing" and thing is not None and noun.definite:
                 self._lose(link.start, noun.end)
 
+    def _is_purpose(self, noun: Noun) -> bool:
+        """Whether it only says what something is for: "a bin for paper", "a place for umbrellas"."""
+        before = self._before()
+        matter = not (noun.det or noun.plural) and noun.count is None and noun.text.lower()[-1:] != "s"
+        matter |= noun.text.lower() == noun.material
+        if noun.kind != "thing" or not isinstance(before, Noun) or noun.definite:
+            return False
+        if before.kind in ("room", "abstract") and self.draft.things and noun.plural and not noun.count:
+            self._lose(before.start, noun.end)
+            return True
+        return before.kind in ("thing", "pronoun", "number") and matter and self.referents.named(noun) is None
+
     def _serve(self, thing: Mention, people: int) -> None:
         """Let it be for so many: a table has as many places, and there are enough of what each has one of."""
         if self._are_places(thing):
             thing.count = math.ceil(people / places_at(thing.noun))
         elif self.habits.is_in(thing.noun, "tables", "desks"):
-            thing.seats = people
+            together = thing.plural and people > _MOST_AT_ONE
+            if together and thing.count is None:
+                thing.count = math.ceil(people / places_at(thing.noun))
+            thing.seats = math.ceil(people / (thing.count or 1)) if together else people
 
     def _are_places(self, thing: Mention) -> bool:
         """Whether it is seats, or what people work at, of which nobody says how many: "chairs for eight people"."""

@@ -1,7 +1,7 @@
 """Pronouns as what a clause is about."""
 
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.numbers import Numbers
 
@@ -27,13 +27,20 @@ class Pronouns(Numbers):
                 self._resume([rest], noun)
                 self.each = True
             case "all":
-                things = [t for t in self.clause.members if t in self.draft.things]
-                if things:
-                    self.frontier = [Node(things, self.clause, known=True)]
-                    self.separator = ""
-                    self.each |= any(thing.many for thing in things)
+                self._all(noun)
             case "one" | "other" | "half" | "none":
                 self._one_of_several(noun)
+
+    def _all(self, noun: Noun) -> None:
+        """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
+        things = [t for t in self.clause.members if t in self.draft.things]
+        if things:
+            self.frontier = [Node(things, self.clause, known=True)]
+            self.separator = ""
+            self.each |= any(thing.many for thing in things)
+        elif self._is_link(self.peek(), "verbs"):
+            self._resume(list(self.referents.several([], "")), noun)
+            self.each = bool(self.frontier)
 
     def _rest_of_named(self) -> Mention | None:
         """What "all but one of the chairs" are; goes past it."""
@@ -53,12 +60,13 @@ class Pronouns(Numbers):
             return
         if noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
-            return
-        whole = self._whole([])
-        if whole is None:
-            if noun.value != "half":
-                self._lose(noun.start, noun.end)
-            return
+        elif (whole := self._whole([])) is not None:
+            self._speak_of_some(whole, noun)
+        elif noun.value != "half" and not (noun.text.lower() == "another" and self._repeat()):
+            self._lose(noun.start, noun.end)
+
+    def _speak_of_some(self, whole: Mention, noun: Noun) -> None:
+        """Speak of one, another, the other, half or none of several."""
         match noun.value:
             case "none":
                 self._resume([whole], noun)
@@ -89,7 +97,10 @@ class Pronouns(Numbers):
             return True
         before = self._one_before()
         if before is not None:
-            self._take(self._copy_of(before), noun)
+            again = self._copy_of(before)
+            if before in self.named_by:
+                self.named_by[again] = self.named_by[before]
+            self._take(again, noun)
         return before is not None
 
     def _lose_comparison(self, noun: Noun) -> None:
@@ -107,7 +118,20 @@ class Pronouns(Numbers):
         if self.referents.parted is not None or not self.clause.members:
             return None
         last = self.clause.members[-1]
-        return last if last.count == 1 and last.text.lower().startswith("one ") else None
+        again = last.text.lower().startswith("one ") or self._is_told_alike(last)
+        return last if last.count == 1 and again else None
+
+    def _is_told_alike(self, thing: Mention) -> bool:
+        """Whether one more is told of as the single thing before: "a plant in the corner and one by the door"."""
+        link, named = self.peek(), self.named_by.get(thing)
+        if not isinstance(link, Connector) or link.sort != "prepositions" or link.value == "of" or not self.separator:
+            return False
+        if named is None or named.det != "a" or any(t.many for node in self.frontier for t in node.things):
+            return False
+        bonds = [bond for bond in self.draft.bonds_of(thing) if not bond.implied]
+        after = next((c for c in self.cut if c.start == named.end), None)
+        alike = isinstance(after, Connector) and after.sort == link.sort and after.value == link.value
+        return (alike or bool(bonds)) and not any(bond.each for bond in bonds)
 
     def _spoken_of(self) -> list[Mention]:
         recent = self.clause.members[-1:] if self.separator else []

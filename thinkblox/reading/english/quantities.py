@@ -215,18 +215,8 @@ class Quantities(Words):
                 noun.rows = outer or (-1 if several else 1)
             case "group":
                 noun.groups, noun.group = outer or (-1 if several else 1), singular(word)
-            case _ if word.startswith("pair"):
-                words = [token.text for token in self.tokens[at + found.length : at + found.length + 4]]
-                noun.count = (1 if set(words) & grammar().lists["pairs"] else 2) * (outer or 1)
-            case _ if word.rstrip("s") in _STACKS:
-                noun.count, noun.vague = (outer or 1) * 3, True
-                noun.least = 1
-                noun.states.append("stacked")
-            case _ if word.rstrip("s") in _WHOLES:
-                noun.count = outer or (None if several else 1)
             case _:
-                noun.count, noun.vague = (outer or 1) * 3, True
-                noun.least = 1
+                self._pile(noun, at, found.length, outer)
         noun.det = "" if noun.det in ("a", "another") else noun.det
         inner = self._number(at + found.length)
         if inner is not None and noun.vague and not (noun.rows or noun.groups):
@@ -236,6 +226,21 @@ class Quantities(Words):
             noun.count = inner[0] * (noun.rows or noun.groups)
             return found.length + inner[1]
         return found.length
+
+    def _pile(self, noun: Noun, at: int, length: int, outer: int | None) -> None:
+        """Read "each pair of", "two pairs of", "a stack of", "a piece of"."""
+        word = self.tokens[at].text
+        several = word.endswith("s")
+        if word == "pair" and noun.det == "each":
+            noun.every, noun.counted = 2, True
+        elif word.startswith("pair"):
+            words = [token.text for token in self.tokens[at + length : at + length + 4]]
+            noun.count = (1 if set(words) & grammar().lists["pairs"] else 2) * (outer or 1)
+        elif word.rstrip("s") in _WHOLES:
+            noun.count = outer or (None if several else 1)
+        else:
+            noun.count, noun.vague, noun.least = (outer or 1) * 3, True, 1
+            noun.states += ["stacked"] if word.rstrip("s") in _STACKS else []
 
     def _shaped_measure(self, noun: Noun, at: int) -> int:
         """Pass over the adjective of a measure: "two parallel rows of", "a long line of"."""

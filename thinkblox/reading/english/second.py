@@ -13,7 +13,7 @@ from itertools import pairwise
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Bond, Draft, Mention
-from thinkblox.reading.english.chunks import Chunk, Noun, Stray
+from thinkblox.reading.english.chunks import Chunk, Noun, Stray, are_neighbours
 from thinkblox.reading.english.referents import Referents, is_small, parts_of
 from thinkblox.reading.english.said import SaidList, SaidPosition, is_link, parted, positions, possessions, statements
 
@@ -374,7 +374,7 @@ def _is_shared_out(chunk: Chunk) -> bool:
     if isinstance(chunk, Noun):
         several = chunk.kind == "people" or (chunk.kind in ("place", "part") and chunk.many)
         each = chunk.det in ("each", "either", "both", "all") or chunk.value in ("each", "all", "them")
-        return several or each or chunk.every > 0 or chunk.kind == "number"
+        return several or each or chunk.every > 0 or chunk.kind == "number" or are_neighbours(chunk)
     return is_link(chunk, "prepositions", "per", "sides") or is_link(chunk, "mutual")
 
 
