@@ -1,14 +1,16 @@
 """What instructions mean beyond their words: what belongs together, which of several, where from, and how many."""
 
+import math
+
 import pytest
 
-from tests.edited_rooms import bedroom, built, dining, living, room
+from tests.edited_rooms import bedroom, built, dining, living, placed, room
 from tests.test_editing_guard import classroom, done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
 from thinkblox.scene.relations import measure
-from thinkblox.scene.room import turn_between
+from thinkblox.scene.room import rectangle, turn_between
 
 OFFICE = ("desk_1", "desk_2", "office_chair_1", "office_chair_2", "laptop_1", "whiteboard_1")
 
@@ -239,3 +241,107 @@ def test_what_people_say_besides_is_understood(said: str) -> None:
     read = read_instruction(said, ["desk_1", "armchair_1", "sideboard_1"])
     assert not read.unknown
     assert all(not order.lost for order in read.orders)
+
+
+def test_left_of_what_hangs_is_seen_by_who_looks_at_the_wall() -> None:
+    before = built(room(), ("picture_1", 5.984, 1.5, 180.0, "wall"), ("picture_2", 5.984, 3.5, 180.0, "wall"))
+    after = done(before, "Remove the left picture").scene
+    assert [p.id for p in after.placements] == ["picture_1"]
+
+
+def test_what_leaves_a_part_of_the_room_does_not_stay_there() -> None:
+    before = built(room(), ("plant_1", 0.5, 4.5, 0.0, "floor"))
+    for said in ("Move the plant from the corner to the window", "Move the plant from the north wall to the window"):
+        assert done(before, said).scene["plant_1"].position != before["plant_1"].position
+
+
+def test_what_stands_on_its_own_goes_where_something_was_taken_away() -> None:
+    before = placed(placed(living(), "plant", 5.5, 0.5), "waste_bin", 0.3, 4.7)
+    after = done(before, "Remove the plant and put the bin there").scene
+    assert math.dist(after["waste_bin_1"].position[:2], (5.5, 0.5)) < 0.75
+
+
+def test_nothing_small_is_put_on_the_thing_by_which_a_corner_is_told() -> None:
+    before = built(room(), ("wardrobe_1", 0.35, 4.4, 0.0, "floor"), ("desk_1", 0.4, 1.5, 0.0, "floor"),
+                   ("vase_1", 0.4, 1.5, 0.0, "desk_1"))  # fmt: skip
+    edit = edit_room(before, "Put the vase in the corner by the wardrobe")
+    assert edit.scene["vase_1"].support != "wardrobe_1"
+    assert edit.complete == (edit.scene != before)
+
+
+@pytest.mark.parametrize(
+    ("said", "field", "count"),
+    [
+        ("Remove everything from the desk apart from the lamp", "spared", 1),
+        ("Turn the chairs so they face away from the table", "backs", 1),
+        ("Move the table and all its chairs to the window", "company", 1),
+        ("Move the sofa another 20 cm to the left", "lengths", 1),
+        ("Take the lamp, the book and the vase off the desk", "things", 3),
+        ("Separate the desks in the front row by another 20 cm", "lengths", 1),
+    ],
+)
+def test_what_an_order_says_is_taken_as_that(said: str, field: str, count: int) -> None:
+    read = read_instruction(said)
+    assert not read.unknown
+    assert len(getattr(read.orders[0], field)) == count
+
+
+def test_the_other_is_not_the_one_that_tells_which_is_meant() -> None:
+    before = bedroom().without("table_lamp_2")
+    after = done(before, "Put the lamp that is on the left nightstand on the other nightstand").scene
+    moved = [p.id for p in after.placements if p.support != before[p.id].support]
+    assert moved == ["table_lamp_1"]
+    assert after["table_lamp_1"].support == "nightstand_2"
+
+
+def test_what_stands_on_a_shelf_says_nothing_of_left_and_right() -> None:
+    before = built(
+        room(),
+        ("bookcase_1", 1.0, 4.8, 270.0, "floor"),
+        ("bookcase_2", 2.2, 4.8, 270.0, "floor"),
+        ("alarm_clock_1", 1.0, 4.8, 270.0, "bookcase_1"),
+    )
+    assert "bookcase_1" not in done(before, "Remove the left bookcase and the alarm clock").scene
+
+
+def test_objects_are_named_by_number_before_an_angle_and_as_number_two() -> None:
+    for said in ("Turn desk 2 45 degrees", "Turn desk number 2 by 45 degrees"):
+        order = read_instruction(said, OFFICE).orders[0]
+        assert [phrase.noun.id for phrase in order.things] == ["desk_2"], said
+        assert order.turn == 45.0
+
+
+def test_what_is_at_either_of_two_is_meant_and_not_the_second_of_them() -> None:
+    for said in ("Remove the monitors on desk_1 and desk_2", "Replace the monitors on desks 1 and 2 with laptops"):
+        order = read_instruction(said, OFFICE).orders[0]
+        assert [phrase.noun.value for phrase in order.things] == ["monitor", "monitor"], said
+        assert [phrase.places[0].noun.id for phrase in order.things if phrase.places[0].noun] == ["desk_1", "desk_2"]
+
+
+def test_its_left_is_that_of_what_the_thing_before_stands_by() -> None:
+    order = read_instruction("Move the bin to the left of the desk and the cabinet to its right").orders[0]
+    assert not order.direction
+    (where,) = order.things[1].places
+    assert (where.word, where.noun.value if where.noun else "") == ("right_of", "desk")
+
+
+def test_in_the_middle_is_of_what_it_stands_on() -> None:
+    before = built(room(), ("dining_table_1", 1.5, 3.8, 90.0, "floor"), ("desk_1", 5.5, 1.5, 180.0, "floor"),
+                   ("vase_1", 5.5, 1.5, 0.0, "desk_1"))  # fmt: skip
+    after = done(before, "Put the vase on the table, in the middle").scene
+    assert math.dist(after["vase_1"].position[:2], (1.5, 3.8)) < 0.3
+
+
+def test_away_from_the_wall_is_away_from_the_one_behind() -> None:
+    before = built(rectangle(6.0, 5.0), ("bed_1", 5.2, 3.9, 270.0, "floor"))
+    after = done(before, "Move the bed 20 cm away from the wall").scene
+    x, y, _ = before["bed_1"].position
+    assert after["bed_1"].position[:2] == pytest.approx((x, y - 0.2), abs=0.01)
+
+
+def test_all_that_could_be_meant_stays_where_one_is_to_stay() -> None:
+    before = built(room(), ("desk_1", 0.5, 2.6, 0.0, "floor"), ("sideboard_1", 5.7, 2.5, 180.0, "floor"),
+                   ("vase_1", 0.5, 2.3, 0.0, "desk_1"), ("vase_2", 5.7, 2.2, 0.0, "sideboard_1"),
+                   ("bowl_1", 0.5, 2.9, 0.0, "desk_1"))  # fmt: skip
+    after = done(before, "Clear the desk but leave the vase").scene
+    assert {p.id for p in before.placements} - {p.id for p in after.placements} == {"bowl_1"}

@@ -16,7 +16,7 @@ from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of
+from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -97,6 +97,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals = [goal for _, more in middles for goal in more]
         goals += [_related(work, w, category, index, count) for w in here]
         goals += [Related("on", (w.upon,)) for w in here if w.upon]
+        goals += [Related("on", beside, negated=True) for w in places if (beside := told_by(w, finder))]
         goals += [looking(finder, n) for n in order.facing]
         goals += [_compared(finder, category, nearer, other) for nearer, other in order.closer]
         goals += [At(finder.left_place(order.text), THERE)] if order.there else []

@@ -197,7 +197,8 @@ def _gathered_or_spread(clause: Clause) -> Clause:
         InputError: they are to be spread over somewhere.
     """
     tokens = [t for t in clause.tokens if t.text not in ("together", "apart")]
-    said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)))
+    in_rows = {m for n in range(len(tokens)) if (row := longest("rows", tokens, n)) for m in range(n, n + row[1])}
+    said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
         word = () if placed - _IN else (_TOGETHER,)

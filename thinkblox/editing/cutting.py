@@ -1,7 +1,7 @@
 """The words of one clause cut to pieces: the reader's noun phrases and connectors, and phrases of instructions' own."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest, means
@@ -25,6 +25,8 @@ _RANKED = ("the", "my", "that", "two", "both")
 _POINTING = ("the", "these", "those", "them", "my", "our")
 _SPACED = ("move", "put", "make", "keep", "free", "gap", "turn")
 """Orders in which a length by itself is a distance, or how large something is to be."""
+_MORE_BY = ("another", "further")
+"""Before a length by which something goes on."""
 _AFTER_ORDER = (
     "by", "and", "so", "about", "a", "one", "half", "please", "then", "too", "now", "two", "but", "without", "while",
     "plus", "also", "with",
@@ -68,7 +70,7 @@ class ClauseCutter:
 
     def items(self, tokens: Sequence[Token]) -> list[Item]:
         """The pieces in their order."""
-        return list(self._cut(tokens))
+        return list(self._cut(tokens if self._doing in _SPACED else _excepting(tokens)))
 
     def _cut(self, tokens: Sequence[Token]) -> Iterator[Item]:
         run: list[Token] = []
@@ -223,7 +225,7 @@ class ClauseCutter:
     def _lengths(self, tokens: Sequence[Token], at: int) -> tuple[OrderMark, int] | None:
         """How far a thing is moved or stands, or by how much something changes; elsewhere it is the size of a thing."""
         bound = longest("bounds", tokens, at)
-        start = at + (bound[1] if bound is not None else 0)
+        start = at + (bound[1] if bound is not None else int(tokens[at].text in _MORE_BY))
         if start >= len(tokens):
             return None
         said = lengths_at(self._lexicon, tokens, start)
@@ -271,3 +273,14 @@ class ClauseCutter:
         if token.kind in ("mark", "number") or longest("few", tokens, at) is not None:
             return True
         return token.text in _AFTER_ORDER
+
+
+def _excepting(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "apart from" as "except", of what is not moved."""
+    left: list[Token] = []
+    for token in tokens:
+        if token.text == "from" and left and left[-1].text == "apart":
+            left[-1] = replace(left[-1], text="except", shown=f"{left[-1].shown} {token.shown}")
+        else:
+            left.append(token)
+    return left

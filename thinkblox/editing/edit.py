@@ -372,6 +372,10 @@ def _kept(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
         if not found:
             raise finder.nothing(phrase.noun.text)
         return found
+    alike = finder.matching(phrase.noun) if phrase.noun.kind == "thing" and not phrase.noun.id else []
+    bare = not (phrase.places or phrase.rank or phrase.noun.side or phrase.noun.ordinal or phrase.noun.count)
+    if len(alike) > 1 and bare and phrase.noun.definite:
+        return tuple(p.id for p in alike)
     return named(finder, phrase, phrase.places)
 
 
@@ -406,7 +410,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
     for number, order in enumerate(orders):
         finder.scene = work.before = work.scene
         work.order = (number, order.text)
-        finder.owners, finder.about = [], ""
+        finder.owners, finder.named, finder.about = [], [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
         _DOERS[order.doing](work, finder, order)
         _hold(work, order, before, said[0])
@@ -493,7 +497,8 @@ def _taken_off(order: Order) -> bool:
     """Whether "take the lamp off the desk" is all that is said: it is taken away."""
     off = [w for phrase in order.things for w in phrase.places if w.word == "from"]
     everything = order.rest and not order.things and [w.word for w in order.places] == ["from"]
-    taken = (_takes(order) and len(order.things) == 1 and bool(off)) or (order.doing == "move" and everything)
+    last = bool(off) and not any(phrase.places for phrase in order.things[:-1])
+    taken = (_takes(order) and last) or (order.doing == "move" and everything)
     return taken and order.text.lower().startswith("take ")
 
 

@@ -18,7 +18,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement, apart
-from thinkblox.scene.room import turn_between
+from thinkblox.scene.room import Wall, turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
@@ -42,6 +42,7 @@ class Finder:
     Attributes:
         seen: from where "the left one" of several was decided, and which of several were taken, in sentences.
         owners: what an order has named so far, for "their chairs".
+        named: everything that an order has named so far, for "the other nightstand".
         vacated: where the last thing stood that was taken away [m].
         about: id of what is being moved, from which "the other side" is seen.
     """
@@ -51,6 +52,7 @@ class Finder:
     seen: list[str] = field(default_factory=list)
     about: str = ""
     owners: list[str] = field(default_factory=list)
+    named: list[str] = field(default_factory=list)
     vacated: Vec2 | None = None
 
     def ids(
@@ -66,6 +68,11 @@ class Finder:
         Raises:
             InputError: nothing fits, which lists what there is, or several do, which names them.
         """
+        ids = self._ids(phrase, picks, among)
+        self.named += ids if phrase.noun.det != "other" else ()
+        return ids
+
+    def _ids(self, phrase: NounPhrase, picks: Sequence[Picks], among: Sequence[Placement] | None) -> tuple[str, ...]:
         noun = phrase.noun
         if phrase.id or noun.id:
             return (phrase.id or noun.id,)
@@ -144,6 +151,7 @@ class Finder:
     def _others(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
         """Those that were not spoken of."""
         left = [p for p in found if p.id not in self.recent]
+        left = left if len(left) < len(found) else [p for p in found if p.id not in self.named]
         if len(left) == len(found) and len(found) > 1 and not (noun.many and self.recent):
             says = ", ".join(self.described(p) for p in found[:LISTED])
             raise InputError(f"'{noun.text}': other than which? It could be {says}")
@@ -348,6 +356,7 @@ class Finder:
         meant = ordered[which : which + count]
         doors = any(o.kind == "door" for o in self.scene.room.openings)
         of_room = "seen from the door" if doors else "seen by who looks north"
+        of_room = "seen by who looks at it" if _hung_at(self.scene, found) is not None else of_room
         ids = " and ".join(p.id for p in meant)
         by = f"by the front of {company.id}" if company else of_room
         says = f"{noun.text} {'is' if count == 1 else 'are'} {ids}, {by}"
@@ -356,6 +365,8 @@ class Finder:
 
     def _leftmost_first(self, found: Sequence[Placement]) -> tuple[list[Placement], Placement | None]:
         """Things from left to right, and by the front of what, if not as seen from the door."""
+        if (wall := _hung_at(self.scene, found)) is not None:
+            return sorted(found, key=lambda p: -wall.coordinates(p.position[:2])[0]), None
         company = _company(self.scene, list(found))
         along = company.left if company is not None else _left_of_room(self.scene)
         return sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1])), company
@@ -397,12 +408,21 @@ def nearest_to(scene: Scene, name: str, count: int) -> Picks:
 
 def _company(scene: Scene, found: list[Placement]) -> Placement | None:
     """The one larger thing that all of them are next to."""
-    large = [p for p in scene.placements if p.id not in {f.id for f in found} and scene.asset_of(p).front == "one"]
+    ids = {f.id for f in found}
+    large = [
+        p for p in scene.placements if p.id not in ids and scene.asset_of(p).front == "one" and p.support == "floor"
+    ]
     for other in sorted(large, key=lambda p: -p.size[0] * p.size[1]):
         mark = things(scene, other.id)[0]
         if all(ground_gap(things(scene, p.id)[0], mark) < 0.6 for p in found):
             return other
     return None
+
+
+def _hung_at(scene: Scene, found: Sequence[Placement]) -> Wall | None:
+    """The one wall that all of them hang on."""
+    names = {p.support for p in found}
+    return next((wall for wall in scene.room.walls if {wall.name} == names), None)
 
 
 def _left_of_room(scene: Scene) -> tuple[float, float]:

@@ -56,7 +56,7 @@ from thinkblox.editing.spots import (
     whole_floor,
 )
 from thinkblox.editing.turning import face_each_other, turn_by, turns
-from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of
+from thinkblox.editing.wheres import Bound, anchored, bound, named, slots_for, slots_of, spare, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import place_named
 from thinkblox.errors import InputError
@@ -66,6 +66,7 @@ from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
+from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
 
@@ -75,6 +76,8 @@ SLIGHT = 0.45
 """How far something is moved at most that is moved a bit [m]."""
 OTHER_CORNER = 1.5
 """How far from where it was something stands at least that goes to another corner [m]."""
+LEFT = 0.3
+"""How far from where it was something stands at least that is said to leave a part of the room [m]."""
 MIDDLE = 0.3
 """How far from the middle that is asked for something may stand that is left where it is [m]."""
 AT_IT = 0.06
@@ -256,6 +259,8 @@ def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str
         qualifiers, destination = _split(finder, order, phrase, places)
         destination = anchored(finder, destination)
         ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
+        leaves = any(w.word == "from" and w.noun is not None and w.noun.kind == "place" for w in qualifiers)
+        order.leaves |= leaves and bool(destination)
         yield work.touched(ids), destination
 
 
@@ -292,6 +297,7 @@ def _split(
     wanted = [w for w in rest if not w.negated]
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
         several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here
+        several |= all(w.word == "on" and w.noun is not None and w.noun.kind == "thing" for w in wanted[:2])
         if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest
     return here, rest
@@ -339,6 +345,7 @@ def _goals(
     goals = [goal for where in places for goal in _at_place(work, finder, order, id, where, index, count)]
     if order.there:
         goals.append(At(finder.left_place(order.text), THERE))
+    goals += [Elsewhere(LEFT)] if order.leaves else []
     goals += [Free(place_named(noun)) for noun in order.free]
     if order.slight and (order.closer or order.direction):
         goals.append(At(work.scene[id].position[:2], SLIGHT))
@@ -372,19 +379,21 @@ def _at_place(
     there = slots[index % len(slots)]
     if id in there.anchors and not there.negated:
         raise InputError(f"{id} cannot be put where it is itself: '{text}'")
-    yield from _strictly(work, where, there, category)
+    yield from _strictly(work, finder, where, there, category)
     if order.centred:
         there, more = centred(work.scene, there)
         yield from more
     yield related(there, category, index, count)
 
 
-def _strictly(work: Work, where: Where, there: Bound, category: str) -> Iterator[Goal]:
+def _strictly(work: Work, finder: Finder, where: Where, there: Bound, category: str) -> Iterator[Goal]:
     """What a place asks for besides its relation: in the middle about there, against a thing close to it."""
     if there.kind == "in_centre" and _carries(work, there.anchors, category):
         yield Related("on", there.anchors)
     if there.upon:
         yield Related("on", (there.upon,))
+    if beside := told_by(where, finder):
+        yield Related("on", beside, negated=True)
     if there.kind == "in_centre" and there.anchors == ("centre",) and not there.negated:
         yield Central()
     if there.kind == "next_to" and where.word == "against" and not there.negated:
@@ -408,6 +417,9 @@ def _nearing(work: Work, finder: Finder, order: Order, id: str, nearer: bool, ph
         nearest = min(own, key=lambda name: Nearing((name,), nearer=True).of(work.scene, id))
         return Nearing((nearest,), nearer, by, order.slight)
     anchors = mark_names(finder, phrase)
+    if anchors == ("wall",) and not nearer and at_wall(work.scene, id):
+        behind = [w.name for w in work.scene.room.walls if measure(work.scene, "against_wall", id, (w.name,)).holds]
+        anchors = tuple(behind[:1])
     if order.rest and not nearer and by is not None:
         return Apart(anchors, by, "ge")
     return Nearing(anchors, nearer, by, order.slight)
@@ -502,6 +514,13 @@ def _spots(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
 
 def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Where another thing stood, as that was turned, and the free places about it: at a wall where it was at one."""
+    for goal in goals:
+        if type(goal) is At and goal.reach >= THERE and work.asset_of(id).mount == "floor":
+            empty = without(work.scene, [id, *(rider.id for rider in work.scene.riders(id))])
+            yield from along_walls(empty, work.asset_of(id), goal.point, THERE)
+            yield from whole_floor(
+                empty, work.asset_of(id), structs.replace(work.scene[id], position=(*goal.point, 0.0))
+            )
     for old in (goal.old for goal in goals if isinstance(goal, Spot) and goal.old is not None):
         asset = work.asset_of(id)
         yield (*old.position[:2], old.position[2] if asset.mount != "floor" else 0.0), old.yaw

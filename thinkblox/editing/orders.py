@@ -90,6 +90,7 @@ class Order:
         space: it speaks of the space at its places.
         total: it says how many there are to be ("only two chairs").
         centred: at the middle of where they go.
+        leaves: they leave the part of the room that they are in.
         abreast: beside each other, turned the same way.
         purpose: what it is for, which is known but changes nothing.
         lost: words that mean nothing in it.
@@ -132,6 +133,7 @@ class Order:
     there: bool = False
     split: int = 0
     centred: bool = False
+    leaves: bool = False
     abreast: bool = False
     purpose: list[Noun] = field(default_factory=list)
     lost: list[str] = field(default_factory=list)

@@ -54,6 +54,8 @@ _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distance
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
 _AT_BACK = (*_ASIDE, "on", "against")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
+_OF_THOSE = ("remove", "replace", "make")
+"""Orders whose places say which things are meant."""
 _SIDED = ("end", "side", "long_side", "short_side")
 """Parts that a thing has two of."""
 _AREAS = ("area", "zone")
@@ -207,6 +209,7 @@ class _OrderReader:
         self._pending: bool | None = None
         self._clears = clause.doing == "free"
         self._anchors: list[Noun] = []
+        self._former: list[Noun] = []
         self._excepted: NounPhrase | None = None
         self._distance = False
         self._around = False
@@ -451,10 +454,14 @@ class _OrderReader:
 
     def _flank(self, side: str) -> None:
         """Read "next to the laptop, on its left"; where nothing was named but the thing itself, it is a direction."""
-        if self._anchors and self.order.things:
-            self.order.things[-1].places.append(Where(f"{side}_of", self._anchors[-1], text=f"to the {side} of"))
+        anchors = self._anchors or ([] if self._places_of_last() else self._former)
+        if anchors and self.order.things:
+            self.order.things[-1].places.append(Where(f"{side}_of", anchors[-1], text=f"to the {side} of"))
         else:
             self.order.direction = self.order.direction or side
+
+    def _places_of_last(self) -> list[Where]:
+        return self.order.things[-1].places if self.order.things else []
 
     def _row(self, number: int) -> None:
         """Read "in the front row" of what was named last."""
@@ -528,7 +535,7 @@ class _OrderReader:
             self._excepted = phrase
         elif negated:
             order.lost.append(f"not {noun.text}")
-        elif self._pending is not None and self._mode != "so":
+        elif self._pending is not None and (self._mode != "so" or self._so):
             self._compared(phrase)
         elif self._excepted is not None:
             (order.things[-1].spared if order.things else order.spared).append(phrase)
@@ -630,10 +637,23 @@ class _OrderReader:
                 phrase.noun = replace(noun, det="my", text=f"{order.things[-1].noun.text.split()[0]} {noun.text}")
             if order.things and order.things[-1].noun.rows and noun.kind == "thing" and not (noun.det or noun.count):
                 phrase.noun = replace(noun, det="my", text=f"their {noun.text}")
-            order.things.append(phrase)
-            self._anchors = []
+            order.things.append(self._at_another(phrase))
+            self._anchors, self._former = [], self._anchors
         else:
             self._lose(noun)
+
+    def _at_another(self, phrase: NounPhrase) -> NounPhrase:
+        """Read "the monitors on desk 2 and desk 3" as those on either, where both are of one kind."""
+        last = self.order.things[-1] if self.order.things else None
+        before = self._items[self._at - 2] if self._at > 1 else None
+        joined = isinstance(before, Connector) and before.sort in ("joins", "mark")
+        if last is None or not last.places or not joined or self.order.doing not in _OF_THOSE or phrase.places:
+            return phrase
+        where, noun = last.places[-1], phrase.noun
+        same = where.noun is not None and noun.kind == where.noun.kind == "thing" and noun.value == where.noun.value
+        if not same or where.second is not None or where.whole is not None or last.noun.value == noun.value:
+            return phrase
+        return replace(last, noun=replace(last.noun), places=[*last.places[:-1], replace(where, noun=noun)], spared=[])
 
     def _shares_out(self, noun: Noun) -> bool:
         """Whether a number says how many of what is added go to each of several places: "two plants, one in each"."""
@@ -836,6 +856,9 @@ class _OrderReader:
 
     def _face(self) -> None:
         """Read "to face the room", "so that it faces the door"."""
+        following = self._items[self._at] if self._at < len(self._items) else None
+        if isinstance(following, OrderMark) and following.key == "farther":
+            return
         noun = self._next_noun()
         if noun is None:
             self.order.lost.append("face")
@@ -1082,6 +1105,8 @@ class _OrderReader:
         noun, link = where.noun, self._items[self._at] if self._at < len(self._items) else None
         beside = self._items[self._at + 1] if self._at + 1 < len(self._items) else None
         cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] in ("corner", "wall")
+        if where.word == "from" and isinstance(link, Connector) and link.text.lower() == "to":
+            return where
         if not cornered or noun is None or where.whole is not None or self._told_by(where, noun, link, beside):
             return where
         each = noun.each or noun.plural
@@ -1197,7 +1222,8 @@ def _of_kind(item: Item, kinds: Collection[str]) -> Item:
 
 def _is_theirs(noun: Noun) -> bool:
     """Whether it belongs to what was named before: "its chairs"."""
-    return noun.det == "my" and noun.text.lower().split()[:1] in (["its"], ["their"])
+    words = [word for word in noun.text.lower().split() if word not in ("all", "both", "of")]
+    return noun.det in ("my", "all", "both") and words[:1] in (["its"], ["their"])
 
 
 def _is_it(noun: Noun) -> bool:

@@ -12,8 +12,9 @@ from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token, tokenise
 
 _NUMBERED = re.compile(
-    r"\b([a-z]+(?:[ -][a-z]+){0,2})\s+(?:no\.?\s*|nr\.?\s*|number\s+|#\s*)?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I
+    r"\b([a-z]+(?:[ -][a-z]+){0,2})\s+(?:no\.?\s*|nr\.?\s*|number\s+|#\s*)?([0-9]{1,3})\b(?![.,]?[0-9])", re.I
 )
+_NUMBER = re.compile(r" (?:no|nr|number)$", re.I)
 _SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
 _SHARES = (*DEGREES, "%", "percent", "times", "x")
@@ -57,12 +58,12 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
     for match in _NUMBERED.finditer(text):
         if match.start() < end or _is_amount(lexicon, tokenise(text[match.start(2) :])):
             continue
-        words = re.split(r"[ -]", match[1])
+        words = re.split(r"[ -]", _NUMBER.sub("", match[1]))
         for count in range(len(words)):
             name = " ".join(words[count:])
             id = _id(_kinds(lexicon, name), match[2], ids)
             if id:
-                begin = match.start() + len(match[1]) - len(name)
+                begin = match.start() + len(" ".join(words)) - len(name)
                 written += text[end:begin] + id
                 end = match.end()
                 break

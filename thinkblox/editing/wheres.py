@@ -105,12 +105,22 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
             settled.append(where)
             continue
         found = finder.matching(last)
+        if len(found) == 1 and _is_bare_part(where) and settled[-1].word in ("on", "in"):
+            settled[-1] = dataclasses.replace(where, whole=dataclasses.replace(last, id=found[0].id))
+            continue
         if len(found) < 2 or not (told or where.noun is None or where.noun.kind in ("place", "thing", "part")):
             settled.append(where)
             continue
         id = _named(finder, NounPhrase(last), [where], ())[0]
         settled[-1] = dataclasses.replace(settled[-1], noun=dataclasses.replace(last, id=id))
     return [_by_carrier(finder, where, settled) for where in settled]
+
+
+def _is_bare_part(where: Where) -> bool:
+    """Whether it is a part of what was named before it: "on the table, in the middle"."""
+    noun = where.noun
+    part = noun is not None and noun.kind == "part" and noun.value in ("middle", *get_args(PartOfTop))
+    return part and where.whole is None and where.word in ("on", "in", "at") and noun is not None and not noun.owner
 
 
 def _by_carrier(finder: Finder, where: Where, places: Sequence[Where]) -> Where:
@@ -470,6 +480,15 @@ def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:
         raise InputError(f"'{noun.text}': which wall that is is not known; say 'the north wall'")
     most = max(rank * wall.length for wall in scene.room.walls)
     return tuple(wall.name for wall in scene.room.walls if abs(rank * wall.length - most) < SAME_LENGTH)
+
+
+def told_by(where: Where, finder: Finder) -> tuple[str, ...]:
+    """The things by which a corner is told, on which nothing stands that is put there: "the corner by the wardrobe"."""
+    noun, beside = where.noun, where.whole or where.second
+    cornered = noun is not None and noun.kind == "place" and noun.value.split()[0] == "corner"
+    if not cornered or where.negated or beside is None or beside.kind != "thing":
+        return ()
+    return finder.ids(NounPhrase(beside, id=beside.id))
 
 
 def _stands(finder: Finder) -> bool:
