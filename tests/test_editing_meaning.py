@@ -109,3 +109,133 @@ def test_what_cannot_be_followed_changes_nothing() -> None:
             continue
         assert not edit.complete, text
         assert edit.scene == scene, text
+
+
+# --- what was read and done otherwise than it was said
+
+
+def test_one_of_those_that_are_there_is_meant_where_the_others_stay() -> None:
+    before = built(
+        room(),
+        ("sideboard_1", 5.7, 2.5, 180.0, "floor"),
+        ("desk_1", 0.5, 2.6, 0.0, "floor"),
+        ("dining_table_1", 3.0, 2.5, 90.0, "floor"),
+        ("vase_1", 0.5, 2.3, 0.0, "desk_1"),
+        ("vase_2", 5.7, 2.2, 0.0, "sideboard_1"),
+        ("vase_3", 5.7, 2.8, 0.0, "sideboard_1"),
+    )
+    for said, moved in (
+        ("Put one vase on the table and leave the others where they are", 1),
+        ("Put one vase on the table and leave the others on the sideboard", 1),
+        ("Put two vases on the table and leave the other where it is", 2),
+    ):
+        after = done(before, said).scene
+        there = [p.id for p in after.placements if p.support == "dining_table_1"]
+        assert len(after.placements) == len(before.placements), said
+        assert len(there) == moved, said
+        assert "on the sideboard" not in said or there == ["vase_1"], said
+
+
+def test_a_back_against_a_wall_is_at_it() -> None:
+    after = done(bedroom(), "I want the bed with its headboard against the south wall").scene
+    assert measure(after, "against_wall", "bed_1", ("south_wall",)).holds
+
+
+@pytest.mark.parametrize(
+    ("said", "size"),
+    [
+        ("Replace the rug with a round one, 2 m in diameter", (2.0, 2.0)),
+        ("Replace the rug with a 2 m by 1.4 m one", (1.4, 2.0)),
+        ("Remove the rug. Add a round rug, 1.2 m in diameter", (1.2, 1.2)),
+        ("Make the rug longer by half a metre", None),
+    ],
+)
+def test_a_size_is_what_it_comes_to(said: str, size: tuple[float, float] | None) -> None:
+    before = living()
+    old = before["rug_1"].size
+    wanted = size or (old[0], old[1] + 0.5)
+    new = next(p for p in done(before, said).scene.placements if p.category == "rug")
+    assert new.size[:2] == pytest.approx(wanted, abs=0.01)
+
+
+def test_a_size_that_nothing_is_made_of_is_refused() -> None:
+    for said in ("Add a round rug, 0.2 m in diameter", "Replace the rug with a round one, 0.2 m in diameter"):
+        with pytest.raises(InputError, match=r"cannot be made|the nearest is"):
+            edit_room(living(), said)
+
+
+def test_a_single_thing_far_before_the_rows_is_in_none_and_a_row_goes_to_one_wall() -> None:
+    seats = [(f"chair_{n + 1}", 2.0 + 0.9 * (n // 3), 1.5 + 1.0 * (n % 3), 0.0, "floor") for n in range(6)]
+    before = built(room(), *seats, ("chair_7", 5.4, 2.5, 0.0, "floor"))
+    after = done(before, "Remove the chairs in the front row").scene
+    assert {p.id for p in before.placements} - {p.id for p in after.placements} == {"chair_4", "chair_5", "chair_6"}
+    after = done(before, "Move the back row closer to the wall").scene
+    assert {before[f"chair_{n}"].position[1] - after[f"chair_{n}"].position[1] for n in (1, 2, 3)} == {0.0}
+
+
+def test_which_is_told_by_what_it_is_at_or_from_which_side() -> None:
+    before = built(
+        room(),
+        ("bookcase_1", 1.0, 4.8, 270.0, "floor"),
+        ("bookcase_2", 2.2, 4.8, 270.0, "floor"),
+        ("sideboard_1", 5.7, 2.5, 180.0, "floor"),
+        ("desk_1", 0.5, 1.6, 0.0, "floor"),
+        ("plant_1", 0.5, 3.9, 0.0, "floor"),
+        ("plant_2", 5.6, 0.5, 0.0, "floor"),
+        ("vase_1", 0.5, 1.3, 0.0, "desk_1"),
+        ("alarm_clock_1", 0.5, 1.9, 0.0, "desk_1"),
+        ("alarm_clock_2", 5.7, 2.9, 0.0, "sideboard_1"),
+    )
+    assert "plant_1" not in done(before, "Remove the plant next to the bookcase").scene
+    after = done(before, "Put the vase on the sideboard, next to the alarm clock").scene
+    assert after["vase_1"].support == "sideboard_1"
+    chairs = built(room(), *[(f"chair_{n + 1}", 4.0 - n, 4.7, 270.0, "floor") for n in range(3)])
+    west = done(chairs, "Remove the first chair from the left").scene
+    east = done(chairs, "Remove the first chair from the right").scene
+    assert {p.id for p in west.placements} ^ {p.id for p in east.placements} == {"chair_1", "chair_3"}
+    beside = done(bedroom(), "Put a book on the nightstand on the right").scene
+    assert beside["book_1"].support == "nightstand_2"
+    with pytest.raises(InputError, match="off the north wall"):
+        edit_room(living(), "Take the picture off the north wall")
+
+
+def test_each_of_several_may_be_told_by_a_part_of_the_room() -> None:
+    tables = [(f"side_table_{n + 1}", 4.4, 4.4 - 3.6 * n, 0.0, "floor") for n in range(2)]
+    after = done(built(room(), *tables), "Add a vase to every table by the window").scene
+    assert [p.support for p in after.placements if p.category == "vase"] == ["side_table_1"]
+
+
+def test_what_rests_on_a_shelf_goes_with_its_wall() -> None:
+    before = built(room(), ("wall_shelf_1", 5.88, 2.5, 180.0, "wall"), ("vase_1", 5.88, 2.5, 0.0, "wall_shelf_1"))
+    after = done(before, "Make the room 50 cm longer").scene
+    assert after["vase_1"].support == "wall_shelf_1"
+    assert after["vase_1"].position[0] - before["vase_1"].position[0] == pytest.approx(0.5, abs=0.01)
+
+
+def test_a_bit_towards_a_thing_is_no_more_than_a_bit() -> None:
+    before = living()
+    after = done(before, "Turn the armchair a bit towards the desk").scene
+    assert turn_between(before["armchair_1"].yaw, after["armchair_1"].yaw) == pytest.approx(15.0, abs=0.1)
+
+
+def test_what_faces_each_other_comes_together_too() -> None:
+    before = built(room(), ("armchair_1", 1.0, 2.5, 90.0, "floor"), ("armchair_2", 5.0, 2.5, 90.0, "floor"))
+    after = done(before, "Bring both armchairs closer together so that they face each other").scene
+    for one, other in (("armchair_1", "armchair_2"), ("armchair_2", "armchair_1")):
+        assert measure(after, "facing", one, (other,)).holds
+    assert after["armchair_2"].position[0] - after["armchair_1"].position[0] < 3.5
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Move the desk to the window so that I can look outside when I work",
+        "I don't like where the armchair is, put it next to the sideboard",
+        "Get the armchair out of the corner and put it next to the sideboard",
+        "Add two chairs at the ends of the desk",
+    ],
+)
+def test_what_people_say_besides_is_understood(said: str) -> None:
+    read = read_instruction(said, ["desk_1", "armchair_1", "sideboard_1"])
+    assert not read.unknown
+    assert all(not order.lost for order in read.orders)

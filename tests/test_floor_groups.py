@@ -60,6 +60,11 @@ def test_what_comes_between_every_two_of_a_row_has_its_gap():
     assert [sum(apart(table, each) <= NEXT_TO for each in recliners) for table in tables] == [2, 2, 2]
 
 
+def test_what_is_between_two_of_its_own_has_these():
+    prompt = "A hall with three booths, each with a table between two benches."
+    assert ("between", ("bench_3", "bench_4")) in ties(prompt, "dining_table_2")
+
+
 def test_every_two_share_what_there_are_half_as_many_of():
     prompt = "A spa, 7 m by 5 m, with four loungers; two small round tables stand next to the loungers."
     assert unmet(prompt) == []

@@ -121,6 +121,46 @@ from thinkblox.reading import read_brief
         ("Four tables. All of them have a candle.", ["4 candle on dining_table"]),
         ("Twelve computers on six desks, two on each desk.", ["12 computer on desk"]),
         ("A lab with three benches and six stools, two at each bench.", ["6 stool at lab_bench"]),
+        # What each of several has, to the end of the list, and what that stands by.
+        ("A dorm with two loft beds, each with a desk, a chair and a small dresser beneath it.",
+         ["2 desk under bunk_bed", "2 chair under bunk_bed", "2 dresser under bunk_bed"]),
+        ("Three booths along the window, each with a table between two benches.",
+         ["3 dining_table between bench", "6 bench"]),
+        ("Four desks, each with a chair next to a plant.", ["4 desk next_to plant", "4 plant"]),
+        ("Three tables, each with a vase on a runner.", ["3 vase on rug", "3 rug"]),
+        ("A bathroom with three sinks with mirrors.", ["3 mirror above washbasin"]),
+        ("A bathroom with five sinks with mirrors along the left wall.", ["5 washbasin against_wall left_wall"]),
+        ("Ten tables and benches on both sides of each table.", ["20 bench around dining_table"]),
+        ("A bed with a pair of nightstands on each side of it.", ["4 nightstand next_to bed"]),
+        ("A desk below a shelf holding five trophies.", ["1 desk under wall_shelf"]),
+        # Whose side it is, and which of several are spoken of.
+        ("Two massage tables. Each has a stool on its left and a trolley with towels on its right.",
+         ["2 serving_trolley right_of massage_table", "2 towels on serving_trolley"]),
+        ("A bed. On its left is a nightstand with a phone on it; on its right there is a chair.",
+         ["1 nightstand left_of bed", "1 chair right_of bed"]),
+        ("Four chairs. Two of them have cushions on them. Between those two is a plant.",
+         ["2 pillow on chair", "1 plant between chair"]),
+        ("Two shelves, with paint cans on the upper one and a toolbox on the lower one.",
+         ["3 paint_can on shelving_unit", "1 toolbox on shelving_unit-2"]),
+        ("Three statues. The tallest stands on a pedestal.", ["1 statue on pedestal"]),
+        # Two ends, and what is between two groups at walls.
+        ("Barrels along the left wall, racks along the right wall, and a table with four glasses and a jug in between.",
+         ["1 dining_table between barrel shelving_unit", "4 glass on dining_table"]),
+        ("A table, a screen at one end and a credenza at the other.", ["1 credenza opposite wall_tv"]),
+        ("A sofa against one wall and a bookcase against the other.",
+         ["1 sofa against_wall one_wall", "1 bookcase against_wall opposite_wall"]),
+        # Groups that are told in parts, and things that are each on one of their own.
+        ("A lab with four stations along the wall, each consisting of a table and a stool.",
+         ["4 dining_table against_wall wall", "4 stool around dining_table"]),
+        ("A salon with four manicure stations in a line, each with two chairs.",
+         ["4 manicure_station in_rows", "8 chair around manicure_station"]),
+        ("Two sewing machines, each on its own table.", ["2 sewing_machine on dining_table"]),
+        # What is told first of all that is listed, and lamps under which things stand.
+        ("A piano. Opposite the piano, a loveseat and a floor lamp.",
+         ["1 sofa opposite piano", "1 floor_lamp opposite piano"]),
+        ("A sofa. To the left of the sofa, a lamp and a plant.", ["1 floor_lamp left_of sofa", "1 plant left_of sofa"]),
+        ("A pool table under a long lamp.", ["1 pool_table under pendant_lamp"]),
+        ("A sectional and three framed photos above it.", ["3 photo_frame above sofa"]),
         # What lies there together, and between whom.
         ("A pool table with two cues and a triangle on it.", ["2 cue on pool_table", "1 triangle on pool_table"]),
         ("Five washers along the left wall, five dryers along the right wall, and a folding table between them.",
@@ -129,7 +169,7 @@ from thinkblox.reading import read_brief
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
     brief = read_brief(prompt, fill="named")
-    assert set(relations) <= related(brief)
+    assert set(relations) <= related(brief) | {f"{r.count} {r.key}" for r in brief.requests}
     assert brief.unknown == ()
 
 
@@ -215,3 +255,23 @@ def test_a_table_of_glass_is_a_glass_table() -> None:
 def test_what_stands_on_stands_of_an_unknown_kind() -> None:
     brief = read_brief("A workshop with two bikes on repair stands in the middle.", fill="named")
     assert {r.category: r.count for r in brief.requests} == {"bicycle": 2, "repair_stand": 2}
+
+
+def test_a_table_of_two_is_for_two() -> None:
+    tables = [
+        r for r in read_brief("Six tables of four and two tables of two.").requests if r.category == "dining_table"
+    ]
+    assert [(r.count, r.attributes) for r in tables] == [(6, ("for-4",)), (2, ("for-2",))]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("Six rows of eight chairs, the last row of which is red.", "the last row of"),
+        ("A round table for four, the chairs all different colours, and a clock.", "all different colours"),
+        ("Two rows of lockers and benches on both long sides of each.", "on both long sides of each"),
+        ("Eight tables in two columns of four, and a lamp on each table in the first column.", "in the first column"),
+    ],
+)
+def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost: str) -> None:
+    assert lost in read_brief(prompt).unknown

@@ -353,3 +353,46 @@ def test_a_guitar_on_its_stand_is_one_thing_and_a_squat_rack_no_low_shelf() -> N
         if r.asked
     ]
     assert asked == [("guitar", 1), ("squat_rack", 1)]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("A dormitory for six students with a bed and a locker for each student", {"bed": 6, "locker": 6}),
+        (
+            "An office for three people with a desk, a monitor and a chair for each person and a printer",
+            {"desk": 3, "monitor": 3, "chair": 3, "printer": 1},
+        ),
+        (
+            "A break room for eight people with a sofa, a TV and a chair for each person",
+            {"sofa": 1, "tv": 1, "chair": 8},
+        ),
+        ("A room for two children, with a bed for each child and one desk", {"bed": 2, "desk": 1}),
+        ("A classroom with twelve desks and a chair for each student", {"school_desk": 12, "chair": 12}),
+        ("A dining room with a table and eight chairs. A plate and a glass for each guest.", {"plate": 8, "glass": 8}),
+        (
+            "A table with six chairs. There is a plate, a fork and a glass at every seat.",
+            {"plate": 6, "fork": 6, "glass": 6},
+        ),
+        (
+            "An office with four desks, a printer, and a monitor, a keyboard and a mouse on each desk",
+            {"desk": 4, "printer": 1, "monitor": 4, "keyboard": 4, "mouse": 4},
+        ),
+    ],
+)
+def test_what_there_is_for_each_is_counted(prompt: str, counts: dict[str, int]) -> None:
+    brief = read_brief(prompt)
+    asked = {request.category: request.count for request in brief.requests if request.asked}
+    assert {category: asked[category] for category in counts} == counts
+    assert not brief.unknown
+
+
+def test_one_for_each_of_nobody_is_told() -> None:
+    assert read_brief("A kindergarten with a cubby for every child").unknown == ("for every child",)
+
+
+def test_what_is_at_every_seat_is_on_the_table() -> None:
+    brief = read_brief("A round table with six chairs, with a plate, a fork and a glass at every seat.")
+    on = {relation.subject: relation.anchors for relation in brief.relations if relation.kind == "on"}
+    assert set(on.values()) == {("dining_table",)}
+    assert set(on) == {"plate", "fork", "glass"}

@@ -10,6 +10,7 @@ from thinkblox.errors import InputError
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
+from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token
 
 Signature = tuple[object, ...]
@@ -53,7 +54,7 @@ def unaccounted(
     """
     said, known = signature(orders), {word for text in unknown for word in text.lower().split()}
     known |= {word for order in orders for text in order.lost for word in text.lower().split()}
-    named, passed = _named(orders), _passed(tokens) | _of_names(lexicon, tokens)
+    named, passed = _named(orders), _passed(lexicon, tokens) | _of_names(lexicon, tokens)
     found: list[str] = []
     for index, token in enumerate(tokens if len(tokens) <= MOST else ()):
         if token.kind != "word" or index in passed or token.text in known | named or token.shown.lower() in known:
@@ -130,11 +131,13 @@ def _is_of_new(tokens: Sequence[Token], at: int) -> bool:
     )
 
 
-def _passed(tokens: Sequence[Token]) -> set[int]:
+def _passed(lexicon: Lexicon, tokens: Sequence[Token]) -> set[int]:
     """The tokens that need not change what is asked: articles, words that join, courtesies, other words for verbs."""
     passed = set(range(told_before(tokens)))
     functional = sections()["functional"]
     for index in range(len(tokens)):
+        if (size := read_size(lexicon, list(tokens), index)) is not None:
+            passed |= set(range(index, size[1]))
         begins = not index or tokens[index - 1].text in _BEFORE_VERBS or index - 1 in passed
         sorts = _SORTS if begins else tuple(sort for sort in _SORTS if sort != "verbs")
         lengths = [found[1] for sort in sorts if (found := longest(sort, tokens, index)) is not None]

@@ -2,14 +2,16 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, pairwise
+
+from msgspec import structs
 
 from thinkblox.assets import GENERAL_WORDS, facts_of
 from thinkblox.assets.plurals import singular
 from thinkblox.brief import Measures
 from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides, related
 from thinkblox.editing.carrying import usual_ties
-from thinkblox.editing.finding import Finder
+from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
@@ -23,6 +25,7 @@ from thinkblox.plan import Target
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.measures import object_size
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import BACK_GAP, EYE
@@ -76,6 +79,7 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     guess = noun.value if noun.value not in GENERAL_WORDS else category_of(work, noun, ())
     slots = [slots_for(where, guess, finder, noun.count) for where in places]
     slots = _besides(finder, order, phrase, slots)
+    places, slots = _of_those(finder, places, slots)
     if noun.degree:
         raise InputError(f"'{noun.text}': {noun.degree} than what? Say a size, or replace one that is there")
     category = category_of(work, noun, [bounds[0] for bounds in slots])
@@ -123,6 +127,19 @@ def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[
     if not any(len(a) < len(b) for a, b in zip(left, slots, strict=True)) or not all(left):
         raise InputError(f"'{order.text}': {', '.join(sorted(out))} is none of several places that are named")
     return left
+
+
+def _of_those(finder: Finder, places: list[Where], slots: list[list[Bound]]) -> tuple[list[Where], list[list[Bound]]]:
+    """Of each of several things those that are where it is said behind them: "to every table near the window"."""
+    for at, (where, told) in enumerate(pairwise(places)):
+        noun, place = where.noun, told.noun
+        each = noun is not None and noun.kind == "thing" and noun.each and not where.negated
+        if not each or noun is None or place is None or place.kind != "place" or told.negated:
+            continue
+        meant = named(finder, NounPhrase(replace(noun, det="all", plural=True)), [told])
+        slots[at] = [slot for slot in slots[at] if set(slot.anchors) & set(meant)]
+        return [*places[: at + 1], *places[at + 2 :]], [*slots[: at + 1], *slots[at + 2 :]]
+    return places, slots
 
 
 def _check(noun: Noun) -> None:
@@ -215,8 +232,8 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)
-    target = work.target(id, category, ties, attributes)
-    asset = asset or _asset(work, target, noun)
+    target = structs.replace(work.target(id, category, ties, attributes), size=object_size(category, noun.size))
+    asset = asset or _asset(work, target)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
     spot = next((goal.point for goal in goals if isinstance(goal, At)), None)
@@ -266,26 +283,22 @@ def _begin(scene: Scene, asset: Asset, spot: Vec2) -> Pose:
     return (x, y, max(0.0, EYE - asset.size[2] / 2)), wall.yaw
 
 
-def _asset(work: Work, target: Target, noun: Noun) -> Asset:
+def _asset(work: Work, target: Target) -> Asset:
     """What is added: another one like those that are there, unless something else is said of it."""
     alike = [p for p in work.scene.placements if p.category == target.category]
-    size = sized(work, target.category, noun)
-    if alike and not target.attributes and size == (None, None, None):
+    if alike and not target.attributes and target.size == (None, None, None):
         return work.scene.asset_of(alike[-1])
-    return asset_for(
-        Target(id=target.id, category=target.category, request=target.request, attributes=target.attributes, size=size),
-        work.scene,
-        work.source,
-    )
+    return of_size(asset_for(target, work.scene, work.source), target.size)
 
 
-def sized(work: Work, category: str, noun: Noun) -> Measures:
-    """Depth, width and height that the noun's words say [m]."""
-    if noun.size is None:
-        return (None, None, None)
-    depth, width, height = (noun.size.along(axis) for axis in ("depth", "width", "height"))
-    length = noun.size.along("length")
-    if length is not None:
-        usual, _ = work.source.usual(category)
-        depth, width = (length, width) if usual[0] > usual[1] else (depth, length)
-    return (depth, width, height)
+def of_size(made: Asset, size: Measures) -> Asset:
+    """An asset that is to have a size, as far as one is said.
+
+    Raises:
+        InputError: it is not made so.
+    """
+    if any(wanted is not None and abs(wanted - side) > SAME_SIZE for wanted, side in zip(size, made.size, strict=True)):
+        says = " by ".join(f"{wanted:.2f} m" for wanted in size if wanted is not None)
+        is_now = " by ".join(f"{side:.2f}" for side in made.size)
+        raise InputError(f"no {made.description} is made of {says}; the nearest is {is_now} m")
+    return made

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.goals import Related
 from thinkblox.editing.reaching import Reaching, ties_of, without
@@ -34,10 +35,11 @@ def take(work: Work, ids: Sequence[str]) -> list[Placement]:
 def place_anew(work: Work, old: Placement, *, carriers: Sequence[str] = ()) -> bool:
     """Give something that was taken out another place: on these carriers, or on what usually carries it."""
     asset = work.assets[old.asset]
-    fits = [p.id for p in work.scene.placements if work.scene.asset_of(p).surfaces and p.id != old.id]
+    fits = [p.id for p in work.scene.placements if work.asset_of(p.id).surfaces and p.id != old.id]
+    fits = [id for id in fits if work.asset_of(id).mount != "surface"]
     habits = [name for habit in load_habits().of(old.category) if habit.kind == "on" for name in habit.anchors]
     usual = [id for name in habits for id in fits if work.scene[id].category == name]
-    near = sorted(fits, key=lambda id: _away(work.scene[id], old))
+    near = sorted(fits, key=lambda id: (_is_soft(work.scene[id].category), _away(work.scene[id], old)))
     if asset.mount == "surface":
         looked_at = list(dict.fromkeys([*carriers, *usual, *near]))[:CARRIERS]
         free = [id for id in looked_at if id in carriers]
@@ -58,6 +60,11 @@ def _onto(work: Work, old: Placement, carrier: str, *, ask: bool = False) -> Rea
     asset, goals = work.assets[old.asset], (Related("on", (carrier,)),)
     target = work.target(old.id, old.category, ties_of(goals), asset.attributes)
     return Reaching(work, target, asset, goals, ask=ask, search=False)
+
+
+def _is_soft(category: str) -> bool:
+    """Whether people sit or lie on it, so that things are put there last."""
+    return facts_of(category).is_in("seating", "beds", "lounges")
 
 
 def _along(stretch: Stretch) -> list[Vec3]:

@@ -138,7 +138,10 @@ def _disliked(lead: Sequence[Token]) -> tuple[Token, ...]:
     """What is said not to be liked before an order."""
     first = _first(lead)
     found = longest("dislikes", lead, first)
-    return tuple(t for t in lead[first + found[1] :] if t.text not in (*ENDS, *_LINKS)) if found is not None else ()
+    said = [t for t in lead[first + found[1] :] if t.text not in (*ENDS, *_LINKS)] if found is not None else []
+    if said[:1] and said[0].text == "where" and means("statements", said[-1].text):
+        said = said[1:-1]
+    return tuple(said)
 
 
 def told_before(tokens: Sequence[Token]) -> int:

@@ -166,7 +166,8 @@ class ClauseCutter:
         angle = angle_at(tokens, at, words=self._doing == "turn")
         if angle is not None:
             return OrderMark("turn", "degrees", angle[0]), angle[1]
-        part = longest("fractions", tokens, at) if self._doing == "make" else None
+        of_length = lengths_at(self._lexicon, tokens, at + 1) is not None if at + 1 < len(tokens) else False
+        part = longest("fractions", tokens, at) if self._doing == "make" and not of_length else None
         if part is not None:
             return OrderMark("fractions", part[0], float(part[0])), part[1]
         times = longest("multiples", tokens, at) if self._doing == "make" else None
@@ -199,7 +200,8 @@ class ClauseCutter:
         if seated is not None and drawn and self._ends(tokens, at + seated[1]):
             return OrderMark("seated", seated[0]), seated[1]
         found = longest("directions", tokens, at)
-        if found is not None and self._doing != "make" and self._ends(tokens, at + found[1]):
+        pointed = at > 0 and tokens[at - 1].text == "the"
+        if found is not None and self._doing != "make" and not pointed and self._ends(tokens, at + found[1]):
             return OrderMark("directions", found[0]), found[1]
         return None
 

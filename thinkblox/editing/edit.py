@@ -3,6 +3,7 @@
 import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Literal, Protocol
 
@@ -331,7 +332,9 @@ def _is_known(phrase: NounPhrase) -> bool:
     """Whether a phrase points at something that is there."""
     noun = phrase.noun
     pointed = noun.definite or noun.det in ("each", "all", "both", "half")
-    return bool(phrase.id or pointed or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal)
+    return bool(
+        phrase.id or pointed or noun.of_known or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal
+    )
 
 
 def _bring(work: Work, finder: Finder, order: Order) -> None:
@@ -395,6 +398,7 @@ _DOERS: dict[str, Doer] = {
 def _carry_out(work: Work, read: Instruction) -> None:
     finder = Finder(work.scene)
     orders = in_turn(_joined(read.orders), finder)
+    _tell_others(orders, finder)
     kept = [phrase for order in orders if order.doing == "keep" for phrase in order.things]
     work.kept = frozenset(id for phrase in kept for id in _kept(finder, phrase))
     if any(order.doing == "keep" and order.rest and _is_of_anything(order) for order in orders):
@@ -413,6 +417,25 @@ def _carry_out(work: Work, read: Instruction) -> None:
     work.done += finder.seen
     work.failed[:] = dict.fromkeys(work.failed)
     work.failed += work.unkept()
+
+
+def _tell_others(orders: Sequence[Order], finder: Finder) -> None:
+    """Let "one picture" be one of those that are there, where the others of them are to stay, maybe somewhere."""
+    for order, later in pairwise(orders):
+        nouns = [phrase.noun for phrase in later.things]
+        others = [
+            p for p, noun in zip(later.things, nouns, strict=True) if (noun.kind, noun.value) == ("pronoun", "other")
+        ]
+        if order.doing != "put" or later.doing != "keep" or not others:
+            continue
+        for phrase in order.things:
+            if phrase.noun.kind == "thing" and phrase.noun.count and not phrase.noun.det:
+                for other in others:
+                    other.noun = dataclasses.replace(phrase.noun, det="all", count=None, plural=True)
+                    phrase.spared += [other] if other.places else []
+                phrase.noun = dataclasses.replace(phrase.noun, of_known=True)
+                if not others[0].places:
+                    later.things = []
 
 
 def _only_faces(order: Order) -> bool:

@@ -327,10 +327,12 @@ class Finder:
         gap = ground_gap(things(self.scene, placement.id)[0], things(self.scene, id)[0])
         return id in self.scene.carriers(placement.id) or (placement.support == "floor" and gap <= BY_IT)
 
-    @staticmethod
-    def _by_number(noun: Noun, found: Sequence[Placement]) -> list[Placement]:
-        """The second of them, the last two, by the numbers of their ids."""
-        found = sorted(found, key=lambda p: _number(p.id))
+    def _by_number(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
+        """The second of them, the last two, by the numbers of their ids, or counted from a side."""
+        if noun.side in ("left", "right"):
+            found = self._leftmost_first(found)[0][:: 1 if noun.side == "left" else -1]
+        else:
+            found = sorted(found, key=lambda p: _number(p.id))
         several = noun.count if noun.count and noun.plural else 1
         start = noun.ordinal - 1 if noun.ordinal > 0 else len(found) - several
         if start < 0 or start + several > len(found):
@@ -339,9 +341,7 @@ class Finder:
 
     def _by_side(self, found: list[Placement], noun: Noun, count: int = 1) -> list[Placement]:
         """The leftmost, rightmost or middle one: by the front of what they stand beside, or else seen from the door."""
-        company = _company(self.scene, found)
-        along = company.left if company is not None else _left_of_room(self.scene)
-        ordered = sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1]))
+        ordered, company = self._leftmost_first(found)
         which = {"left": 0, "right": len(ordered) - count, "middle": (len(ordered) - count + 1) // 2}.get(noun.side)
         if which is None:
             return found
@@ -353,6 +353,12 @@ class Finder:
         says = f"{noun.text} {'is' if count == 1 else 'are'} {ids}, {by}"
         self.seen += [says] if says not in self.seen else []
         return meant
+
+    def _leftmost_first(self, found: Sequence[Placement]) -> tuple[list[Placement], Placement | None]:
+        """Things from left to right, and by the front of what, if not as seen from the door."""
+        company = _company(self.scene, list(found))
+        along = company.left if company is not None else _left_of_room(self.scene)
+        return sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1])), company
 
     @staticmethod
     def _picked(found: list[Placement], picks: Sequence[Picks], *, least: int) -> list[Placement]:

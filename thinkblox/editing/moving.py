@@ -64,7 +64,7 @@ from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.scene.bearings import ground_gap
-from thinkblox.scene.landmarks import things
+from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
@@ -99,6 +99,8 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     """Move things to where an order says, or by as much, or nearer to or away from something."""
     if order.together or order.scatter or order.mutual == "next_to":
         _together(work, finder, order)
+        if order.mutual == "facing":
+            face_each_other(work, finder, dataclasses.replace(order, things=[]))
         return
     if " ".join(order.text.lower().split()[:2]) in _lined_up() and (wall := _any_wall(order)) is not None:
         _line_up(work, finder, order, wall)
@@ -113,13 +115,14 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         _check_says_where(order, places)
         ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
         ids = _by_slots(work, finder, ids, places)
+        told = _to_one_wall(work, order, ids)
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
             said = (id, " ".join(f"{w.text} {w.noun.text if w.noun else ''}" for w in places))
             if said in seen:
                 continue
             seen.add(said)
             finder.scene, finder.about = work.scene, id
-            goals = _goals(work, finder, order, id, places, index, len(ids))
+            goals = _goals(work, finder, told, id, places, index, len(ids))
             with_company(work, finder, order, id, lambda id=id, goals=goals: _move_and_turn(work, order, id, goals))  # type: ignore[misc]
         finder.recent = list(ids)
     if order.mutual == "facing":
@@ -176,6 +179,25 @@ def _by_slots(work: Work, finder: Finder, ids: Sequence[str], places: Sequence[W
     goals = [related(slot, category) for slot in slots]
     held = {(id, n): goal.check(work.scene, work.scene, id)[0] for id in ids for n, goal in enumerate(goals)}
     return max(permutations(ids), key=lambda ordered: sum(held[id, n] for n, id in enumerate(ordered)))
+
+
+def _to_one_wall(work: Work, order: Order, ids: Sequence[str]) -> Order:
+    """The order, where a row that goes "closer to the wall" goes to that which is nearest to all of it together."""
+    bare = [phrase.noun.value == "wall" and not phrase.noun.degree for _, phrase in order.closer]
+    if len(ids) < 2 or not any(bare) or not any(phrase.noun.rows for phrase in order.things):
+        return order
+    marks = [things(work.scene, id)[0] for id in ids]
+    wall = min(
+        walls(work.scene.room, "wall"), key=lambda w: sum(ground_gap(m, things(work.scene, w.name)[0]) for m in marks)
+    )
+    closer = [
+        (
+            nearer,
+            dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, value=wall.name)) if plain else phrase,
+        )
+        for (nearer, phrase), plain in zip(order.closer, bare, strict=True)
+    ]
+    return dataclasses.replace(order, closer=closer)
 
 
 def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]) -> Sequence[str]:
@@ -269,7 +291,7 @@ def _split(
         return [*here, *rest[:directed]], rest[directed:]
     wanted = [w for w in rest if not w.negated]
     if len(wanted) > 1 and directed is None and phrase.noun.kind == "thing":
-        several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many
+        several = len(finder.matching(phrase.noun)) > 1 and not phrase.noun.many and not here
         if several or (wanted[0].word in ("next_to", "on", "in", "by", "at") and wanted[1].word in ("to", "next_to")):
             return [*here, *rest[:1]] if several else here, rest[1:] if several else rest
     return here, rest

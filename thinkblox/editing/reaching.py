@@ -135,7 +135,7 @@ class Reaching:
             self.target,
             self.asset,
             kinds=work.kinds(plan),
-            sizes=None if self.there else size_range(self.asset, work.source),
+            sizes=None if self._is_sized else size_range(self.asset, work.source),
             round=number,
             feedback=feedback,
         )
@@ -146,13 +146,18 @@ class Reaching:
         done = self._try("policy", read, propose_seconds=seconds, tell=True, number=number)
         return done, tuple(t.feedback for t in work.rounds[-1].tries if t.feedback)
 
+    @property
+    def _is_sized(self) -> bool:
+        """Whether its size is known, so that nobody may choose another: it is there, or a size was asked for."""
+        return self.there or any(self.target.size)
+
     def _understood(self, text: object) -> Proposal | Try:
         found = understand(self.empty, self.target, text, asset=self.asset, source=self.work.source)
         if isinstance(found, Rejection):
             return rejected(text, found)
         if found.placement is None or found.asset is None:
             return rejected(text, Rejection(reason="action", message=f"{self.target.id} is to be placed"))
-        if found.asset.id != self.asset.id and (self.there or self.target.id in self.work.before):
+        if found.asset.id != self.asset.id and (self._is_sized or self.target.id in self.work.before):
             return rejected(text, Rejection(reason="size", message=f"{self.target.id} is there, and has its size"))
         action = self.action(found.placement.position, found.placement.yaw, found.asset)
         return Proposal(found.text, action, found.placement, found.asset)

@@ -23,6 +23,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
+from thinkblox.reading.sizes import Length, Size
 from thinkblox.reading.tokens import Token
 
 MAX_INSTRUCTION = 2000
@@ -53,6 +54,8 @@ _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distance
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
 _AT_BACK = (*_ASIDE, "on", "against")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
+_SIDED = ("end", "side", "long_side", "short_side")
+"""Parts that a thing has two of."""
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
@@ -472,7 +475,10 @@ class _OrderReader:
             phrase.noun = replace(phrase.noun, rows=1, ordinal=number, side=side or phrase.noun.side)
 
     def _length(self, mark: OrderMark) -> None:
-        order = self.order
+        order, new = self.order, self._sized()
+        if new is not None and order.doing != "replace" and all(axis for _, axis in mark.lengths):
+            new.size = Size(tuple(Length(metres, axis, "m") for metres, axis in mark.lengths), order.text)
+            return
         order.lengths += mark.lengths
         bound, _, by = mark.key.partition(" ")
         order.bound = bound if bound in ("ge", "le") else order.bound
@@ -522,7 +528,7 @@ class _OrderReader:
             self._excepted = phrase
         elif negated:
             order.lost.append(f"not {noun.text}")
-        elif self._pending is not None:
+        elif self._pending is not None and self._mode != "so":
             self._compared(phrase)
         elif self._excepted is not None:
             (order.things[-1].spared if order.things else order.spared).append(phrase)
@@ -534,7 +540,10 @@ class _OrderReader:
         """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
         order, noun = self.order, phrase.noun
         if self._is_back(noun) and (behind := self._behind()) is not None:
-            order.backs.append(behind)
+            if behind.text == "against" and behind.noun is not None and order.doing in ("put", "move") and order.things:
+                order.things[-1].places.append(behind)
+            elif behind.noun is not None:
+                order.backs.append(behind.noun)
         elif self._mode == "so":
             self._so.append(phrase)
         elif self._mode == "unblock" and noun.kind in ("place", "part"):
@@ -552,8 +561,8 @@ class _OrderReader:
         named = isinstance(item, Noun) and item.det == "my" and item.value in ("back", "head")
         return named and isinstance(item, Noun) and item.kind in ("part", "thing")
 
-    def _behind(self) -> Noun | None:
-        """Read "(its back) is to the window"."""
+    def _behind(self) -> Where | None:
+        """Read "(its back) is to the window", "against the wall"."""
         at = self._at
         verb = self._items[at] if at < len(self._items) else None
         at += isinstance(verb, Connector) and verb.sort in ("verbs", "participles")
@@ -561,7 +570,7 @@ class _OrderReader:
         if not isinstance(link, Connector) or link.value not in _AT_BACK or not isinstance(noun, Noun):
             return None
         self._at = at + 2
-        return self._merged(noun)
+        return Where(link.value, self._merged(noun), text=link.text.lower().removeprefix("up ").removeprefix("right "))
 
     def _is_of_room(self, noun: Noun) -> bool:
         """Take a noun that names the room, a space or part of it, or how something looks; whether it was one."""
@@ -1045,7 +1054,8 @@ class _OrderReader:
         return False
 
     def _where(self, link: Connector) -> Where:
-        where = Where(link.value, None, negated=self._negated, text=link.text)
+        word = "from" if link.text.lower() == "out of" else link.value
+        where = Where(word, None, negated=self._negated, text=link.text)
         self._negated = False
         noun = self._next_noun()
         where.noun = self._merged(noun) if noun is not None else None
@@ -1055,10 +1065,17 @@ class _OrderReader:
         if isinstance(item, Connector) and item.value == "of" and where.noun is not None:
             self._at += 1
             where.whole = self._next_noun()
+        elif self._is_side_of_it(where.noun):
+            where.whole = Noun("pronoun", "it", 0, 0, "it")
         if link.value == "between" and self._is_and():
             self._at += 1
             where.second = self._next_noun()
         return self._cornered(where)
+
+    def _is_side_of_it(self, noun: Noun | None) -> bool:
+        """Whether an order to add names sides or ends, and not of what: "add two chairs at the ends"."""
+        sided = noun is not None and noun.kind == "part" and noun.value in _SIDED and not noun.owner
+        return sided and self.order.doing in ("add", "put") and noun is not None and (noun.plural or noun.each)
 
     def _cornered(self, where: Where) -> Where:
         """Read "the corner by the window", "the corner opposite the door" as one place."""

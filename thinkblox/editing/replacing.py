@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace as replace_fields
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import MOST, add_one, add_with, category_of, sized
+from thinkblox.editing.adding import MOST, add_one, add_with, category_of, of_size
 from thinkblox.editing.carrying import place_anew, put_back, take, usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Abreast, At, Goal, Related
@@ -23,6 +23,7 @@ from thinkblox.judging import asset_for, style_seed
 from thinkblox.plan import Target
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.measures import object_size
 from thinkblox.scene.actions import Replace, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
@@ -167,9 +168,9 @@ def _successor(work: Work, id: str, new: Noun, factor: float) -> Asset:
         category=category,
         request=category,
         attributes=tuple(new.attributes),
-        size=sized(work, category, new),
+        size=object_size(category, new.size),
     )
-    made = asset_for(target, work.scene, work.source)
+    made = of_size(asset_for(target, work.scene, work.source), target.size)
     if made.id == old.id and not (new.attributes or new.size):
         made = work.source.make(category, seed=style_seed(work.scene) + 1, attributes=target.attributes)
     if made.id == old.id:

@@ -35,6 +35,7 @@ def resize(work: Work, finder: Finder, order: Order) -> None:
         return
     moved = [p for p in before.placements if _goes_along(before, p, east, north, up)]
     shifted = {p.id: _shifted(before, p, east, north, up) for p in moved}
+    shifted |= {r.id: _carried(r, p, shifted[p.id]) for p in moved for r in before.riders(p.id)}
     old = structs.replace(before, room=room, placements=tuple(shifted.get(p.id, p) for p in before.placements))
     world = work.world.with_scene(old)
     was = work.world
@@ -172,6 +173,12 @@ def _shifted(scene: Scene, placement: Placement, east: float, north: float, up: 
     wall = scene.room.wall(placement.support)
     dx, dy = _moves(scene.room, wall.start, wall.end, east, north)
     return placed_at(scene, asset, id=placement.id, position=(round(x + dx, 6), round(y + dy, 6), z), yaw=placement.yaw)
+
+
+def _carried(rider: Placement, before: Placement, after: Placement) -> Placement:
+    """What rests on a thing, moved as that is."""
+    x, y, z = (own + new - old for own, new, old in zip(rider.position, after.position, before.position, strict=True))
+    return structs.replace(rider, position=(round(x, 6), round(y, 6), round(z, 6)))
 
 
 def _were_at(scene: Scene, east: float, north: float, besides: set[str]) -> list[str]:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 from thinkblox.assets import facts_of
 from thinkblox.errors import InputError
@@ -14,6 +15,8 @@ from thinkblox.scene.scene import Scene
 
 STEP = 0.35
 """Least distance between two rows, from middle to middle [m]."""
+STRAY = 1.25
+"""From how many times the distance between the rows a single thing is in none of them."""
 SAME_WAY = 20.0
 """How far the gazes of things of one row may differ [degrees]."""
 
@@ -36,7 +39,21 @@ def rows_of(scene: Scene, found: Sequence[Placement]) -> list[list[Placement]]:
             rows[-1].append(placement)
         else:
             rows.append([placement])
+    rows = _without_strays([ahead[row[0].id] for row in rows], rows)
     return [sorted(row, key=lambda p: p.position[0] * math.sin(way) - p.position[1] * math.cos(way)) for row in rows]
+
+
+def _without_strays(ahead: Sequence[float], rows: Sequence[list[Placement]]) -> list[list[Placement]]:
+    """Rows without a single thing before or behind them all that stands further off than they do from each other."""
+    left = list(zip(ahead, rows, strict=True))
+    for end, nearest in ((0, 1), (-1, -2)):
+        if len(left) < 3 or len(left[end][1]) > 1:
+            continue
+        rest = [row for row in left if row is not left[end]]
+        between = max(one[0] - other[0] for one, other in pairwise(rest))
+        if abs(left[end][0] - left[nearest][0]) > STRAY * between and max(len(row) for _, row in rest) > 1:
+            left = rest
+    return [row for _, row in left]
 
 
 def rows_of_all(scene: Scene) -> list[list[Placement]]:

@@ -40,7 +40,7 @@ def turn(work: Work, finder: Finder, order: Order) -> None:
             looks = [looking(finder, noun) for noun in order.facing]
             looks += [backing(finder, noun) for noun in order.backs]
             looks += [_look(finder, w, placement.category) for w in places]
-            if looks and order.turn is not None and (sense := _way_to(work, id, looks)):
+            if looks and (order.turn is not None or order.slight) and (sense := _way_to(work, id, looks)):
                 by = dataclasses.replace(order, sense=sense, direction="", facing=[])
                 with_company(work, finder, order, id, lambda id=id, by=by: turn_by(work, id, by))  # type: ignore[misc]
                 continue

@@ -110,7 +110,29 @@ def anchored(finder: Finder, places: Sequence[Where]) -> list[Where]:
             continue
         id = _named(finder, NounPhrase(last), [where], ())[0]
         settled[-1] = dataclasses.replace(settled[-1], noun=dataclasses.replace(last, id=id))
-    return settled
+    return [_by_carrier(finder, where, settled) for where in settled]
+
+
+def _by_carrier(finder: Finder, where: Where, places: Sequence[Where]) -> Where:
+    """A place, where another names what its anchor rests on: "on the sideboard, next to the clock"."""
+    noun = where.noun
+    if noun is None or noun.kind != "thing" or noun.id or noun.many or not noun.definite or where.negated:
+        return where
+    found = finder.matching(noun)
+    carriers = {
+        p.id for w in places if w is not where and not w.negated and w.noun is not None for p in _alone(finder, w)
+    }
+    there = [p for p in found if carriers & set(finder.scene.carriers(p.id))]
+    if len(found) < 2 or len(there) != 1:
+        return where
+    return dataclasses.replace(where, noun=dataclasses.replace(noun, id=there[0].id))
+
+
+def _alone(finder: Finder, where: Where) -> list[Placement]:
+    """The one thing that a place is at; none where it could be several."""
+    noun = where.noun
+    found = finder.matching(noun) if noun is not None and noun.kind == "thing" else []
+    return found if len(found) == 1 else []
 
 
 def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
@@ -344,7 +366,8 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
         meaning = _opening(where, noun, name, finder)
     elif name == "corner":
         beside = _corner_beside(where, noun, finder)
-        meaning = Meaning("in_corner", beside) if beside else corner(where.word, noun, walls, 0)
+        word = "in" if where.word == "from" else where.word
+        meaning = Meaning("in_corner", beside) if beside else corner(word, noun, walls, 0)
     else:
         meaning = _wall(where, noun, name, finder)
     if meaning is None:
@@ -665,10 +688,12 @@ def named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], *, picks: S
     Raises:
         InputError: as `Finder.ids`, none of them is there, or all are excepted.
     """
-    if phrase.noun.det == "other" and phrase.spared:
+    other = phrase.noun.det == "other"
+    if phrase.spared and (other or (phrase.noun.of_known and phrase.noun.count)):
         every = tuple(p.id for p in finder.matching(phrase.noun))
         among = spare(finder, every, phrase.spared, phrase.noun)
-        one = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, det="the"), spared=[])
+        noun = dataclasses.replace(phrase.noun, det="the") if other else phrase.noun
+        one = dataclasses.replace(phrase, noun=noun, spared=[])
         return finder.ids(one, picks=picks, among=[finder.scene[id] for id in among])
     if phrase.noun.det == "my" and phrase.noun.text.lower().split()[:1][0] in _THEIRS and not phrase.id:
         ids = _of_owners(finder, phrase)
@@ -748,19 +773,53 @@ def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Seq
         if superlative := _by_what(where):
             found = _by_distance(finder, phrase, where, found, far=superlative == "farthest")
             continue
-        there = bound(where, found[0].category, finder)
-        held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
-        if not held and where.word == "from":
-            there = dataclasses.replace(there, kind="at")
-            held = [p for p in found if there.holds(finder.scene, p.id)]
-            there = dataclasses.replace(there, kind="near")
-        if there.kind in NEARNESS and not there.negated and len(held) < (phrase.noun.count or 1):
-            held = _nearly(finder.scene, phrase.noun, found, there)
-        if not held:
-            says = ", ".join(finder.described(p) for p in found)
-            raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
-        found = held
+        if fitting := _by_any(finder, phrase, where, found):
+            found = fitting
+            continue
+        found = _held(finder, phrase, where, found)
     return finder.ids(phrase, picks=picks, among=found)
+
+
+def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement]:
+    """Those that are somewhere, or nearly so.
+
+    Raises:
+        InputError: none is.
+    """
+    there = bound(where, found[0].category, finder)
+    held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
+    if not held and where.word == "from" and all(name.endswith("wall") for name in there.anchors):
+        there = dataclasses.replace(there, kind="against_wall")
+        held = [p for p in found if there.holds(finder.scene, p.id)]
+        there = dataclasses.replace(there, kind="on")
+    elif not held and where.word == "from":
+        there = dataclasses.replace(there, kind="at")
+        held = [p for p in found if there.holds(finder.scene, p.id)]
+        there = dataclasses.replace(there, kind="near")
+    if there.kind in NEARNESS and not there.negated and len(held) < (phrase.noun.count or 1):
+        held = _nearly(finder.scene, phrase.noun, found, there)
+    if not held:
+        says = ", ".join(finder.described(p) for p in found)
+        raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
+    return held
+
+
+def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement]:
+    """So many as are meant that are at any of several anchors: "the plant next to the bookcase", of which one is so.
+
+    None where the anchor is told, or others would be meant too.
+    """
+    noun = where.noun
+    if noun is None or noun.kind != "thing" or noun.id or noun.many or not noun.definite or where.negated:
+        return []
+    anchors = finder.matching(noun)
+    if len(anchors) < 2 or where.second is not None or noun.degree or noun.side or noun.ordinal:
+        return []
+    at = (dataclasses.replace(where, noun=dataclasses.replace(noun, id=p.id)) for p in anchors)
+    places = [bound(one, found[0].category, finder) for one in at]
+    held = [p for p in found if any(p.id not in b.anchors and b.holds(finder.scene, p.id) for b in places)]
+    wanted = 2 if phrase.noun.det == "both" else phrase.noun.count or (0 if phrase.noun.many else 1)
+    return held if len(held) == wanted else []
 
 
 def _by_what(where: Where) -> str:
@@ -772,7 +831,8 @@ def _is_of_side(where: Where) -> bool:
     """Whether it says which of several by their side: "the chairs on the left"."""
     noun = where.noun
     plain = noun is not None and noun.kind == "part" and not (where.whole or where.negated or noun.owner)
-    return plain and noun is not None and noun.value in ("left", "right") and noun.det == "the" and where.word == "on"
+    sided = plain and noun is not None and noun.value in ("left", "right") and noun.det == "the"
+    return sided and where.word in ("on", "from")
 
 
 def _by_distance(

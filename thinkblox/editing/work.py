@@ -8,7 +8,7 @@ from msgspec import structs
 
 from thinkblox.assets.source import AssetSource
 from thinkblox.brief import Brief
-from thinkblox.editing.goals import Goal, overruled
+from thinkblox.editing.goals import Apart, Goal, Nearing, overruled
 from thinkblox.episode import Round
 from thinkblox.observe import Kind
 from thinkblox.placing import Effort
@@ -122,7 +122,15 @@ class Work:
             and wish.order < self.order[0]
             and wish.goal not in goals
             and not overruled(wish.goal, goals)
-        ]
+        ] + list(self._distances(id, goals))
+
+    def _distances(self, id: str, goals: Sequence[Goal]) -> Iterator[Goal]:
+        """The distances to which earlier orders brought an object, and which new goals may undo where they have to."""
+        for wish in self.wishes:
+            goal = wish.goal
+            stepped = isinstance(goal, Nearing) and goal.by is not None and wish.order < self.order[0]
+            if wish.id == id and stepped and isinstance(goal, Nearing) and overruled(goal, goals):
+                yield Apart(goal.anchors, goal.of(self.scene, id))
 
     def unkept(self) -> Iterator[str]:
         """What was asked and done and is not so any more, by what came after it in the same instruction."""

@@ -48,8 +48,8 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
         _tie_among(relation, subjects)
     elif len(keys) > 1 and relation.kind not in _TOGETHER:
         _share_out(relation, subjects, [member for key in keys for member in members.by_request[key]], members)
-    elif relation.kind == "between" and relation.each and len(keys) == 1:
-        _tie_between_neighbours(brief, relation, subjects, members)
+    elif relation.kind == "between" and len(keys) == 1 and (gaps := _gaps(brief, relation, subjects, members)):
+        _tie_between(relation, subjects, gaps, members)
     elif len(keys) > 1 or relation.kind == "between":
         anchors = [member for key in keys for member in members.by_request[key]]
         for index, subject in enumerate(subjects):
@@ -58,13 +58,21 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
         _share_out(relation, subjects, members.by_request[keys[0]], members)
 
 
-def _tie_between_neighbours(brief: Brief, relation: Relation, subjects: list[Member], members: Members) -> None:
-    """Share subjects out over the gaps between those of the anchors that stand next to each other in a row."""
+def _gaps(brief: Brief, relation: Relation, subjects: list[Member], members: Members) -> list[tuple[Member, Member]]:
+    """Which two of its anchors each is between: neighbours in a row, or two of its own; none where it is among all."""
     anchors = members.by_request[relation.anchors[0]]
+    if len(anchors) == 2 * len(subjects) > 2 and not relation.each:
+        return list(zip(anchors[::2], anchors[1::2], strict=True))
     said = (r.rows for r in brief.relations if r.kind == "in_rows" and r.subject == relation.anchors[0])
     columns = -(-len(anchors) // max(1, next(said, 1)))
-    gaps = [pair for at, pair in enumerate(pairwise(anchors), 1) if at % columns]
-    for number, subject in enumerate(subjects if gaps else ()):
+    return [pair for at, pair in enumerate(pairwise(anchors), 1) if at % columns] if relation.each else []
+
+
+def _tie_between(
+    relation: Relation, subjects: list[Member], gaps: list[tuple[Member, Member]], members: Members
+) -> None:
+    """Share subjects out over the gaps."""
+    for number, subject in enumerate(subjects):
         which = share(number, len(subjects), len(gaps))
         alike = [n for n in range(len(subjects)) if share(n, len(subjects), len(gaps)) == which]
         _add(members, subject, list(gaps[which]), relation, alike.index(number), len(alike))

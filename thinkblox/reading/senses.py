@@ -58,6 +58,7 @@ def _sense(thing: Mention, room: str, company: set[str], bonds: list[Bond]) -> s
         "rel": {name for b in bonds if b.subject is thing for name in _relations(b)},
         "to": {a.noun if isinstance(a, Mention) else a for b in bonds if b.subject is thing for a in b.anchors},
         "from": {b.subject.noun for b in bonds if b.subject is not thing},
+        "has_to_it": {name for b in bonds if b.subject is not thing for name in _relations(b)},
         "has": company,
     }
     for category, conditions in senses_of(thing.noun):

@@ -11,9 +11,15 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.looks import Descriptions
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import last_word
+from thinkblox.reading.english.state import LOOKAHEAD
 
 _PLACING = ("in", "on", "between", "along", "by", "near", "next_to", "around", "at", "behind", "in_front_of")
 """Prepositions by which something that is no thing has a place: "an aisle in the middle"."""
+
+_MAIN = ("tables", "desks", "counters", "worktops", "beds", "lounges", "storage", "worked_at")
+"""What a station, a booth or a set can be made up around."""
+_MODIFIED = 3
+"""So many words of a group name a thing of its own: "four manicure stations"."""
 
 
 class Groups(Descriptions):
@@ -26,6 +32,9 @@ class Groups(Descriptions):
                 self._take_known(noun, [group])
                 return
         word = noun.word
+        if word in grammar().lists["measures_of_things"] and noun.plural and self.draft.things:
+            self._lose(noun.start, noun.end)
+            return
         if word in grammar().lists["groups"] and (noun.count or 0) > 1:
             self._take(self._new(replace(noun, value=identifier_of(noun.value))), noun)
             return
@@ -45,7 +54,7 @@ class Groups(Descriptions):
 
     def _dissolve(self, group: Mention) -> None:
         """Let the members of a list stand for a group that is no thing itself: each member as often as the group."""
-        frame = Listed(None, "list", times=group.count or 1, each=True)
+        frame = Listed(None, "list", times=group.count or 1, each=True, inherited=self.draft.bonds_of(group))
         self.draft.drop(group)
         self.groups = {word: thing for word, thing in self.groups.items() if thing is not group}
         self.clause = frame
@@ -82,9 +91,16 @@ class Groups(Descriptions):
             return
         self.at += 1 if self._next_noun() is not self._next_noun(1) or self._is_link(self.peek(), "verbs") else 0
         self.referents.settle(group)
-        bonds = self.draft.bonds_of(group)
         self._dissolve(group)
-        self.clause.inherited = bonds
+
+    def _is_told_of_parts(self, group: Mention) -> bool:
+        """Whether what follows tells what a group is made of: something to work at or lie on, not only seats."""
+        for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
+            if self._is_link(chunk, "mark", "stop", "semicolon"):
+                break
+            if isinstance(chunk, Noun) and self.habits.is_in(chunk.value, *_MAIN):
+                return True
+        return len(group.text.split()) < _MODIFIED
 
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""

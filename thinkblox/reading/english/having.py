@@ -44,7 +44,8 @@ class Having(Groups):
             self._turn_by_part(noun)
             return
         thing = head.thing
-        if kind == "with" and thing is not None and thing in self.groups.values() and (self.each or head.each):
+        group = thing is not None and thing in self.groups.values() and (self.each or head.each)
+        if kind == "with" and thing is not None and group and self._is_told_of_parts(thing):
             self._dissolve(thing)
             return
         several = head.frame is not None and head.frame.times > 1

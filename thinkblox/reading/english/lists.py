@@ -8,6 +8,12 @@ from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.ties import Ties
 
+_FOR_ALL = (
+    "on", "inside", "above", "against_wall", "next_to", "near", "behind", "in_front_of", "in_corner", "at", "per",
+    "around", "opposite", "left_of", "right_of", "facing",
+)  # fmt: skip
+"""Relations that, told first, hold of all that is then listed: "opposite the piano, a sofa and a lamp"."""
+
 
 class Memberships(Ties):
     """Adds things to lists."""
@@ -86,6 +92,7 @@ class Memberships(Ties):
         if thing not in frame.members:
             self.numbers.add(thing.count or 0)
             thing.count = (thing.count or 1) * frame.times if frame.times > 1 else thing.count
+            self._begin_inner_list(frame)
             frame.members.append(thing)
         head = frame.head.thing if frame.head is not None else None
         if frame.head is None or head is None or thing is head:
@@ -103,6 +110,14 @@ class Memberships(Ties):
         if "shared" in thing.attributes and tie == "next_to" and head.many:
             tie = "between"
         self._tie_to(frame, frame.head, thing, tie)
+
+    def _begin_inner_list(self, frame: Listed) -> None:
+        """Note where a list in a list begins: what follows an "and" and goes on after a comma is one by itself."""
+        number = len(frame.members)
+        if self.separator in ("and", "comma_and"):
+            frame.joined = number
+        elif self.separator == "comma" and number and frame.joined == number - 1:
+            frame.begun = number - 1
 
     def _seat_at_own(self, thing: Mention, frame: Listed) -> None:
         """Put the chair of "three people, each with a desk and a chair" at the desk of the same person."""
@@ -147,20 +162,7 @@ class Memberships(Ties):
                 continue
             if listed and self._is_told_next() and not front.meaning.each:
                 continue
-            if listed and front.kind not in (
-                "on",
-                "inside",
-                "above",
-                "against_wall",
-                "next_to",
-                "near",
-                "behind",
-                "in_front_of",
-                "in_corner",
-                "at",
-                "per",
-                "around",
-            ):
+            if listed and front.kind not in _FOR_ALL:
                 continue
             if front.meaning.loose and not front.used:
                 self._lose_where(front.where)

@@ -135,7 +135,9 @@ class Meanings:
         ):
             return None
         if kind == "between":
-            return Meaning(kind, self._several(kind, subjects, noun), told=True)
+            last = next((t for t in likely if t not in subjects), None)
+            two = self._two_sides([last]) if last is not None else ()
+            return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None
 
@@ -238,12 +240,15 @@ class Meanings:
         whole = self.referents.parted
         if whole is None and self.anchor is not None and kind == self.anchor[0] and not self.anchor[1].many:
             return self._fitting(Meaning(kind, (self.name.another(self.anchor[1]),), told=True), subjects)
-        if whole is None and kind in _TOWARDS:
+        across = self.place is not None and str(self.place.anchors[0]).endswith("_wall") and kind in ("on", "next_to")
+        if whole is None and kind in _TOWARDS and not across:
             kin = [t for t in self.referents.draft.things if subjects and t.noun == subjects[-1].noun]
             kin = [t for t in kin if t not in subjects]
             return Meaning(kind, tuple(kin[:1]), told=True) if len(kin) == 1 else None
         if whole is None and self.place is not None:
-            return Meaning(self.place.kind, self.place.anchors)
+            wall = str(self.place.anchors[0])
+            anchors = (ACROSS.get(wall, "opposite_wall"),) if wall.endswith("_wall") else self.place.anchors
+            return Meaning(self.place.kind, anchors)
         self.referents.parted = None
         return self._fitting(Meaning(kind, (whole,), told=True), subjects) if whole is not None else None
 
@@ -386,7 +391,8 @@ class Meanings:
 
     def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        if self.sided is None or said.det == "my" or {self.sided[0], said.value} != {"left", "right"}:
+        again = said.det == "my" and (bool(subjects) or self._sides_told > 0)
+        if self.sided is None or again or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None
 
@@ -402,7 +408,9 @@ class Meanings:
             return Meaning("in_centre", (whole.value,))
         if whole.kind in ("place", "room", "abstract", "people"):
             return self._of_room(said, subjects)
-        return self.of(Where("on" if said.value in _CARRYING else "next_to", whole), subjects, likely, noun)
+        found = self.of(Where("on" if said.value in _CARRYING else "next_to", whole), subjects, likely, noun)
+        rows = found is not None and any(isinstance(a, Mention) and a.rows for a in found.anchors)
+        return None if rows and whole.value == "each" else found
 
     def _is_part_of_room(
         self, where: Where, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
@@ -438,7 +446,8 @@ class Meanings:
         if said.value == "middle":
             return Meaning("in_centre", ("centre",))
         if said.value == "end":
-            return Meaning("against_wall", ("short_wall",))
+            self.anchor, self.place = None, Meaning("against_wall", ("short_wall",))
+            return replace(self.place)
         self.room_side = said.value
         wall = ROOM_SIDES.get(said.value)
         if wall is None or (said.value == "front" and not subjects):

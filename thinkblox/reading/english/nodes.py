@@ -20,6 +20,8 @@ class Listed:
         contents: it says what its head is filled with ("a basket of towels"), so that what follows is about the head.
         members: what it lists.
         inherited: what was said of the group that its first member stands for.
+        joined: which member came last after an "and"; -1 for none.
+        begun: with which member the innermost list in it begins: the third of "a, b, and c, d and e".
     """
 
     head: "Node | None" = None
@@ -32,6 +34,8 @@ class Listed:
     contents: bool = False
     members: list[Mention] = field(default_factory=list)
     inherited: list[Bond] = field(default_factory=list)
+    joined: int = -1
+    begun: int = 0
 
 
 @dataclass(eq=False)

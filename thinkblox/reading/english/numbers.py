@@ -232,7 +232,11 @@ class Numbers(Verbs):
         return False
 
     def _arrange(self, noun: Noun) -> None:
-        """Read "(six shelving units stand) in two rows of three"."""
+        """Read "(six shelving units stand) in two rows of three"; "the last row" is not understood."""
+        if noun.ordinal or noun.det in ("the", "my"):
+            self._lose(noun.start, noun.end)
+            self.frontier, self.subject = [Node()], None
+            return
         thing = self._whole([])
         if thing is not None:
             bind(self.draft, Bond("in_rows", thing, rows=max(noun.rows, 0)))

@@ -269,6 +269,8 @@ class PhraseReader(Heads):
             return 1
         if units.nouns or not (noun.det or noun.count is not None) or not self._may_be_doing(noun, at, stop):
             return 0
+        if noun.degree and stop.sort == "verbs" and not self._starts_noun(at + stop.length):
+            return 0
         if stop.sort == "verbs" and grammar().at(self.tokens, at + stop.length, "determiners", "count", "quantifiers"):
             return 0
         if self._starts_noun(at + stop.length):
@@ -322,7 +324,8 @@ class PhraseReader(Heads):
             self._idle(noun, at, at + 1)
             units.adjectives += 1
             return 1
-        if not units.nouns and degree_of(token.text):
+        ranked = token.text in grammar().lists["ranks"] and self._is_one(at + 1)
+        if not units.nouns and (ranked or degree_of(token.text)):
             return self._degree(noun, at, units)
         if units.nouns and self._ends_before(at, units):
             return 0

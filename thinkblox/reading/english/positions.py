@@ -47,9 +47,8 @@ class Positions(Subjects):
             where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
             return where
         self._as_seat(chunk)
-        if chunk.kind == "thing" and chunk.det == "my" and chunk.word in ("shelf", "drawer") and chunk.plural:
-            self._spend(chunk)
-            chunk = replace(chunk, kind="part", value="inside")
+        if chunk.kind == "thing" and chunk.det == "my":
+            chunk = self._as_owned(chunk, index)
         where.noun = chunk
         self.at = index + 1
         self._same_wall(where, chunk)
@@ -64,6 +63,16 @@ class Positions(Subjects):
         if chunk.kind == "part" and chunk.value in _OTHER_SIDE and chunk.det == "the" and where.whole is None:
             where.whole = self._whole_of_other_side(chunk)
         return where
+
+    def _as_owned(self, noun: Noun, index: int) -> Noun:
+        """Take "(each on) its own table" for a new one, and "its shelves" for a part."""
+        if "own" in noun.text.lower().split()[:2]:
+            self.chunks[index] = owned = replace(noun, det="a")
+            return owned
+        if noun.word in ("shelf", "drawer") and noun.plural:
+            self._spend(noun)
+            return replace(noun, kind="part", value="inside")
+        return noun
 
     def _same_wall(self, where: Where, wall: Noun) -> None:
         """Read "on the same wall as the bed": the wall that the bed was said to be on."""
@@ -366,6 +375,7 @@ class Positions(Subjects):
         if meaning.loose:
             self._lose_where(where)
         if not where.negated:
+            self._give_each_its_anchor(node, where, meaning)
             self._go_on_from(node, where, meaning)
 
     def _ask_all_the_same(self, where: Where) -> None:
@@ -404,6 +414,18 @@ class Positions(Subjects):
         if node.frame is not None and node.frame.head is not None:
             node.frame.told |= any(t in meaning.anchors for t in node.frame.head.things)
         self._go_to_anchors(where, meaning, subjects)
+
+    def _give_each_its_anchor(self, node: Node, where: Where, meaning: Meaning) -> None:
+        """Ask for one of its own for each: "four tables, each with a vase on a tray"."""
+        noun, frame = where.noun, node.frame
+        if self.each or noun is None or noun.kind != "thing" or noun.definite or noun.each or meaning.told:
+            return
+        lists = [n.frame for n in self.frontier if n.frame is not None and n.frame.each and n.frame.head is node]
+        head = frame.head if frame is not None and frame.each and frame.head is not None else None
+        heads = head.things if head is not None else node.things if lists else []
+        for anchor in meaning.anchors if any(t.many for t in heads) else ():
+            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and not self.draft.bonds_of(anchor):
+                anchor.per += heads
 
     def _go_to_anchors(self, where: Where, meaning: Meaning, subjects: list[Mention]) -> None:
         """Let what comes be about the anchors as well; one each of what is told of each of several."""

@@ -13,6 +13,8 @@ from thinkblox.reading.english.referents import is_small, last_word
 
 _MOST_AT_ONE = 12
 """Tables for more people than this are for so many together."""
+_OWN = ("beds", "desks", "chairs", "storage")
+"""What each of several people may have one of."""
 _TOPS = ("tables", "desks", "counters")
 """What "of" says to be full of things that lie on it."""
 
@@ -25,8 +27,12 @@ class Prepositions(Negation):
         raise NotImplementedError
 
     def _preposition(self, link: Connector) -> None:
-        if link.value == "among" and self._is_on_walls():
-            link = replace(link, value="on")
+        thing = self._is_for_everyone(link)
+        if thing is not None and not self._is_at_each_place(thing):
+            self._one_for_each(thing, link)
+            return
+        if thing is not None or (link.value == "among" and self._is_on_walls()):
+            link = replace(link, value="on" if thing is None else "at")
         match link.value:
             case "with":
                 self._open("with")
@@ -45,6 +51,47 @@ class Prepositions(Negation):
             case _:
                 self._began = self.at - 1
                 self._where(self._read_where(link))
+
+    def _is_for_everyone(self, link: Connector) -> Mention | None:
+        """What there is one of "for each person"; None where no such thing was just named."""
+        noun, node = self._next_noun(), self.frontier[-1] if self.frontier else None
+        each = noun is not None and noun.kind == "people" and (noun.each or link.value == "per")
+        return node.thing if each and link.value in ("for", "per") and node is not None and not node.known else None
+
+    def _is_at_each_place(self, thing: Mention) -> bool:
+        """Read the person as a seat that was named, who has a plate there, or as a desk, at which is the chair."""
+        noun = self._next_noun()
+        if noun is None or (self.draft.people and not is_small(thing)):
+            return False
+        if is_small(thing):
+            places = self._seats()
+        else:
+            seat = self.habits.is_in(thing.noun, "chairs")
+            places = [t for t in self.draft.things if seat and self.habits.is_in(t.noun, "desks") and t.many]
+        if not places:
+            return False
+        noun.kind, noun.value, noun.det, noun.named = "thing", places[-1].noun, "each", False
+        if is_small(thing):
+            noun.value = "seat"
+        return True
+
+    def _one_for_each(self, thing: Mention, link: Connector) -> None:
+        """Let there be one for each of the people, and of what is listed with it and people have one of as well."""
+        noun, frame = self._next_noun(), self.frontier[-1].frame
+        if noun is None:
+            return
+        self._go_past(noun)
+        if not self.draft.people:
+            self._lose(link.start, noun.end)
+            return
+        members = frame.members[frame.begun :] if frame is not None else [thing]
+        places = any(self.habits.is_in(member.noun, "desks", "beds") for member in members)
+        for member in reversed(members):
+            small = is_small(member) or self.habits.is_in(member.noun, "lamps")
+            own = self.habits.is_in(member.noun, *_OWN) or (small and places)
+            if member is not thing and (member.many or not own):
+                break
+            member.count = (member.count or 1) * self.draft.people
 
     def _except_next(self, link: Connector) -> None:
         noun = self._next_noun()
@@ -175,7 +222,10 @@ class Prepositions(Negation):
         self._go_past(noun)
         if each and noun.kind in ("number", "part", "abstract") and noun.det in ("the", "my"):
             self._lose(before.start if before is not None else noun.start, noun.end)
-        if noun.kind == "people" and noun.count:
+        thing = self.frontier[-1].thing if self.frontier else None
+        if noun.kind == "number" and noun.count and thing is not None and self.habits.is_in(thing.noun, *_TOPS):
+            self._serve(thing, noun.count)
+        elif noun.kind == "people" and noun.count:
             self._people(noun)
 
     def _for(self, link: Connector) -> None:

@@ -60,12 +60,13 @@ class Pronouns(Numbers):
             return
         if noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
-            return
-        whole = self._whole([])
-        if whole is None:
-            if noun.value != "half":
-                self._lose(noun.start, noun.end)
-            return
+        elif (whole := self._whole([])) is not None:
+            self._speak_of_some(whole, noun)
+        elif noun.value != "half" and not (noun.text.lower() == "another" and self._repeat()):
+            self._lose(noun.start, noun.end)
+
+    def _speak_of_some(self, whole: Mention, noun: Noun) -> None:
+        """Speak of one, another, the other, half or none of several."""
         match noun.value:
             case "none":
                 self._resume([whole], noun)

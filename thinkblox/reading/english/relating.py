@@ -87,8 +87,12 @@ class Relating(Naming):
         if not isinstance(anchor, Mention) or anchor.many or meaning.each:
             return False
         subject = subjects[0]
+        told = subject.count or 1
+        flanking = meaning.times * told if meaning.times > 1 and subject not in self.counted else max(told, 2)
+        if flanking != 2 or any(b.each for b in self.draft.bonds_of(subject) if not b.implied):
+            return False
         self._multiply(subject, meaning)
-        if self.referents.total(subject) != 2 or any(b.each for b in self.draft.bonds_of(subject) if not b.implied):
+        if self.referents.total(subject) != 2:
             return False
         for bond in self.draft.bonds_of(subject):
             bond.each &= not bond.implied
@@ -147,7 +151,7 @@ class Relating(Naming):
     def _multiply(self, subject: Mention, meaning: Meaning) -> None:
         """One "on each side" are two; one "in each corner" four."""
         alone = len(meaning.anchors) == 1 and not (isinstance(a := meaning.anchors[0], Mention) and a.many)
-        bare = subject.count is None and alone and not meaning.each
+        bare = subject.count is None and (alone or meaning.each)
         if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
             subject.count = 2
         if subject.count and meaning.times > 1 and subject not in self.counted:

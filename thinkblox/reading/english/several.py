@@ -41,6 +41,8 @@ class Several(Boundaries):
         """The part of some known things that a number, "the left one" or "the other" means."""
         self._spend(noun)
         whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._whole(besides)
+        if noun.kind == "number" and (those := self._those(noun, besides)) is not None:
+            return those
         if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
             told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
             if told and (whole is None or whole not in self.sides):
@@ -66,9 +68,16 @@ class Several(Boundaries):
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
 
+    def _those(self, noun: Noun, besides: list[Mention]) -> Mention | None:
+        """The ones of "two of them have cushions; between those two ...", that were told apart last."""
+        if noun.text.lower().split()[0] not in ("those", "these") or noun.ordinal or not noun.count:
+            return None
+        told = (t for t in reversed(self.referents.spoken) if t in self.counted and t in self.draft.things)
+        return next((t for t in told if self.referents.total(t) == noun.count and t not in besides), None)
+
     def _of_degree(self, noun: Noun, family: list[Mention]) -> Mention | None:
         """The one of several that such a degree told already, or the one that is left."""
-        told = [t for t in family if any(degree_of(word) for word in t.unshown)]
+        told = [t for t in family if noun.degree in t.unshown or any(degree_of(word) for word in t.unshown)]
         found = next((t for t in told if noun.degree in t.unshown), None)
         rest = [t for t in family if t not in told]
         if found is None and told and len(rest) == 1 and not rest[0].many:

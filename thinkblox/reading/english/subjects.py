@@ -17,6 +17,8 @@ _BY_OWNER = (
 """Relations that are rather about what has a thing than about the thing."""
 _FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
 """What stands on the floor rather than on what is named after it."""
+_STANDING = ("along", "against")
+"""Prepositions before a wall that say where things stand rather than hang."""
 _SHARED = (
     "next_to", "near", "by", "against", "along", "facing", "opposite", "in_front_of", "behind", "left_of", "right_of",
 )  # fmt: skip
@@ -89,16 +91,29 @@ class Subjects(Having):
             return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
                 noun is not None and self._is_beside_head(thing, frame, head, where, noun)
             )
-        if self._is_rather_of_head(thing, frame, head, where):
+        if self._is_rather_of_head(thing, frame, head, where) or self._is_beside_outer(thing, frame, head, where):
             return True
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
-            return not any(member.many for member in frame.members if member is not thing)
+            return self._is_between_others(thing, frame, head, where)
         if where.word not in (*_BY_OWNER, "above", "under") or noun is None or noun.kind != "pronoun":
             return False
         lying = [b for b in self.draft.bonds_of(thing) if b.implied and b.kind in ("on", "inside")]
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether "its right" is of what has the head: "each with a stool and a trolley with towels on its right"."""
+        outer = head.frame.head if head.frame is not None else None
+        side = where.noun is not None and where.noun.kind == "part" and where.noun.det == "my" and where.whole is None
+        side = side and where.noun is not None and where.noun.value in SIDES
+        return outer is not None and bool(outer.things) and side and self._is_held(thing, frame)
+
+    def _is_between_others(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether what has a small thing stands between two others: "racks, barrels, a table with a jug in between"."""
+        others = [m for m in self.clause.members if m not in head.things]
+        apart = where.noun is None and len(others) >= _PAIR
+        return apart or not any(member.many for member in frame.members if member is not thing)
 
     def _is_rather_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "it" is neither the head nor in its list, or not said: "three crates with parcels under it"."""
@@ -146,7 +161,10 @@ class Subjects(Having):
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
         within = any(b.told and b.kind == "inside" for b in self.draft.bonds_of(thing))
         on_surface = on_surface and not self._is_held(thing, frame) and not within
-        return not on_surface and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
+        hung = self.habits.is_in(thing.noun, "wallpieces", "ceiling")
+        heads = frame.head.things if frame.head is not None else []
+        hung &= where.word not in _STANDING or any(self.habits.is_in(t.noun, "wallpieces") for t in heads)
+        return not on_surface and not hung
 
     def _is_within(self, noun: Noun, frame: Listed) -> bool:
         """Whether it is something of the same list."""
@@ -268,7 +286,8 @@ class Subjects(Having):
             if where.noun is not None and where.noun.kind == "place" and "wall" in where.noun.value
             else kind
         )
-        group = _JOINED.get("on" if kind in ("on_top", "inside") else kind)
+        lies = kind in ("on_top", "inside") or (kind == "at" and where.noun is not None and where.noun.each)
+        group = _JOINED.get("on" if lies else kind)
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
@@ -281,7 +300,7 @@ class Subjects(Having):
         taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
         taken += [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
         free: list[Mention] = []
-        for member in reversed(frame.members):
+        for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
             alike = leaning or lies or self._belongs(member.noun, group)
             if member is not thing and (member in taken or not alike):
@@ -291,10 +310,23 @@ class Subjects(Having):
 
     def _untied_before(self, node: Node, frame: Listed, where: Where) -> list[Mention]:
         """What else the head has, where only the last tells how: the cues of "a table with cues and a ball on it"."""
-        if frame.head is None or frame.each or not self._is_pronominal(where) or len(frame.members) != _PAIR:
+        if frame.head is None or not self._is_pronominal(where) or where.word in _BY_OWNER:
             return []
+        if frame.each:
+            return [m for m in frame.members if m not in node.things and self._is_merely_beside(m, frame.head, node)]
         untied = [thing for thing, head in self.untied if head in frame.head.things]
-        return [m for m in frame.members if m in untied and m not in node.things and not self.draft.bonds_of(m)]
+        several = len(frame.members) == _PAIR
+        return [m for m in frame.members if several and m in untied and m not in node.things and self._is_free(m)]
+
+    def _is_free(self, thing: Mention) -> bool:
+        return not self.draft.bonds_of(thing)
+
+    def _is_merely_beside(self, thing: Mention, head: Node, node: Node) -> bool:
+        """Whether nothing but that each of several has it says where it is, and it stands as what comes after it."""
+        bonds = self.draft.bonds_of(thing)
+        usual = self.habits.tie(thing.noun, head.things[-1].noun)
+        beside = bool(bonds) and all(b.implied and b.kind == "next_to" for b in bonds)
+        return beside and usual is None and is_small(thing) == is_small(node.things[-1])
 
     def _pair(self, node: Node, frame: Listed, where: Where) -> Node | None:
         """Two that are joined and of which nothing was told: "a scale and a chart next to the door"."""

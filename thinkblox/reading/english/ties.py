@@ -75,6 +75,8 @@ class Ties(Relating):
     def _fits_in(self, frame: Listed, head: Mention, thing: Mention) -> bool:
         """Whether a thing of which nothing is told may be one more of what the head has."""
         tie = self._tie(thing, frame)
+        if frame.each and not frame.closing and self.separator in ("comma", "and") and self._are_told_at_end():
+            return tie is not None
         if frame.closing and self.separator in ("comma", "comma_and"):
             return frame.each and self.separator == "comma_and" and tie in ("at", "around") and not self._told_apart()
         if tie is None or (self.separator == "comma_and" and len(frame.members) <= 1 and not frame.each):
@@ -93,6 +95,19 @@ class Ties(Relating):
         if frame.told and tie not in _CARRIED:
             return pair
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
+
+    def _are_told_at_end(self) -> bool:
+        """Whether a list ends with what is said of each of its head: "each with a desk, a chair and a bin under it"."""
+        at, joined = self.at, self.separator == "and"
+        while at < len(self.chunks) and not joined:
+            comma = self._is_link(self.chunks[at], "mark", "comma")
+            joined = self._is_link(self.chunks[at], "joins", "and")
+            after = self.chunks[at + 1] if at + 1 < len(self.chunks) else None
+            if not (comma or joined) or not isinstance(after, Noun) or after.kind != "thing" or after.definite:
+                return False
+            at += 2
+        link, noun = (*self.chunks[at : at + 2], None, None)[:2]
+        return self._is_link(link, "prepositions") and isinstance(noun, Noun) and noun.value in ("it", "each")
 
     def _is_told_by_pronoun(self) -> bool:
         """Whether "on it", "above them" comes."""
@@ -217,7 +232,7 @@ class Ties(Relating):
         if frame.kind in ("hold", "carry"):
             return False
         if thing.count is None:
-            return tie in ("on", "at", "around")
+            return tie in ("on", "at", "around", "above", "next_to")
         if any(1 < (member.count or 0) < head.count for member in frame.members if member is not thing):
             return False
         if thing.count == 1 and any(m.count is None or m.plural for m in frame.members):
