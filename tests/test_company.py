@@ -49,6 +49,7 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A barbershop with four chairs, mirrors and a waiting bench", "mirror", 4),
         ("An open office with twelve desks, a printer, a plant and a meeting corner", "conference_table", 1),
         ("A dining room with a high chair and a rug", "chair", 4),
+        ("A computer classroom for 16 students with a teacher's desk", "desk", 17),
         ("She needs a room with a bed and a desk", "office_chair", 1),
     ],
 )

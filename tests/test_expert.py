@@ -300,6 +300,15 @@ def test_what_usually_stands_beside_a_sofa_is_not_put_before_it():
     )
 
 
+def test_what_usually_stands_beside_a_desk_is_not_put_where_visitors_sit():
+    tie = Tie(kind="next_to", anchors=("desk_1",), asked=False)
+    s = situation("filing_cabinet", tie, stands=(("desk", 3.0, 2.5, 90.0),))
+    desk = s.scene.placements[0]
+    across = [i.cost for i in from_ties(s) if desk.to_local(i.position[:2])[0] < -desk.size[0] / 2]
+    assert across
+    assert min(across) > ELSEWHERE
+
+
 def test_a_sofa_stands_where_the_wall_before_it_is_not_too_far():
     tie = Tie(kind="opposite", anchors=("sofa_9",), asked=False)
     sofa = Target(id="sofa_9", category="sofa", request="sofa")

@@ -284,5 +284,8 @@ def test_benches_at_which_people_sit_stand_in_rows_and_look_at_the_board() -> No
 
 
 def test_two_beds_stand_in_line() -> None:
-    plan = plan_of("A hotel room with two double beds and a desk")
-    assert ties_of(plan, "bed_2") == [("in_rows",)]
+    for prompt, second in (
+        ("A hotel room with two double beds and a desk", "bed_2"),
+        ("A hospital room for two patients with visitor chairs", "hospital_bed_2"),
+    ):
+        assert ties_of(plan_of(prompt), second) == [("in_rows",)]

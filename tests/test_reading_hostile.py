@@ -92,3 +92,7 @@ def test_long_prompts_do_not_hang(unit: str) -> None:
     with contextlib.suppress(InputError):
         read_brief(text)
     assert time.process_time() - start < 20.0, "seconds of a processor, whatever else the machine does"
+
+
+def test_what_has_its_like_in_the_middle_is_read() -> None:
+    assert read_brief("chairs with middle chairs").requests

@@ -107,3 +107,15 @@ def test_to_do_something_is_beside_nothing() -> None:
     brief = read_brief("A studio with a bed, a desk and a place to eat")
     assert not [relation for relation in brief.relations if relation.asked]
     assert brief.request("kitchen_table").asked
+
+
+@pytest.mark.parametrize(
+    ("prompt", "unknown"),
+    [
+        ("A gym with five treadmills and a stretching area", ("stretching area",)),
+        ("A salon with a washing area: two basins", ()),
+        ("An office with a large play area and a meeting area", ()),
+    ],
+)
+def test_a_part_of_a_room_that_we_do_not_know_is_said_so(prompt: str, unknown: tuple[str, ...]) -> None:
+    assert read_brief(prompt).unknown == unknown

@@ -8,6 +8,7 @@ from thinkblox.assets import make_asset, make_thing, room_under
 from thinkblox.assets.levels import found_surfaces
 from thinkblox.furnishing import Generation
 from thinkblox.generate import generate_room
+from thinkblox.knowledge.dressing import dressing
 from thinkblox.placing import Effort
 from thinkblox.plan import Plan, Target
 from thinkblox.planning import plan_brief
@@ -274,3 +275,9 @@ def test_cake_stays_amid_crowd() -> None:
         "A party room with a table with a cake in the middle of the table, and ten plates and ten cups on the table."
     )
     assert holds(done, "in_centre")
+
+
+def test_a_bookshop_has_books_on_its_shelves() -> None:
+    usual = [thing.category for thing in dressing().on("bookcase", "bookstore")]
+    assert "book_row" in usual
+    assert "bottle" not in usual

@@ -61,6 +61,7 @@ KEEPING: Mapping[str, Keeping] = {
     "bed": _small("@beds", "@lounges", "@storage"),
     "toys": _small("play_table", "@shelves", "toy_box", "@storage"),
     "floor": _standing("against_wall wall"),
+    "by_seat": _standing("near stool", "near piano_bench", "near chair", "in_corner corner"),
     "door": _standing("near door", "against_wall wall"),
     "corner": _standing("in_corner corner", "against_wall wall", groups=("in_corners",)),
     "middle": _standing("in_centre centre", groups=("stands_free",), large=True),

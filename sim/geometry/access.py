@@ -96,7 +96,7 @@ class FreeFloor:
         taken = np.array([obstacles[number][0] for number in single], dtype=object)
         wide = np.array([-1.0, -1.0, 1.0, 1.0]) * (reach + 2 * BRIM)
         windows = shapely.bounds(taken) + wide
-        left = shapely.difference(_clipped(main, windows), taken)
+        left = shapely.difference(clipped(main, windows), taken)
         parts, of = shapely.get_parts(left, return_index=True)
         beside = shapely.dwithin(parts, taken[of], BRIM)
         counts = np.bincount(of[beside], minlength=len(single)).tolist()
@@ -243,13 +243,21 @@ def _widened(solid: Solid, base: float, walking: Walking) -> tuple[NDArray[np.fl
     return tuple(shapely.get_coordinates(shapely.simplify(part.exterior, 0.01)) for part in parts)
 
 
-def _clipped(area: BaseGeometry, windows: NDArray[np.float64]) -> NDArray[np.object_]:
+def clipped(area: BaseGeometry, windows: NDArray[np.float64]) -> NDArray[np.object_]:
     """The part of an area in each of some windows (n, 4); the quick way may give what is not valid."""
-    clipped = np.array([shapely.clip_by_rect(area, *window) for window in windows.tolist()], dtype=object)
-    broken = ~shapely.is_valid(clipped)
+    parts = np.array([_clip(area, window) for window in map(tuple, windows.tolist())], dtype=object)
+    broken = ~shapely.is_valid(parts)
     if broken.any():
-        clipped[broken] = shapely.intersection(area, shapely.box(*windows[broken].T))
-    return clipped
+        parts[broken] = shapely.intersection(area, shapely.box(*windows[broken].T))
+    return parts
+
+
+def _clip(area: BaseGeometry, window: tuple[float, float, float, float]) -> BaseGeometry | None:
+    try:
+        return shapely.clip_by_rect(area, *window)
+    except shapely.errors.GEOSException:
+        # GEOS clips to a ring of three points where an edge of the area is folded back on itself.
+        return shapely.intersection(area, shapely.box(*window))
 
 
 def _meet(bounds: NDArray[np.float64], windows: NDArray[np.float64]) -> NDArray[np.bool_]:

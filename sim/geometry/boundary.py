@@ -183,7 +183,11 @@ def _bounds(corners: Array) -> Array:
 
 def _clipped(geometry: Any, reach: float) -> Any:
     """One geometry or an array of them within a square about the origin."""
-    return shapely.clip_by_rect(geometry, -reach, -reach, reach, reach)
+    try:
+        return shapely.clip_by_rect(geometry, -reach, -reach, reach, reach)
+    except shapely.errors.GEOSException:
+        # GEOS clips to a ring of three points where an edge is folded back on itself.
+        return shapely.intersection(geometry, shapely.box(-reach, -reach, reach, reach))
 
 
 def _area(corners: Array) -> float:

@@ -38,6 +38,7 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
     for request in members.by_request.values():
         for member in request:
             _stay_on_floor(members, member)
+        _leave_walls(request)
         waiting = [member for member in request if _needs_place(member)]
         if waiting and all(member.mount == "surface" for member in waiting):
             waiting = [member for member in waiting if not _join_neighbour(members, member)]
@@ -53,6 +54,14 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _leave_walls(request: list[Member]) -> None:
+    """Several that stand in line need not each be told to stand against a wall."""
+    if len(request) >= _BED_LINE and load_habits().is_in(request[0].category, "in_line", "beds"):
+        for member in request:
+            if all(not tie.asked and (tie.kind, tie.anchors) == ("against_wall", ("wall",)) for tie in member.ties):
+                member.ties.clear()
 
 
 def _is_lined_up(waiting: list[Member]) -> bool:

@@ -25,6 +25,8 @@ _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
 _MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
+_CROWDED = 4
+"""More people than this share no desk."""
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
@@ -327,7 +329,7 @@ def _scale(draft: Draft) -> None:
         bed = room.sleeps and habits.is_in(thing.noun, "own_bed")
         place = thing.noun == room.place or habits.is_in(thing.noun, "meal_seats")
         anchors = [a for b in draft.bonds_of(thing) for a in b.anchors if isinstance(a, Mention)]
-        if any(anchor.seats for anchor in anchors):
+        if any(anchor.seats or _is_ones_own(anchor, draft.people) for anchor in anchors):
             continue
         several = any((anchor.count or 1) > 1 for anchor in anchors)
         if several and thing.noun != room.place and draft.people < (thing.count or 1):
@@ -397,6 +399,11 @@ def _is_bar(thing: Mention) -> bool:
     return load_habits().is_in(thing.noun, "counters")
 
 
+def _is_ones_own(thing: Mention, people: int, places: int = 1) -> bool:
+    """Whether it is that of who teaches, as so many people have no room at it."""
+    return thing.asked and thing.count is not None and _CROWDED * thing.count * places < people
+
+
 def _enough(noun: str, people: int) -> int:
     """How many of what people work at are enough for so many."""
     return -(-people // places_at(noun)) if load_habits().is_in(noun, "worked_at") else people
@@ -412,7 +419,7 @@ def _give_places(draft: Draft) -> None:
     there = [t for t in draft.things if _is_one(t.noun, room.place)]
     shared = places_at(room.place) if room.place else 1
     unsaid = any(t.count is None or t.noun == room.place or t.count >= draft.people for t in there)
-    unsaid &= shared == 1 or any(t.count is None or t.count * shared * 2 >= draft.people for t in there)
+    unsaid &= any(not _is_ones_own(t, draft.people, shared) for t in there)
     if draft.people < 2 or not room.place or not there or unsaid or _has(draft, "meal_tables"):
         return
     made: dict[str, Mention] = {t.noun: t for t in draft.things}

@@ -312,7 +312,9 @@ def _next_to(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea
     used = situation.scene.asset_of(anchor).front == "one"
     alike = SIDE_BY_SIDE if used and anchor.category == situation.target.category else 0.0
     before = (IN_USE if tie.asked else ELSEWHERE + IN_USE) if used else 2.5
-    for side, dear in (("back", BEHIND_IT if used else 1.5), ("front", before)):
+    over_it = not tie.asked and situation.scene.asset_of(anchor).gaze == "back"
+    behind = (BEHIND_IT if used else 1.5) + (ELSEWHERE if over_it else 0.0)
+    for side, dear in (("back", behind), ("front", before)):
         for idea in beside.sides_of(situation, anchor, (side,)):
             yield _dearer(idea, dear + alike)
     for other in situation.alike(anchor.id):

@@ -42,7 +42,7 @@ WORTH = 2.0
 """What the best block costs at most, where all members can stand in it: rows are not given up for comfort."""
 FINALISTS = 120
 """Blocks of which everything is measured."""
-AWAY_FROM_WALL = 6.0
+AWAY_FROM_WALL = 9.0
 """Cost of a block amid the room of what belongs to a wall."""
 SAME_PLACE = 0.03
 """A member stands in a slot when it is nearer than this [m]."""

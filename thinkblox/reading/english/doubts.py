@@ -188,7 +188,8 @@ class Doubts(Corrections):
         for thing, head in self.untied:
             kept = thing in self.draft.things and head in self.draft.things and not self.draft.bonds_of(thing)
             kept = kept and not any(thing in b.anchors for b in self.draft.bonds_of(head))
-            if kept and not self.named_by[thing].definite:
+            named = self.named_by.get(thing)
+            if kept and (named is None or not named.definite):
                 yield f"{head.text} with {thing.text} (where?)"
 
     def _grouped(self) -> Iterator[str]:

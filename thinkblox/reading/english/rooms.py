@@ -34,6 +34,8 @@ class Rooms(Memberships):
         if self._is_another_room(noun):
             self.draft.rooms.append(noun.text)
             return
+        if self._is_strange_part(noun):
+            self.draft.unknown.append(" ".join([*noun.unshown, noun.text.lower().split()[-1]]))
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = self._room_of_whole(noun) or noun.value
         self.draft.room_attributes += [a for a in noun.attributes if not people((a,))]
@@ -79,6 +81,14 @@ class Rooms(Memberships):
             noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
         )
         return listed and not zone and noun.value != self.draft.room
+
+    def _is_strange_part(self, noun: Noun) -> bool:
+        """Whether it is a part of the room for something that we do not know, of which nothing more is told."""
+        zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
+        told = self._is_link(self.peek(), "prepositions", "with", "for", "of") or self._is_link(self.peek(), "verbs")
+        told |= self._is_link(self.peek(), "mark", "colon", "open", "dash")
+        strange = bool(self.draft.room) and noun.value == "room" and bool(noun.unshown)
+        return strange and zone and not (told or noun.definite or self.negating or self.excluding)
 
     def _is_label(self, noun: Noun) -> bool:
         """Whether the first noun says what kind of room it is: "Chess club, 7 m x 6 m: ..."."""
