@@ -27,7 +27,7 @@ class ExpertPolicy:
         ideas = ranked(situation, from_ties(situation), rng)
         if observation.round or sum(cost < ELSEWHERE for cost, _ in ideas) < n:
             ideas = sorted([*ideas, *ranked(situation, from_room(situation), rng)], key=lambda pair: pair[0])
-        if situation.asset.mount == "wall" and not situation.target.asked:
+        if situation.facts.hanging.windows == "no" and situation.asset.mount == "wall" and not situation.target.asked:
             ideas = [(cost, idea) for cost, idea in ideas if cost < HOPELESS / 2]
         chosen = _distinct(situation, ideas, n * (1 + observation.round))
         return [_say(situation, cost, idea) for cost, idea in chosen][-n:]
