@@ -345,3 +345,14 @@ def test_all_that_could_be_meant_stays_where_one_is_to_stay() -> None:
                    ("bowl_1", 0.5, 2.9, 0.0, "desk_1"))  # fmt: skip
     after = done(before, "Clear the desk but leave the vase").scene
     assert {p.id for p in before.placements} - {p.id for p in after.placements} == {"bowl_1"}
+
+
+def test_what_stands_at_a_wall_is_on_it_and_a_corner_that_is_still_empty_is_empty() -> None:
+    before = built(room(), ("chair_1", 0.28, 2.5, 0.0, "floor"), ("chair_2", 3.0, 0.28, 90.0, "floor"))
+    assert "chair_1" not in done(before, "Remove the chair on the west wall").scene
+    with pytest.raises(InputError, match="on the east wall"):
+        edit_room(before, "Remove the chair on the east wall")
+    for said in ("Add a plant in every corner that is still empty", "Add a plant in every empty corner"):
+        order = read_instruction(said).orders[0]
+        assert [phrase.noun.value for phrase in order.things] == ["plant"], said
+        assert [w.noun.states for w in order.things[0].places if w.noun] == [["empty"]], said

@@ -31,7 +31,7 @@ _AFTER_ORDER = (
     "by", "and", "so", "about", "a", "one", "half", "please", "then", "too", "now", "two", "but", "without", "while",
     "plus", "also", "with",
 )  # fmt: skip
-_CLEARED = ("keep", "put", "ensure", "make", "free")
+_CLEARED = ("keep", "put", "ensure", "make", "free", "add")
 """Orders in which "free" at the end is how something is to be."""
 _DISTANT = ("away", "off", "apart", "from", "to", "in", "closer", "nearer", "further", "farther")
 _NEW = ("a", "an", "another", "some")

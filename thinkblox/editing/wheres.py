@@ -807,7 +807,8 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
     """
     there = bound(where, found[0].category, finder)
     held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
-    if not held and where.word == "from" and all(name.endswith("wall") for name in there.anchors):
+    walled = bool(there.anchors) and all(name.endswith("wall") for name in there.anchors)
+    if not held and where.word in ("from", "on") and walled:
         there = dataclasses.replace(there, kind="against_wall")
         held = [p for p in found if there.holds(finder.scene, p.id)]
         there = dataclasses.replace(there, kind="on")
