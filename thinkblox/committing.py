@@ -5,7 +5,7 @@ from typing import NamedTuple
 from msgspec import structs
 
 from thinkblox.judging import Proposal
-from thinkblox.scene.actions import Add
+from thinkblox.scene.actions import Action, Add
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.scene import Scene
 from thinkblox.sim.verdict.world import World
@@ -26,10 +26,10 @@ def commit(world: World, proposal: Proposal, verdict: Verdict) -> Committed:
     """Do a measured action, everything it concerns at its settled pose: rounded to 0.1 mm and measured there once more.
 
     Where that measure does not hold, which takes a thing on a knife's edge, the poses are those that were proposed and
-    measured.
+    measured. What merely stands beside, and was measured too, stays where it is to the last bit.
     """
     after = world.scene.apply(proposal.action)
-    rested = _rested(after, verdict)
+    rested = [p for p in _rested(after, verdict) if _is_concerned(world.scene, after, proposal.action, p.id)]
     if isinstance(proposal.action, Add):
         at = next((p for p in rested if p.id == proposal.action.id), after[proposal.action.id])
         if rested and not world.check([at], proposal.action.asset)[0].valid:
@@ -56,6 +56,11 @@ def _rested(after: Scene, verdict: Verdict) -> list[Placement]:
         if (new.position, new.yaw) != (old.position, old.yaw):
             found.append(new)
     return found
+
+
+def _is_concerned(before: Scene, after: Scene, action: Action, id: str) -> bool:
+    """Whether an action moves a thing, or what that rests on."""
+    return id == action.id or _differs(before, after[id]) or action.id in before.carriers(id)
 
 
 def _differs(before: Scene, placement: Placement) -> bool:
