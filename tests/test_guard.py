@@ -98,8 +98,10 @@ def test_what_asks_for_too_much_memory_is_an_input_error() -> None:
 
 
 SCRIPT = """
-import sys, time
+import signal, sys, time
 from thinkblox.sim.workers.guard import guarded
+# What is started in the background of a script ignores it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 print("ready", flush=True)
 guarded(time.sleep, 600.0, seconds=600.0)
 """

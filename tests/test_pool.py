@@ -405,6 +405,8 @@ START = """
 import os, signal, sys, time
 from tests.test_pool import ENDLESS, crates
 from thinkblox.sim.workers.pool import VerdictPool
+# What is started in the background of a script ignores it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 pool = VerdictPool(workers=2)
 pool.check([crates(1), crates(2)])
 print(*pool.pids, flush=True)
