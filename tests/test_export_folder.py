@@ -329,6 +329,8 @@ def test_a_stop_waits_until_the_new_room_stands(tmp_path: Path, monkeypatch: pyt
         return exchange(*paths)
 
     monkeypatch.setattr("thinkblox.exporters.folder.exchange", stopped)
+    # What is started in the background of a script ignores it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     with pytest.raises(KeyboardInterrupt):
         save(replace(result(), episode=Trace(())), out, overwrite=True)
     assert (out / "trace.jsonl").stat().st_size == 0

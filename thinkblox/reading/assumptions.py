@@ -102,7 +102,7 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         draft: what was read.
         counted: what the seats are called of which there are to be as many as the prompt says, and no more.
     """
-    if not draft.room:
+    if not draft.room or draft.empty:
         return
     _share_out(draft)
     seats = [t for t in draft.things if _is_upright(t)]
