@@ -247,3 +247,14 @@ def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
     for old, new, said in (("Unit = 1", "Unit = 0", "metres a unit"), ('"Z"', '"W"', "'W' up")):
         with pytest.raises(thinkblox.InputError, match=said):
             opened(tmp_path, body, HEAD.replace(old, new))
+
+
+def test_what_other_programs_may_stumble_over_is_told(tmp_path: Path) -> None:
+    sound = prim("Xform", "thing", BODY, AT.format(0, 0, 0.1), "float physics:mass = 1",
+                 "float3 physics:diagonalInertia = (0.01, 0.01, 0.01)", cube("a", 0.2))  # fmt: skip
+    scene = 'def PhysicsScene "scene"\n{\nfloat physics:gravityMagnitude = 9.81\n}\n'
+    (told,) = (note for note in opened(tmp_path, sound).notes if note.startswith("Other programs may stumble"))
+    assert "the stage: has 0 physics scenes; it needs exactly one." in told
+    (told,) = (note for note in opened(tmp_path, scene + sound.replace("0.01)", "0.5)")).notes if "stumble" in note)
+    assert "/thing: has an inertia that no body can have" in told
+    assert "physics scenes" not in told

@@ -12,6 +12,7 @@ from thinkblox.errors import InputError
 from thinkblox.sim.build import COLLISION, COLLISION_GROUP, ROLL, TORSION, VISUAL, new_spec
 from thinkblox.sim.foreign.mjcf_limits import MOST_BODIES, too_many
 from thinkblox.sim.foreign.names import listed
+from thinkblox.sim.foreign.usd_checks import usd_faults
 from thinkblox.sim.foreign.usd_frames import Frames, Matrix, owner_of, quat_of
 from thinkblox.sim.foreign.usd_joints import Join, filtered_pairs, motion, tree_of
 from thinkblox.sim.foreign.usd_masses import Masses, Weighed
@@ -22,6 +23,8 @@ from thinkblox.sim.settings import Physics
 
 MAX_BYTES = 512_000_000
 """Largest file that is opened."""
+LISTED = 5
+"""So many faults of a stage are told."""
 EARTH = -Physics().gravity[2]
 """Gravity where a stage says none [m/s2]."""
 _SAID = re.compile(r" : '(.*?)'(?= Error in |$)")
@@ -47,9 +50,18 @@ def usd_spec(path: Path, *, folder: Path | None = None) -> tuple[mujoco.MjSpec, 
     stage = _opened(path, (folder or path.parent).resolve())
     try:
         reading = _Stage(stage)
-        return reading.spec(), reading.notes()
+        return reading.spec(), (*reading.notes(), *_faults(stage))
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
+
+
+def _faults(stage: Any) -> tuple[str, ...]:
+    """A note on what other programs may stumble over, where there is anything."""
+    found = usd_faults(stage)
+    if not found:
+        return ()
+    more = f" And {len(found) - LISTED} more." if len(found) > LISTED else ""
+    return (f"Other programs may stumble over {len(found)} faults: {' '.join(found[:LISTED])}{more}",)
 
 
 def _told(error: Exception) -> str:

@@ -9,6 +9,7 @@ from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
 from thinkblox.errors import InputError
 from thinkblox.sim.foreign.usd_frames import Frames
 from thinkblox.sim.foreign.usd_joints import ends_of, freedoms_of, gaps_of
+from thinkblox.sim.foreign.usd_values import number_of, numbers_of, points_of
 
 MOST_CORNERS = 64
 """Corners of a convex hull that every engine takes whole."""
@@ -20,27 +21,37 @@ _TRIANGLE = 1e-6
 
 
 def usd_faults(stage: Any) -> list[str]:
-    """The faults of a stage, each in a sentence that begins with the prim's path; none of a sound one."""
+    """The faults of a stage, each in a sentence that begins with the prim's path; none of a sound one.
+
+    Raises:
+        InputError: no axis of the stage is up.
+    """
     return [*_own(stage), *_of_openusd(stage)]
 
 
 def _own(stage: Any) -> Iterator[str]:
     prims = list(stage.Traverse())
-    cache, frames = UsdGeom.XformCache(), Frames(stage)
+    frames = Frames(stage)
     yield from _scenes(prims)
-    bodies = [prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     joined = {path for prim in prims if prim.IsA(UsdPhysics.Joint) for path in _ends(prim)}
-    for prim in bodies:
-        yield from _body(prim, cache, joined)
     for prim in prims:
-        if prim.HasAPI(UsdPhysics.CollisionAPI):
-            yield from _collider(prim)
-        if prim.IsA(UsdPhysics.Joint):
-            yield from _joint(prim, frames)
-        if prim.HasAPI(UsdPhysics.ArticulationRootAPI) and _above(prim, UsdPhysics.ArticulationRootAPI) is not None:
-            yield f"{prim.GetPath()}: is an articulation within another."
-        if prim.IsA(UsdGeom.Mesh):
-            yield from _mesh(prim)
+        try:
+            yield from _of_prim(prim, frames, joined)
+        except InputError as error:
+            yield f"{error}."
+
+
+def _of_prim(prim: Any, frames: Frames, joined: Container[Any]) -> Iterator[str]:
+    if prim.HasAPI(UsdPhysics.ArticulationRootAPI) and _above(prim, UsdPhysics.ArticulationRootAPI) is not None:
+        yield f"{prim.GetPath()}: is an articulation within another."
+    if prim.HasAPI(UsdPhysics.RigidBodyAPI):
+        yield from _body(prim, frames, joined)
+    if prim.HasAPI(UsdPhysics.CollisionAPI):
+        yield from _collider(prim)
+    if prim.IsA(UsdPhysics.Joint):
+        yield from _joint(prim, frames)
+    if prim.IsA(UsdGeom.Mesh):
+        yield from _mesh(prim)
 
 
 def _of_openusd(stage: Any) -> Iterator[str]:
@@ -55,8 +66,7 @@ def _scenes(prims: list[Any]) -> Iterator[str]:
     if len(scenes) != 1:
         yield f"the stage: has {len(scenes)} physics scenes; it needs exactly one."
     for scene in scenes:
-        magnitude = scene.GetGravityMagnitudeAttr()
-        if not magnitude.HasAuthoredValue() or not 0.0 <= magnitude.Get() < np.inf:
+        if not 0.0 <= number_of(scene.GetGravityMagnitudeAttr(), -np.inf) < np.inf:
             yield f"{scene.GetPath()}: says no magnitude of gravity."
 
 
@@ -66,32 +76,32 @@ def _ends(prim: Any) -> list[Any]:
     return [*joint.GetBody0Rel().GetTargets(), *joint.GetBody1Rel().GetTargets()]
 
 
-def _body(prim: Any, cache: Any, joined: Container[Any]) -> Iterator[str]:
+def _body(prim: Any, frames: Frames, joined: Container[Any]) -> Iterator[str]:
     path = prim.GetPath()
     if _above(prim, UsdPhysics.RigidBodyAPI) is not None:
         yield f"{path}: is a body within a body."
-    matrix = np.array(cache.GetLocalToWorldTransform(prim))[:3, :3]
-    if np.abs(np.linalg.norm(matrix, axis=1) - 1.0).max() > _SCALE:
+    scale = np.linalg.norm(frames.world(prim)[:3, :3], axis=0) / frames.metre
+    if np.abs(scale - 1.0).max() > _SCALE:
         yield f"{path}: is a body with a scale, which its mass and inertia do not follow."
     # What hangs on a joint need not be touched to be somewhere.
     inside = Usd.PrimRange(prim, Usd.TraverseInstanceProxies())
     if path not in joined and not any(child.HasAPI(UsdPhysics.CollisionAPI) for child in inside):
         yield f"{path}: is a body that nothing can touch."
     mass = UsdPhysics.MassAPI(prim) if prim.HasAPI(UsdPhysics.MassAPI) else None
-    if mass is None or not mass.GetMassAttr().HasAuthoredValue() or not 0.0 < mass.GetMassAttr().Get() < np.inf:
+    if mass is None or not 0.0 < number_of(mass.GetMassAttr(), 0.0) < np.inf:
         yield f"{path}: is a body without a mass above 0."
         return
-    inertia = np.sort(np.array(mass.GetDiagonalInertiaAttr().Get(), np.float64))
-    if not mass.GetDiagonalInertiaAttr().HasAuthoredValue() or not (np.isfinite(inertia).all() and inertia[0] > 0.0):
+    inertia = np.sort(numbers_of(mass.GetDiagonalInertiaAttr(), (0.0, 0.0, 0.0)))
+    if not (np.isfinite(inertia).all() and inertia[0] > 0.0):
         yield f"{path}: has an inertia that is not above 0."
     elif inertia[2] > (inertia[0] + inertia[1]) * (1.0 + _TRIANGLE):
         yield f"{path}: has an inertia that no body can have: {inertia[2]:g} is more than the two others together."
 
 
 def _collider(prim: Any) -> Iterator[str]:
-    body = prim if prim.HasAPI(UsdPhysics.RigidBodyAPI) else _above(prim, UsdPhysics.RigidBodyAPI)
     if not prim.IsA(UsdGeom.Mesh):
         return
+    body = prim if prim.HasAPI(UsdPhysics.RigidBodyAPI) else _above(prim, UsdPhysics.RigidBodyAPI)
     approximation = UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() or "none"
     if body is not None and approximation in ("none", "meshSimplification"):
         yield f"{prim.GetPath()}: is a mesh of a moving body that collides as triangles ({approximation})."
@@ -102,17 +112,16 @@ def _collider(prim: Any) -> Iterator[str]:
 
 def _mesh(prim: Any) -> Iterator[str]:
     mesh, path = UsdGeom.Mesh(prim), prim.GetPath()
-    points = np.array(mesh.GetPointsAttr().Get() or (), np.float64).reshape(-1, 3)
-    index = np.array(mesh.GetFaceVertexIndicesAttr().Get() or (), np.int64)
-    counts = np.array(mesh.GetFaceVertexCountsAttr().Get() or (), np.int64)
+    points = points_of(mesh.GetPointsAttr())
+    index = numbers_of(mesh.GetFaceVertexIndicesAttr(), ())
+    counts = numbers_of(mesh.GetFaceVertexCountsAttr(), ())
     if counts.sum() != len(index) or (len(index) and (index.min() < 0 or index.max() >= len(points))):
         yield f"{path}: names points that do not exist."
         return
-    extent = mesh.GetExtentAttr().Get()
-    if len(points) and extent:
-        low, high = np.array(extent, np.float64)
+    extent = numbers_of(mesh.GetExtentAttr(), ())
+    if len(points) and extent.shape == (2, 3):
         slack = 1e-5 * max(1.0, float(np.abs(points).max()))
-        if (points.min(axis=0) < low - slack).any() or (points.max(axis=0) > high + slack).any():
+        if (points.min(axis=0) < extent[0] - slack).any() or (points.max(axis=0) > extent[1] + slack).any():
             yield f"{path}: reaches out of its extent."
 
 
@@ -122,14 +131,10 @@ def _joint(prim: Any, frames: Frames) -> Iterator[str]:
     if not named or len(found) < len(named):
         yield f"{path}: joins what does not exist."
         return
-    try:
-        freedoms = freedoms_of(prim, frames)
-        if freedoms is None:
-            return
-        shift, bent = gaps_of(prim, [frames.joint(joint, *end) for end in enumerate(ends_of(joint))], freedoms)
-    except InputError as error:
-        yield f"{error}."
+    freedoms = freedoms_of(prim, frames)
+    if freedoms is None:
         return
+    shift, bent = gaps_of(prim, [frames.joint(joint, *end) for end in enumerate(ends_of(joint))], freedoms)
     if shift > AGREE:
         yield f"{path}: has its two frames {shift:.4g} m apart."
     if bent > AGREE:

@@ -13,7 +13,7 @@ from thinkblox.assets.decompose import FlatMeshError, convex_pieces
 from thinkblox.assets.mesh_file import MAX_TRIANGLES, MeshFile
 from thinkblox.errors import InputError
 from thinkblox.sim.foreign.usd_frames import Matrix, rigid
-from thinkblox.sim.foreign.usd_values import number_of, numbers_of, word_of
+from thinkblox.sim.foreign.usd_values import number_of, numbers_of, points_of, word_of
 
 Points = NDArray[np.float64]
 SIDES = 48
@@ -188,7 +188,7 @@ def _mesh(prim: Any, frame: Matrix, moves: bool, reading: ColliderNotes) -> list
 
 def _triangles(prim: Any) -> MeshFile:
     mesh = UsdGeom.Mesh(prim)
-    points = numbers_of(mesh.GetPointsAttr(), ()).reshape(-1, 3)
+    points = points_of(mesh.GetPointsAttr())
     index = numbers_of(mesh.GetFaceVertexIndicesAttr(), ()).astype(np.int64)
     counts = numbers_of(mesh.GetFaceVertexCountsAttr(), ()).astype(np.int64)
     if (counts < 3).any() or counts.sum() != len(index) or (len(index) and not _within(index, len(points))):

@@ -45,6 +45,18 @@ def numbers_of(attribute: Any, otherwise: Iterable[float]) -> NDArray[np.float64
     return numbers
 
 
+def points_of(attribute: Any) -> NDArray[np.float64]:
+    """The points that an attribute has (n, 3).
+
+    Raises:
+        InputError: they are no points.
+    """
+    numbers = numbers_of(attribute, ())
+    if numbers.size % 3:
+        raise InputError(f"{attribute.GetPath()}: has {numbers.size} numbers, which are no points in space")
+    return numbers.reshape(-1, 3)
+
+
 def turn_of(attribute: Any) -> NDArray[np.float64]:
     """The rotation that a quaternion says (3, 3); none where there is no quaternion.
 
