@@ -116,10 +116,8 @@ def tell(rows: list[dict[str, object]]) -> None:
     roomy = [float(str(row["cpu"])) for row in rows if int(str(row["objects"])) >= ROOMY]
     if roomy:
         middle, worst = statistics.median(roomy), max(roomy)
-        within = sum(cpu < 1.0 for cpu in roomy)
-        print(
-            f"{ROOMY} objects and more: median {middle:.2f}, worst {worst:.2f} CPU s; {within} of {len(roomy)} under 1 s"
-        )
+        under = f"{sum(cpu < 1.0 for cpu in roomy)} of {len(roomy)} under 1 s"
+        print(f"{ROOMY} objects and more: median {middle:.2f} CPU s, worst {worst:.2f}, {under}")
 
 
 if __name__ == "__main__":
