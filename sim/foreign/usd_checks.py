@@ -127,14 +127,14 @@ def _mesh(prim: Any) -> Iterator[str]:
 
 def _joint(prim: Any, frames: Frames) -> Iterator[str]:
     joint, path = UsdPhysics.Joint(prim), prim.GetPath()
-    named, found = _ends(prim), [end for end in ends_of(joint) if end is not None]
-    if not named or len(found) < len(named):
+    named, ends = _ends(prim), ends_of(joint)
+    if not named or sum(end is not None for end in ends) < len(named):
         yield f"{path}: joins what does not exist."
         return
     freedoms = freedoms_of(prim, frames)
     if freedoms is None:
         return
-    shift, bent = gaps_of(prim, [frames.joint(joint, *end) for end in enumerate(ends_of(joint))], freedoms)
+    shift, bent = gaps_of(prim, [frames.joint(joint, *end) for end in enumerate(ends)], freedoms)
     if shift > AGREE:
         yield f"{path}: has its two frames {shift:.4g} m apart."
     if bent > AGREE:

@@ -28,7 +28,7 @@ class Prepositions(Negation):
 
     def _preposition(self, link: Connector) -> None:
         thing = self._is_for_everyone(link)
-        if thing is not None and not self._is_at_each_place(thing):
+        if thing is not None and not self._read_as_place(thing):
             self._one_for_each(thing, link)
             return
         if thing is not None or (link.value == "among" and self._is_on_walls()):
@@ -58,21 +58,20 @@ class Prepositions(Negation):
         each = noun is not None and noun.kind == "people" and (noun.each or link.value == "per")
         return node.thing if each and link.value in ("for", "per") and node is not None and not node.known else None
 
-    def _is_at_each_place(self, thing: Mention) -> bool:
+    def _read_as_place(self, thing: Mention) -> bool:
         """Read the person as a seat that was named, who has a plate there, or as a desk, at which is the chair."""
-        noun = self._next_noun()
-        if noun is None or (self.draft.people and not is_small(thing)):
+        noun, small = self._next_noun(), is_small(thing)
+        if noun is None or (self.draft.people and not small):
             return False
-        if is_small(thing):
+        if small:
             places = self._seats()
         else:
             seat = self.habits.is_in(thing.noun, "chairs")
             places = [t for t in self.draft.things if seat and self.habits.is_in(t.noun, "desks") and t.many]
         if not places:
             return False
-        noun.kind, noun.value, noun.det, noun.named = "thing", places[-1].noun, "each", False
-        if is_small(thing):
-            noun.value = "seat"
+        value = "seat" if small else places[-1].noun
+        noun.kind, noun.value, noun.det, noun.named = "thing", value, "each", False
         return True
 
     def _one_for_each(self, thing: Mention, link: Connector) -> None:
