@@ -15,6 +15,7 @@ from thinkblox.scene.derived import kept
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
 from thinkblox.scene.scene import Scene
+from thinkblox.sim.geometry.clipping import clip_to
 from thinkblox.sim.geometry.openings import STANDING, door_zone
 from thinkblox.sim.geometry.solid import Solid, solid_of
 from thinkblox.sim.settings import Walking
@@ -245,19 +246,11 @@ def _widened(solid: Solid, base: float, walking: Walking) -> tuple[NDArray[np.fl
 
 def clipped(area: BaseGeometry, windows: NDArray[np.float64]) -> NDArray[np.object_]:
     """The part of an area in each of some windows (n, 4); the quick way may give what is not valid."""
-    parts = np.array([_clip(area, window) for window in map(tuple, windows.tolist())], dtype=object)
+    parts = np.array([clip_to(area, *window) for window in windows.tolist()], dtype=object)
     broken = ~shapely.is_valid(parts)
     if broken.any():
         parts[broken] = shapely.intersection(area, shapely.box(*windows[broken].T))
     return parts
-
-
-def _clip(area: BaseGeometry, window: tuple[float, float, float, float]) -> BaseGeometry | None:
-    try:
-        return shapely.clip_by_rect(area, *window)
-    except shapely.errors.GEOSException:
-        # GEOS clips to a ring of three points where an edge of the area is folded back on itself.
-        return shapely.intersection(area, shapely.box(*window))
 
 
 def _meet(bounds: NDArray[np.float64], windows: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -12,6 +12,7 @@ from shapely.geometry.base import BaseGeometry
 
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.room import Room
+from thinkblox.sim.geometry.clipping import clip_to
 from thinkblox.sim.geometry.footprint import Footprint, footprint_of, in_room
 from thinkblox.sim.geometry.solid import Array, Solid
 from thinkblox.value import Vec2, Vec3
@@ -183,11 +184,7 @@ def _bounds(corners: Array) -> Array:
 
 def _clipped(geometry: Any, reach: float) -> Any:
     """One geometry or an array of them within a square about the origin."""
-    try:
-        return shapely.clip_by_rect(geometry, -reach, -reach, reach, reach)
-    except shapely.errors.GEOSException:
-        # GEOS clips to a ring of three points where an edge is folded back on itself.
-        return shapely.intersection(geometry, shapely.box(-reach, -reach, reach, reach))
+    return clip_to(geometry, -reach, -reach, reach, reach)
 
 
 def _area(corners: Array) -> float:

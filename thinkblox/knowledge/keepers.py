@@ -22,15 +22,17 @@ class Keepers(Value, frozen=True, kw_only=True):
     ways: str
     keepers: dict[str, str]
 
-    @property
-    def openings(self) -> frozenset[tuple[str, ...]]:
-        """The words before what is kept: "place for", "somewhere to hang"."""
-        pairs = ((spot, way) for spot in self.spots.split(", ") for way in self.ways.split(", "))
-        return frozenset((spot, *way.split()) for spot, way in pairs)
-
 
 @lru_cache(maxsize=1)
 def load_keepers() -> Keepers:
     """What is known of where things are kept."""
     text = Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
     return msgspec.convert(tomllib.loads(text), Keepers)
+
+
+@lru_cache(maxsize=1)
+def keeping_openings() -> frozenset[tuple[str, ...]]:
+    """The words before what is kept: "place for", "somewhere to hang"."""
+    known = load_keepers()
+    pairs = ((spot, way) for spot in known.spots.split(", ") for way in known.ways.split(", "))
+    return frozenset((spot, *way.split()) for spot, way in pairs)

@@ -1,6 +1,6 @@
 """Places for things: "somewhere to hang coats" asks for what they are kept in, not for them."""
 
-from thinkblox.knowledge.keepers import load_keepers
+from thinkblox.knowledge.keepers import keeping_openings, load_keepers
 from thinkblox.reading.draft import Draft, Mention
 
 _BETWEEN = frozenset({"and", "or", "the", "my", "our", "his", "her", "their", "your", "all", "all the"})
@@ -23,7 +23,7 @@ def keep_things(draft: Draft) -> None:
 
 def _opening(said: list[str], at: int) -> int:
     """How many words at `at` say that there is to be a place for what comes next."""
-    openings = load_keepers().openings
+    openings = keeping_openings()
     return next((n for n in range(_LONGEST, 1, -1) if tuple(said[at : at + n]) in openings), 0)
 
 
