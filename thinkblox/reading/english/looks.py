@@ -6,7 +6,7 @@ from itertools import pairwise
 from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
@@ -201,7 +201,9 @@ class Descriptions(Rooms):
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
         roomy |= self._outgrows(measured, thing)
-        if roomy and not self.draft.sizes and not told:
+        if single and isinstance(before, Stray):
+            self._lose(measured.start, measured.end)
+        elif roomy and not self.draft.sizes and not told:
             self.draft.sizes.append(size)
         elif self._keeps_off(measured, following, told=told):
             pass

@@ -122,6 +122,11 @@ class Prepositions(Negation):
 
         What is denied of things that nobody named, or of what they have, is not understood.
         """
+        lacks = self._is_link(self._before(), "prepositions", "without") and bool(self.frontier)
+        if lacks and self._is_link(self.peek(), "verbs"):
+            self._exclude(noun)
+            self.excluding = False
+            return None
         if not self._denies(noun):
             self._exclude(noun)
             return None

@@ -88,6 +88,8 @@ class Subjects(Having):
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
         if middle and thing.many and not frame.each:
             return True
+        if self._is_of_member(where, frame):
+            return False
         if not self._is_pronominal(where):
             if self._is_beside_whole(thing, frame, head, where):
                 return True
@@ -104,6 +106,12 @@ class Subjects(Having):
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_of_member(self, where: Where, frame: Listed) -> bool:
+        """Whether it is to something of the same list: "a desk with a monitor, a keyboard in front of the monitor"."""
+        anchor = where.whole or where.noun
+        named = anchor is not None and anchor.kind == "thing" and anchor.definite and not frame.each
+        return named and anchor is not None and self.referents.named(anchor) in frame.members
 
     def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "its right" is of what has the head: "each with a stool and a trolley with towels on its right"."""

@@ -135,9 +135,9 @@ class Ties(Relating):
             case "pronoun":
                 return not (self._are_all(frame, noun, thing) or self._is_of_another(frame, noun))
             case "thing" if noun.definite:
-                return self._is_beside_with(frame, thing, noun) or self._is_of(frame, noun)
+                return self._is_beside_with(frame, thing, noun) or self._is_of(frame, thing, noun)
             case "part":
-                return self._lies_by_part(frame, thing, index) or self._is_part_of(frame, index, noun)
+                return self._lies_by_part(frame, thing, index) or self._is_part_of(frame, thing, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if self._may_share_place(frame, noun, thing) else False
         return None
@@ -150,6 +150,10 @@ class Ties(Relating):
         )
         lies = pair and is_small(thing) and head is not None and self._carries_before(thing, head, frame)
         return lies and self.referents.named(noun) not in frame.members
+
+    def _lies_among(self, frame: Listed, thing: Mention) -> bool:
+        """Whether it lies with what was listed before: "a desk with a laptop, a lamp to the left of the laptop, ..."."""
+        return not frame.each and is_small(thing) and self._tie(thing, frame) in ("on", "inside")
 
     def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
         """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
@@ -203,16 +207,18 @@ class Ties(Relating):
             return False
         return not (head.thing.rows or head.thing.groups or head.thing in self.referents.shared)
 
-    def _is_part_of(self, frame: Listed, index: int, part: Noun) -> bool | None:
+    def _is_part_of(self, frame: Listed, thing: Mention, index: int, part: Noun) -> bool | None:
         """Whether "on the side" is of the head: not "of the bed", and not "at the front", which is of the room."""
         if not self._is_link(self.peek(index + 2), "prepositions", "of"):
             of_room = part.det == "the" and part.value in ("front", "back", "end")
             return not (of_room and self._is_link(self.peek(index), "prepositions", "at", "in"))
         whole = self._next_noun(index + 3)
-        return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
+        return self._is_of(frame, thing, whole) if whole is not None and whole.kind == "thing" else None
 
-    def _is_of(self, frame: Listed, noun: Noun) -> bool | None:
+    def _is_of(self, frame: Listed, thing: Mention, noun: Noun) -> bool | None:
         found = self.referents.named(noun)
+        if found in frame.members and self._lies_among(frame, thing):
+            return True
         if frame.head is not None and found in frame.head.things:
             return not (noun.ordinal or noun.degree)
         outside = found is not None and not found.many and found not in frame.members
