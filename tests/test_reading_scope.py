@@ -27,6 +27,16 @@ from thinkblox.reading import read_brief
         ),
         ("A table with a tray, a cup on the tray and a vase.", "1 cup on tray; 1 vase on dining_table"),
         ("A desk without a chair stands against the wall.", "1 desk against_wall wall"),
+        (
+            "One table, six chairs on each long side. For each person: a plate with a napkin on it and two glasses.",
+            "12 plate on dining_table; 12 napkin on plate; 24 glass on dining_table",
+        ),
+        (
+            "A counter with nine stools in front of it. Per stool a plate, plus one teapot for every three stools.",
+            "9 plate on counter; 3 teapot on counter",
+        ),
+        ("Eight lockers along the wall, and one bench for every two lockers.", "4 bench near locker"),
+        ("A table with a turkey on it and three candles on either side of the turkey.", "6 candle on dining_table"),
         ("A vocal booth, 2 x 3 m, with a mic on a mic stand right in the middle.", "1 microphone_stand in_centre centre"),
     ],
 )

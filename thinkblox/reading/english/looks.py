@@ -201,9 +201,7 @@ class Descriptions(Rooms):
         ceiling = isinstance(following, Noun) and following.value == "ceiling"
         told = self.predicate and thing is not None and self._is_link(before, "verbs", "be")
         roomy |= self._outgrows(measured, thing)
-        if single and isinstance(before, Stray):
-            self._lose(measured.start, measured.end)
-        elif roomy and not self.draft.sizes and not told:
+        if roomy and not self.draft.sizes and not told:
             self.draft.sizes.append(size)
         elif self._keeps_off(measured, following, told=told):
             pass
@@ -228,7 +226,10 @@ class Descriptions(Rooms):
         return min(lengths) > max(depth, width)
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
-        """Whether a length says how far off something is: "2 m from it", "2 m in front of it", "1 m apart"."""
+        """Whether a length says how far off something is: "2 m from it", "1 m apart", "nothing closer than 1 m"."""
+        if isinstance(self._before(), Stray) and len(measured.size.lengths) == 1 and measured.size.area is None:
+            self._lose(measured.start, measured.end)
+            return True
         if not isinstance(following, Connector):
             return False
         if self._is_link(following, "prepositions", "from", "far", "away"):

@@ -1,14 +1,16 @@
 """Binds things to what they are related to."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.naming import Naming
 from thinkblox.reading.english.nodes import Meaning
-from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.referents import is_small, last_word
 
-_SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to")
+_SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to", "in_front_of")
 """How seats stand to their tables."""
 
 
@@ -134,7 +136,7 @@ class Relating(Naming):
             return False
         if not is_small(subject) or (meaning.kind == "on" and meaning.told):
             return False
-        tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
+        tables = self._tables_of(seats)
         if not tables:
             tables += self._only_table()
         if not tables:
@@ -142,6 +144,15 @@ class Relating(Naming):
         subject.per += [s for s in seats if s not in subject.per]
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
         return True
+
+    def _tables_of(self, seats: Sequence[Mention]) -> list[Mention]:
+        """The tables, desks and counters that seats were said to be at."""
+        places = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
+        return [a for a in places if isinstance(a, Mention) and self._is_sat_at(a)]
+
+    def _is_sat_at(self, place: Mention) -> bool:
+        tops = self.habits.is_in(place.noun, "tables", "desks", "counters", "worktops")
+        return tops or last_word(place) in ("table", *grammar().lists["sat_at"])
 
     def _only_table(self) -> list[Mention]:
         """The one table or desk that was named, where there is one."""
@@ -154,6 +165,9 @@ class Relating(Naming):
         bare = subject.count is None and (alone or meaning.each)
         if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
             subject.count = 2
+        elif meaning.both and meaning.times == 1 and (subject.count or 0) > 1 and (subject.count or 0) % 2:
+            # So many cannot be parted into two like halves: they are those of one side.
+            subject.count = 2 * (subject.count or 0) if meaning.kind == "next_to" else subject.count
         if subject.count and meaning.times > 1 and subject not in self.counted:
             subject.count *= meaning.times
             self.multiplied.add(subject)

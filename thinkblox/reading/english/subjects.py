@@ -88,14 +88,8 @@ class Subjects(Having):
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
         if middle and thing.many and not frame.each:
             return True
-        if self._is_of_member(where, frame):
-            return False
         if not self._is_pronominal(where):
-            if self._is_beside_whole(thing, frame, head, where):
-                return True
-            return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
-                noun is not None and self._is_beside_head(thing, frame, head, where, noun)
-            )
+            return noun is not None and self._is_said_of_head(thing, frame, head, where)
         if self._is_rather_of_head(thing, frame, head, where) or self._is_beside_outer(thing, frame, head, where):
             return True
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
@@ -106,6 +100,14 @@ class Subjects(Having):
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_said_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether what is told without a pronoun is about what has the list."""
+        if where.noun is None or self._is_of_member(where, frame):
+            return False
+        if self._is_beside_whole(thing, frame, head, where) or self._is_place_of_head(thing, frame, where, where.noun):
+            return True
+        return self._is_beside_head(thing, frame, head, where, where.noun)
 
     def _is_of_member(self, where: Where, frame: Listed) -> bool:
         """Whether it is to something of the same list: "a desk with a monitor, a keyboard in front of the monitor"."""

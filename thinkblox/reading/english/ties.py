@@ -152,7 +152,7 @@ class Ties(Relating):
         return lies and self.referents.named(noun) not in frame.members
 
     def _lies_among(self, frame: Listed, thing: Mention) -> bool:
-        """Whether it lies with what was listed before: "a desk with a laptop, a lamp to the left of the laptop, ..."."""
+        """Whether it lies where what was listed before does: "a desk with a laptop, a lamp left of the laptop"."""
         return not frame.each and is_small(thing) and self._tie(thing, frame) in ("on", "inside")
 
     def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
@@ -235,6 +235,8 @@ class Ties(Relating):
 
     def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
+        if head.per and frame.kind == "with" and is_small(thing):
+            return True
         if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
             return False
         if frame.kind in ("hold", "carry"):
