@@ -37,7 +37,16 @@ from thinkblox.reading import read_brief
         ),
         ("Eight lockers along the wall, and one bench for every two lockers.", "4 bench near locker"),
         ("A table with a turkey on it and three candles on either side of the turkey.", "6 candle on dining_table"),
-        ("A vocal booth, 2 x 3 m, with a mic on a mic stand right in the middle.", "1 microphone_stand in_centre centre"),
+        ("A desk: a laptop, a lamp and a mug.", "1 laptop on desk; 1 desk_lamp on desk; 1 cup on desk"),
+        ("Workbench against the wall: a vise and a saw.", "1 vise on workbench; 1 saw on workbench"),
+        ("A big table covered in stuff: fifteen hats.", "15 hat on dining_table"),
+        ("Two shelving units: nine teapots. A sofa.", "9 teapot inside shelving_unit"),
+        ("A dining table: six plates and six chairs.", "6 plate on dining_table; 6 chair around dining_table"),
+        ("Two 3D printers on a desk.", "2 thing_3d_printer on desk"),
+        (
+            "A vocal booth, 2 x 3 m, with a mic on a mic stand right in the middle.",
+            "1 microphone_stand in_centre centre",
+        ),
     ],
 )
 def test_so_things_are_related(prompt: str, relations: str) -> None:

@@ -119,7 +119,7 @@ class Rooms(Memberships):
         of_size = self._is_link(after, "prepositions", "of") and isinstance(size := self.peek(1), Measured)
         whole_room = (sized or of_size) and roomish and isinstance(size, Measured) and self._is_room_size(size.size)
         large = (large and (not noun.det or not noun.named)) or whole_room
-        led = not noun.det and not noun.many and self._colon_ahead()
+        led = not (noun.det or noun.many) and (roomish or not noun.named) and self._colon_ahead()
         named_room = large or led or (roomish and self._is_link(after, "mark", "colon"))
         if named_room and noun.det in ("a", "") and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
