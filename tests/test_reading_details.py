@@ -3,6 +3,7 @@
 import pytest
 
 from tests.test_reading_turns import related
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading import read_brief
 
 
@@ -27,6 +28,29 @@ from thinkblox.reading import read_brief
         ("Two parallel rows of three workbenches, each with a vise.", ["6 workbench in_rows", "6 vise on workbench"]),
         ("A long row of six lockers.", ["6 locker in_rows"]),
         ("Four beds, two along each side wall.", ["4 bed against_wall wall"]),
+        # Where all of a list are that is told only of its last thing, or before the first.
+        ("A kids' room with a loft bed, a desk and a chair below it.",
+         ["1 desk under bunk_bed", "1 chair under bunk_bed"]),
+        ("A loft bed with a desk, a chair and a bookcase underneath.",
+         ["1 desk under bunk_bed", "1 chair under bunk_bed", "1 bookcase under bunk_bed"]),
+        ("A desk and a dresser under the loft bed.", ["1 desk under bunk_bed", "1 dresser under bunk_bed"]),
+        ("A TV, a sofa and an armchair facing it.", ["1 sofa facing tv", "1 armchair facing tv"]),
+        ("A bed. At its foot are a bench and a trunk.", ["1 bench at_foot_of bed", "1 chest at_foot_of bed"]),
+        ("A console. Under it are two baskets and an umbrella stand.",
+         ["2 basket under console_table", "1 umbrella_stand under console_table"]),
+        ("A kitchen with a fridge, a stove and a sink, and wall cabinets above them.",
+         ["2 wall_cabinet above fridge stove sink"]),
+        ("A curtain in the middle. Each side has a bed.", ["1 bed left_of curtain", "1 bed-2 right_of curtain"]),
+        # What containers hold, and what stands below what hangs on a wall.
+        ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
+        ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),
+        ("Violins on the wall and a shelf with sheet music under the violins.",
+         ["1 shelving_unit under violin", "1 sheet_music inside shelving_unit"]),
+        ("A clock on the wall and a table with four chairs under the clock.",
+         ["1 dining_table under clock", "4 chair around dining_table"]),
+        ("A shoe rack with shoes on the shelves.", ["2 shoes inside shoe_rack"]),
+        ("A rack for coats and shoes on the shelf.", ["3 shoes on shelving_unit-2"]),
+        ("A cabinet with two doors and a lamp on it.", ["1 table_lamp on cabinet"]),
         # Sides and ends.
         ("Four tables, each with a lamp and six chairs, three on each side.", ["24 chair at_long_side dining_table"]),
         ("A desk is at the front left.", ["1 desk in_corner near_wall left_wall"]),
@@ -229,10 +253,27 @@ def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:
     [
         ("In the corner of the bedroom stands a chair.", "bedroom"),
         ("A gym room with two treadmills.", "gym"),
+        ("A judge's chambers with a desk.", "office"),
+        ("A bedroom for twins.", "kids_room"),
     ],
 )
 def test_the_room_is_named_in_passing(prompt: str, room: str) -> None:
     assert read_brief(prompt).room_type == room
+
+
+@pytest.mark.parametrize(
+    ("prompt", "beds"),
+    [
+        ("A bedroom for twins.", {"bed": 2}),
+        ("The twins' bedroom.", {"bed": 2}),
+        ("A nursery for triplets.", {"crib": 3}),
+        ("A bedroom for twins with two cribs.", {"crib": 2}),
+        ("A bedroom with a futon.", {"futon": 1}),
+    ],
+)
+def test_a_word_for_people_says_how_many_beds(prompt: str, beds: dict[str, int]) -> None:
+    lain_on = ("bed", *load_habits().group("lain_on"))
+    assert {r.category: r.count for r in read_brief(prompt).requests if r.category in lain_on} == beds
 
 
 def test_colours_are_told_after_paint() -> None:
@@ -293,6 +334,9 @@ def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost
     [
         ("The lobby of a grand hotel with two sofas.", {"sofa": 2}),
         ("A lounge in a grand house with a piano.", {"piano": 1}),
+        ("A bathroom with a double vanity with two sinks and a toilet.", {"vanity": 1, "toilet": 1}),
+        ("A bathroom. The vanity has two sinks and a mirror.", {"vanity": 1, "mirror": 1}),
+        ("A dresser with six drawers and a bed.", {"dresser": 1, "bed": 1}),
         ("A living room with a grand and a sofa.", {"grand_piano": 1, "sofa": 1}),
         ("A bed and a nightstand holding reading glasses.", {"bed": 1, "nightstand": 1, "reading_glasses": 1}),
         ("Two nightstands with reading lamps.", {"nightstand": 2, "table_lamp": 2}),

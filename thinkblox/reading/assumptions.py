@@ -316,6 +316,8 @@ def _is_one(noun: str, category: str) -> bool:
     """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
     if load_habits().is_in(category, "chairs") and not load_habits().is_in(noun, "chairs", "seats"):
         return False
+    if load_habits().is_in(category, "own_bed") and load_habits().is_in(noun, "lain_on", "beds"):
+        return True
     return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
 
 

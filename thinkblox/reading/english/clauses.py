@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Mapping
 
+from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import LOOKAHEAD
 
 
@@ -14,6 +16,8 @@ def _sorts(text: str) -> list[tuple[str, str]]:
     return [(sort, text) for sort, _ in grammar().phrases.get(tuple(text.split()[-1:]), ())]
 
 
+_STANDING = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
+"""What no container holds."""
 _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
 
@@ -130,11 +134,26 @@ class Clauses(Audit):
 
     def _part(self, noun: Noun) -> None:
         """Read a part without a preposition: "a flag either side of the door"."""
-        if noun.value == "side" and noun.det in ("either", "both", "each") and self.frontier:
+        sides = noun.value == "side" and noun.det in ("either", "both", "each")
+        having = self._is_link(self.peek(), "verbs", "have") or self._is_link(self.peek(), "prepositions", "with")
+        if sides and having:
+            self._side_has(noun)
+        elif sides and self.frontier:
             self.at -= 1
             self._where(self._read_where(Connector("prepositions", "on", 0, 0)))
         elif not self._is_turned_part(noun):
             self._bare_part(noun)
+
+    def _side_has(self, side: Noun) -> None:
+        """Read "each side has a bed" as a bed on each side of what was named, or two of which nobody knows where."""
+        self._begin()
+        if self.draft.things:
+            self.chunks[self.at] = side
+            self._where(self._read_where(Connector("prepositions", "on", side.start, side.start)))
+        else:
+            self.at += 1
+            self.clause = Listed(None, "list", times=2, each=True)
+            self._lose(side.start, side.end)
 
     def _is_turned_part(self, noun: Noun) -> bool:
         """Whether it tells how the thing before it stands: "a bed, its headboard against the wall"."""
@@ -187,7 +206,19 @@ class Clauses(Audit):
         self.barred = None
         thing = self._new(noun)
         self._take(thing, noun)
+        if self._holds_more(noun):
+            self.frontier.append(Node([], Listed(self.frontier[-1], "inside", contents=True)))
         self.negating |= noun.det == "none"
+
+    def _holds_more(self, noun: Noun) -> bool:
+        """Whether more of what a thing is named by holding comes: "buckets of roses, tulips and lilies"."""
+        held, _, contents = noun.text.lower().partition(" of ")
+        more = self._next_noun(1)
+        if not contents or singular(held.split()[-1]) not in grammar().lists["containers"] or more is None:
+            return False
+        listed = self._is_link(self.peek(), "mark", "comma") or self._is_link(self.peek(), "joins", "and")
+        bare = more.kind == "thing" and not more.det and more.count is None
+        return listed and bare and not self.habits.is_in(more.value, *_STANDING)
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""

@@ -1,7 +1,7 @@
 """The words that hold English sentences together, read from grammar.toml."""
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
@@ -35,6 +35,11 @@ class Grammar:
     lists: dict[str, frozenset[str]] = field(default_factory=dict)
     sorts: set[str] = field(default_factory=set)
     begun: dict[str, set[str]] = field(default_factory=dict)
+
+    def people(self, words: Iterable[str]) -> int:
+        """How many people a word among these says by itself ("twins"); 0 where none does."""
+        said = (value for word in words for sort, value in self.phrases.get((word,), ()) if sort == "born")
+        return int(next(said, 0))
 
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""

@@ -199,7 +199,7 @@ class Meanings:
             if plural and (kind != "between" or likely[:1] == plural[:1])
             else self.referents.several(subjects, kind)
         )
-        if anchors and not two and said.value == "them":
+        if anchors and not two and (said.value == "them" or (said.value == "each" and len(plural) > 1)):
             name = subjects[-1].noun if subjects else noun
             anchors = self.antecedents.choose_several(self._words, kind, subjects, name, anchors)
         if said.value == "each" and not anchors:

@@ -47,7 +47,7 @@ class Positions(Subjects):
             where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
             return where
         self._as_seat(chunk)
-        if chunk.kind == "thing" and chunk.det == "my":
+        if chunk.kind == "thing" and (chunk.det == "my" or self._is_within_owner(chunk)):
             chunk = self._as_owned(chunk, index)
         where.noun = chunk
         self.at = index + 1
@@ -69,10 +69,18 @@ class Positions(Subjects):
         if "own" in noun.text.lower().split()[:2]:
             self.chunks[index] = owned = replace(noun, det="a")
             return owned
-        if noun.word in ("shelf", "drawer") and noun.plural:
+        if noun.text.lower().rpartition(" ")[2] in ("shelves", "drawers"):
             self._spend(noun)
             return replace(noun, kind="part", value="inside")
         return noun
+
+    def _is_within_owner(self, noun: Noun) -> bool:
+        """Whether "the shelves" are those of what was just named: "a shoe rack with shoes on the shelves"."""
+        owner = next((n.frame.head for n in reversed(self.frontier) if n.frame is not None and n.frame.head), None)
+        parts = noun.text.lower().rpartition(" ")[2] in ("shelves", "drawers")
+        if owner is None or owner.thing is None or noun.det != "the" or not parts:
+            return False
+        return self.referents.named(noun) is None and self._contains(owner.thing)
 
     def _same_wall(self, where: Where, wall: Noun) -> None:
         """Read "on the same wall as the bed": the wall that the bed was said to be on."""

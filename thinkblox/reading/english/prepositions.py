@@ -250,6 +250,8 @@ class Prepositions(Negation):
         self._go_past(noun)
         self._spend(noun)
         head.text = f"{head.text} of {noun.text}"
+        if self._holds_things(head) and noun.plural:
+            head.unshown.append(f"of {noun.text}")
         if not is_small(head) and self.habits.is_in(head.noun, "shelves", *_TOPS):
             self._lose(noun.start, noun.end)
 
@@ -280,7 +282,14 @@ class Prepositions(Negation):
             return ""
         if last_word(head) in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves"):
             return "inside"
+        if self._holds_things(head) and several and noun.named:
+            return "inside"
         return "on" if self.habits.is_in(head.noun, *_TOPS) and not noun.definite else ""
+
+    def _holds_things(self, head: Mention) -> bool:
+        """Whether what it is full of are things of their own, as pens in a mug; a vase of tulips is one thing."""
+        word = last_word(head)
+        return word in grammar().lists["containers"] and word not in grammar().lists["vases"]
 
     def _of_no_thing(self, noun: Noun) -> None:
         """Go past "of the room", "of four people"; "every pew of the left column" is not understood."""
@@ -314,7 +323,7 @@ class Prepositions(Negation):
             else:
                 self._serve(thing, noun.count)
             self._go_past(noun)
-        elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
+        elif noun.kind in ("people", "number") and (noun.count or noun.kind == "people") and not self.draft.things:
             self._for_people(noun)
             self._go_past(noun)
         elif noun.kind == "thing" and noun.word in grammar().lists["animals"]:

@@ -39,7 +39,8 @@ class Rooms(Memberships):
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = self._room_of_whole(noun) or noun.value
         self.draft.room_attributes += [a for a in noun.attributes if not people((a,))]
-        self.draft.people = self.draft.people or people(noun.attributes)
+        owners = grammar().people(word.strip("'\u2019") for word in noun.text.lower().split())
+        self.draft.people = self.draft.people or people(noun.attributes) or owners
         self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
         if noun.size:
             self.draft.sizes.append(noun.size)
@@ -162,8 +163,8 @@ class Rooms(Memberships):
             self.crowd = noun.count
 
     def _for_people(self, noun: Noun) -> None:
-        """The room is for so many; children have one of their own."""
-        self.draft.people = noun.count or 0
+        """The room is for so many, or for some; children have one of their own."""
+        self.draft.people = noun.count or self.draft.people
         children = noun.text.lower().split()[-1] in grammar().lists["children"]
         if children and self.draft.room in _THEIRS:
             self.draft.room = _THEIRS[self.draft.room]

@@ -183,6 +183,11 @@ class State(Namer):
         index = self.at - 1 - back
         return self.chunks[index] if index >= 0 else None
 
+    def _clause_start(self) -> int:
+        """The chunk after the last mark that ended a sentence."""
+        ends = (n for n in range(self.at - 2, -1, -1) if self._is_link(self.chunks[n], "mark", "stop", "semicolon"))
+        return next(ends, -1) + 1
+
     def _go_past(self, noun: Noun) -> None:
         """Go on after a noun that was found ahead."""
         while self.at < len(self.chunks):

@@ -58,7 +58,9 @@ class Ties(Relating):
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
         if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
             return True
-        if frame.contents and noun.det and self.separator in ("comma", "comma_and"):
+        holder = frame.head.thing if frame.head is not None else None
+        apart = self.separator in ("comma", "comma_and") or (holder is not None and is_small(holder))
+        if frame.contents and noun.det and apart:
             return False
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False

@@ -83,11 +83,6 @@ class Verbs(Prepositions):
         self.clause.members = [first]
         return Node([first], node.frame, known=node.known)
 
-    def _clause_start(self) -> int:
-        """The chunk after the last mark that ended a sentence."""
-        ends = (n for n in range(self.at - 2, -1, -1) if self._is_link(self.chunks[n], "mark", "stop", "semicolon"))
-        return next(ends, -1) + 1
-
     def _predicate(self, link: Connector) -> None:
         self.predicate = True
         self.verb = link.value
@@ -142,6 +137,9 @@ class Verbs(Prepositions):
             self.at += 1
             return
         thing = self.subject.thing
+        if thing is not None and isinstance(following, Noun) and self._is_feature(following, thing):
+            self._features(self.subject, following)
+            return
         if thing is not None and thing in self.groups.values() and (kind == "consist" or self.subject.each):
             self._dissolve(thing)
             return
