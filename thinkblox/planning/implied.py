@@ -120,6 +120,7 @@ def _hems_in(members: Members, member: Member, habit: Habit) -> bool:
     backed = walled or habit.kind == "against_wall" or place in ("wall", "long_wall", "short_wall")
     sides = _ALL_ROUND if backed else ()
     sides = (*sides, *_BESIDE) if walled else sides
+    sides = ("in_front_of",) if habit.kind == "above" else sides
     floor = (other for other in members.all if other.mount in ("floor", "surface") and not other.flat)
     return any(tie.asked and tie.kind in sides and member.id in tie.anchors for other in floor for tie in other.ties)
 
