@@ -12,9 +12,9 @@ _LOWEST = 0.1
 """Nothing is kept on a shelf with less room above it [m]."""
 _GAP = 0.015
 """Between two goods of a row, and before its ends [m]."""
-_SHARE = (0.62, 0.85)
+_SHARE = (0.66, 0.88)
 """Share of a shelf that goods take."""
-_TALL = (0.14, 0.3)
+_TALL = (0.17, 0.33)
 """How high goods are [m]."""
 _TINS = 0.4
 """Share of goods that are round."""

@@ -65,21 +65,26 @@ def anticipated(draft: Draft) -> frozenset[str]:
     return frozenset(usual.category for usual in (*room_type(draft.room).expected, *themes))
 
 
-def stock(draft: Draft) -> None:
+def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
     """Put books into bookcases, and goods onto the shelves of shops and stores, unless the prompt says what is there.
 
     Counts are settled by now.
+
+    Args:
+        draft: what was read.
+        uncounted: ids of things of which nobody says how many: shelves with some of these are full of others, too.
     """
-    _fill_shelves(draft, [t for t in draft.things if t.noun == "bookcase"])
+    laid = [b for b in draft.bonds if b.kind in ("on", "inside")]
+    _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid)
     if any(room_type(name).stocked for name in kinds_of_room(draft.room)):
-        _fill_shelves(draft, [t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], asked=True)
+        told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
+        _fill_shelves([t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], told)
 
 
-def _fill_shelves(draft: Draft, cases: list[Mention], *, asked: bool = False) -> None:
-    """Fill those on which nothing is put, or nothing that was asked for."""
+def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
+    """Fill those on which nothing is laid."""
     if sum(t.count or 1 for t in cases) > _MOST_FILLED:
         return
-    laid = [b for b in draft.bonds if b.kind in ("on", "inside") and (b.subject.asked or not asked)]
     for case in cases:
         carries = any(case in b.anchors for b in laid)
         if not carries and not {"empty", "filled"} & set(case.attributes):
@@ -109,12 +114,14 @@ def pull_up(draft: Draft) -> None:
     habits = load_habits()
     for bond in draft.bonds:
         anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
-        if bond.kind in ("next_to", "near") and isinstance(anchor, Mention) and habits.is_in(anchor.noun, "counters"):
-            if habits.tie(bond.subject.noun, anchor.noun) == "at" and bond.subject.many and not bond.negated:
-                bond.kind = "at"
-        elif bond.kind == "in_front_of" and isinstance(anchor, Mention) and not bond.negated:
-            if habits.is_in(bond.subject.noun, "wallpieces") and habits.is_in(anchor.noun, "seating", "seats"):
-                bond.subject, bond.anchors = anchor, (bond.subject,)
+        if not isinstance(anchor, Mention) or bond.negated:
+            continue
+        drawn = bond.subject.many and habits.tie(bond.subject.noun, anchor.noun) == "at"
+        seen = habits.is_in(bond.subject.noun, "wallpieces") and habits.is_in(anchor.noun, "seating", "seats")
+        if bond.kind in ("next_to", "near") and drawn and habits.is_in(anchor.noun, "counters"):
+            bond.kind = "at"
+        elif bond.kind == "in_front_of" and seen:
+            bond.subject, bond.anchors = anchor, (bond.subject,)
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:

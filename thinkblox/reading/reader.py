@@ -89,13 +89,14 @@ def _finish(draft: Draft, fill: Fill) -> None:
     pull_up(draft)
     assume(draft, fill)
     counted = counted_seats(draft)
+    uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft, counted)
         bed_down(draft)
     if fill == "essentials":
-        stock(draft)
+        stock(draft, uncounted)
     _fit_tables(draft)
 
 
