@@ -68,6 +68,12 @@ KEEPING: Mapping[str, Keeping] = {
     "furniture": _standing("against_wall wall", clearance=0.6, large=True),
     "machine": _standing("against_wall wall", clearance=0.7, large=True),
     "storage": _standing("against_wall wall", groups=("storage", "surfaces", "cases"), clearance=0.6, large=True),
+    "goods": _standing(
+        "against_wall wall",
+        groups=("storage", "surfaces", "cases", "takes_goods"),
+        clearance=0.6,
+        large=True,
+    ),
     "tables": _standing("in_centre centre", groups=("tables", "surfaces"), clearance=0.4, large=True),
     "benches": Keeping(
         mount="floor",
