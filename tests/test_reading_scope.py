@@ -44,6 +44,17 @@ from thinkblox.reading import read_brief
         ("A dining table: six plates and six chairs.", "6 plate on dining_table; 6 chair around dining_table"),
         ("Two 3D printers on a desk.", "2 thing_3d_printer on desk"),
         (
+            "A table with two cars, ten wagons and fifteen trees on it, surrounded by four stools.",
+            "10 wagon on dining_table; 15 potted_plant on dining_table; 4 stool around dining_table",
+        ),
+        ("Three rows of five desks. Each row shares a printer on a trolley.", "3 printer on serving_trolley"),
+        ("Four rows of chairs. Each row is facing the stage.", "12 chair facing stage"),
+        ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
+        (
+            "Two lab benches, each with a microscope and a rack with three test tubes in it.",
+            "2 test_tube_rack on lab_bench; 6 test_tube inside test_tube_rack",
+        ),
+        (
             "A vocal booth, 2 x 3 m, with a mic on a mic stand right in the middle.",
             "1 microphone_stand in_centre centre",
         ),

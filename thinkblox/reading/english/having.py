@@ -54,6 +54,8 @@ class Having(Groups):
         several |= thing in self.multiplied
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
         several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
+        if thing is not None and noun is not None and noun.kind == "thing":
+            self._call_after_content(thing, noun.value)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
 
     def _is_at_each(self, thing: Mention) -> bool:

@@ -49,6 +49,16 @@ class Numbers(Verbs):
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
 
+    def _speak_of_rows(self, noun: Noun) -> bool:
+        """Let what is told of "each row" hold so many times as there are rows."""
+        rows = next((thing for thing in reversed(self.draft.things) if thing.rows > 1), None)
+        if rows is None or not self._is_link(self.peek(), "verbs"):
+            return False
+        self._spend(noun)
+        self.frontier = [Node([rows], self.clause, known=True, each=True)]
+        self.clause.members, self.per_group = [rows], rows.rows
+        return True
+
     def _shares_out(self, noun: Noun) -> bool:
         """Read "twelve computers on six desks, two on each": how many of those just placed each of the others has."""
         link, each = self.peek(), self._next_noun(1)
@@ -233,6 +243,8 @@ class Numbers(Verbs):
 
     def _arrange(self, noun: Noun) -> None:
         """Read "(six shelving units stand) in two rows of three"; "the last row" is not understood."""
+        if noun.each and self._speak_of_rows(noun):
+            return
         if noun.ordinal or noun.det in ("the", "my"):
             self._lose(noun.start, noun.end)
             self.frontier, self.subject = [Node()], None

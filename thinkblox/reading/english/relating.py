@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.grammar import grammar
@@ -145,14 +146,31 @@ class Relating(Naming):
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
         return True
 
+    def _call_after_content(self, holder: Mention, content: str) -> None:
+        """Take "a rack with test tubes", "umbrellas in the stand" for the rack and the stand that are for these."""
+        named = self.named_by.get(holder)
+        words = named.text.lower().split() if named is not None else []
+        if not words or words[-1] not in grammar().lists["holders"] or holder.many:
+            return
+        known = name_of(words)
+        found = name_of([*content.split("_"), words[-1]])
+        if (known is None or known.length == 1) and found is not None and found.length > 1:
+            holder.noun = found.name or found.category
+            for bond in self.draft.bonds_of(holder) if is_small(holder) else ():
+                bond.kind = "on" if bond.implied and bond.kind == "next_to" else bond.kind
+
     def _tables_of(self, seats: Sequence[Mention]) -> list[Mention]:
         """The tables, desks and counters that seats were said to be at."""
         places = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
-        return [a for a in places if isinstance(a, Mention) and self._is_sat_at(a)]
+        return [a for a in places if isinstance(a, Mention) and self._seated(a)]
 
-    def _is_sat_at(self, place: Mention) -> bool:
-        tops = self.habits.is_in(place.noun, "tables", "desks", "counters", "worktops")
-        return tops or last_word(place) in ("table", *grammar().lists["sat_at"])
+    def _seated(self, head: Mention) -> str:
+        """How seats stand to what one sits at; "" where one does not."""
+        word = last_word(head)
+        if self.habits.is_in(head.noun, "tables") or word == "table":
+            return "around"
+        sat_at = self.habits.is_in(head.noun, "desks", "counters", "worktops") or word in grammar().lists["sat_at"]
+        return "at" if sat_at else ""
 
     def _only_table(self) -> list[Mention]:
         """The one table or desk that was named, where there is one."""

@@ -153,6 +153,8 @@ class Verbs(Prepositions):
         if every:
             frame.times = max(1, (self.subject.thing.count or every) // every)
             self.each_of = 0
+        elif self.per_group:
+            frame.times, frame.grouped, self.per_group = self.per_group, True, 0
         self.pending = frame
 
     def _participle(self, kind: str) -> None:
