@@ -49,6 +49,14 @@ from thinkblox.reading import read_brief
         ),
         ("Three rows of five desks. Each row shares a printer on a trolley.", "3 printer on serving_trolley"),
         ("Four rows of chairs. Each row is facing the stage.", "12 chair facing stage"),
+        (
+            "Four workstations, all against the wall. Each is a desk with two monitors and a chair in front of it.",
+            "4 desk against_wall wall; 8 monitor on desk; 4 chair in_front_of desk",
+        ),
+        (
+            "Behind the counter, on which there are a cash register and a jar, stands a shelf.",
+            "1 cash_register on counter; 1 jar on counter; 1 shelving_unit behind counter",
+        ),
         ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
         (
             "Two lab benches, each with a microscope and a rack with three test tubes in it.",

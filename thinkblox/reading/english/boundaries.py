@@ -144,11 +144,16 @@ class Boundaries(State):
                 self._end("stop")
             case "which":
                 self.relative = next((n for n in reversed(self.frontier) if n.things), None)
-                if self.relative is None and self.front and not self.clause.members:
-                    anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
-                    self.relative = Node(anchors, None, known=True) if anchors else None
-                    self.held, self.front = self.front, []
+                self.relative = self.relative or self._hold_front()
                 self.separator = ""
+
+    def _hold_front(self) -> Node | None:
+        """What a clause in between is about: "behind the counter, on which there is a jar, stands a shelf"."""
+        if not self.front or self.clause.members or self.front[-1].used:
+            return None
+        anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+        self.held, self.front = self.front, []
+        return Node(anchors, None, known=True) if anchors else None
 
     def _all_but(self) -> bool:
         """Read "every chair but one": what follows is said of the others."""

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.assets.sizing import COUNTED_PARTS
+from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -155,7 +156,8 @@ class Having(Groups):
         """Whether it is a part that furniture comes with: "a cabinet with three drawers", "a vanity with two sinks"."""
         own = noun.kind == "part" and noun.det == "my"
         part = noun.word in grammar().lists["features"] or self._is_bowl_of(noun, thing)
-        return part and not self.each and not own
+        called = name_of(noun.text.lower().split()) if part and noun.named else None
+        return part and not (self.each or own or (called is not None and called.length > 1))
 
     def _is_bowl_of(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is the sink of a vanity: what one washes at has one of its own."""

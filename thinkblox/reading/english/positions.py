@@ -146,6 +146,8 @@ class Positions(Subjects):
         """Read "A counter, on which a monitor stands": a clause of its own about what was just named."""
         outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
         named = (outer or [n for n in self.frontier if n.things] or ([self.subject] if self.subject else []))[-1:]
+        if not named and (anchors := self._hold_front()) is not None:
+            named = [anchors]
         if named:
             self.referents.topics.append(named[0].things[-1])
             self.outer = named[0]

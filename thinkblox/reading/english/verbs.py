@@ -89,6 +89,8 @@ class Verbs(Prepositions):
         if self.subject is not None:
             self.frontier = [self.subject]
         self.separator = ""
+        if link.value == "be" and self._is_what_each_is():
+            return
         match link.value:
             case "have" | "consist":
                 self._have(link.value)
@@ -160,6 +162,8 @@ class Verbs(Prepositions):
     def _participle(self, kind: str) -> None:
         match kind:
             case "hold" | "carry":
+                if not self.frontier and (anchors := self._hold_front()) is not None:
+                    self.frontier = [anchors]
                 carrier = self.frontier[-1].thing if self.frontier else None
                 which = self._before(0)
                 said = which.text.lower() if isinstance(which, Connector) else ""
