@@ -1,11 +1,13 @@
 """English, read with an open vocabulary: noun phrases, clauses, what they refer to, and what became of every word."""
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
+from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
@@ -34,7 +36,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
     tokens = [replace(token, text=word or token.text) for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, chunks).read()
+    draft = Clauses(tokens, with_nouns(chunks)).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft
@@ -43,7 +45,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 def _spelt_out(tokens: list[Token]) -> list[Token]:
     """Words that people shorten, as the lexicon has them; "it's" as two."""
     whole: list[Token] = []
-    for token in tokens:
+    for token in _slashed(tokens):
         if token.text in _JOINED and token.owner:
             head = len(token.text) - 1
             first, rest = token.shown[:head], token.shown[head:]
@@ -52,3 +54,16 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
         else:
             whole.append(replace(token, text=_SHORT.get(token.text, token.text)))
     return whole
+
+
+def _slashed(tokens: list[Token]) -> Iterator[Token]:
+    """The tokens with "w/o" and "w/" as one word each."""
+    at = 0
+    while at < len(tokens):
+        slash = tokens[at].text == "w" and at + 1 < len(tokens) and tokens[at + 1].text == "/"
+        without = slash and at + 2 < len(tokens) and tokens[at + 2].text == "o"
+        length = 3 if without else 2 if slash else 1
+        shown = "".join(token.shown for token in tokens[at : at + length])
+        word = "without" if without else "with"
+        yield replace(tokens[at], text=word, shown=shown) if slash else tokens[at]
+        at += length

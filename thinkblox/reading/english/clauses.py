@@ -204,11 +204,20 @@ class Clauses(Audit):
             self._lose(noun.start, noun.end)
             return
         self.barred = None
+        if self.pending is None and self._is_verb_of_before():
+            self.subject = self.frontier[0]
+            self._open_of_subject("with" if self.verb == "have" else self.verb)
         thing = self._new(noun)
         self._take(thing, noun)
         if self._holds_more(noun):
             self.frontier.append(Node([], Listed(self.frontier[-1], "inside", contents=True)))
         self.negating |= noun.det == "none"
+
+    def _is_verb_of_before(self) -> bool:
+        """Whether a verb is left out: "the one by the window has a vase, the one in the corner a lamp"."""
+        placed = isinstance(self._before(), Noun) and self._is_link(self._before(2), "prepositions")
+        told = self.verb in ("have", "hold", "carry") and not self.predicate and not self.separator
+        return placed and told and bool(self.frontier) and self.frontier[0].known
 
     def _holds_more(self, noun: Noun) -> bool:
         """Whether more of what a thing is named by holding comes: "buckets of roses, tulips and lilies"."""

@@ -10,6 +10,9 @@ from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.several import Several
 from thinkblox.reading.english.state import LOOKAHEAD
 
+_DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
+"""How seats stand that people take at a table."""
+
 
 class Naming(Several):
     """Finds known things and adds new ones."""
@@ -192,8 +195,10 @@ class Naming(Several):
             group = self.groups.get(word)
             if group is not None:
                 return (group,)
-        place = noun.value == "seat" or (noun.det == "each" and word in grammar().lists["seats"])
-        if place and (seats := self._seats()) and self.referents.named(noun) is None:
+        single = noun.det == "each" or (not noun.det and noun.count is None and not noun.plural)
+        place = noun.value == "seat" or (single and word in grammar().lists["seats"])
+        named = self.referents.named(noun)
+        if place and (seats := self._seats()) and (named is None or last_word(named) not in grammar().lists["seats"]):
             return tuple(seats)
         return ()
 
@@ -213,7 +218,9 @@ class Naming(Several):
         return ()
 
     def _seats(self) -> list[Mention]:
-        return [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
+        seats = [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
+        drawn = [t for t in seats if any(b.kind in _DRAWN_UP for b in self.draft.bonds_of(t))]
+        return drawn or seats
 
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""

@@ -39,7 +39,7 @@ class Numbers(Verbs):
             return
         if self._shares_out(noun):
             return
-        whole = self._whole([])
+        whole = self._one_left(noun, [])
         if whole is not None:
             aside = self._list_of(whole)
             self._some(whole, noun)
