@@ -62,6 +62,19 @@ from thinkblox.reading import read_brief
         ("Two tables. The one by the window has a vase, the one in the corner a lamp.",
          ["1 vase on dining_table", "1 table_lamp on dining_table-2"]),
         ("Framed art all over the walls and a tattoo chair.", ["2 picture on wall"]),
+        # What is told again, or with a pronoun, of what the sentence named.
+        ("There is the stove, a black one, against the wall. To its left is a basket.",
+         ["1 stove against_wall wall", "1 basket left_of stove"]),
+        ("Under the bed lies a jute rug and on that, three magazines.", ["3 magazine on rug"]),
+        ("A piano; it has a skull and a metronome on top, the metronome to the left of the skull.",
+         ["1 metronome left_of skull", "1 metronome on piano", "1 skull on piano"]),
+        ("A media console with two game consoles on it, the TV on the wall above the console.",
+         ["1 wall_tv above tv_stand"]),
+        ("A trunk does duty as a nightstand, with a lamp and a carafe on it.", ["1 carafe on chest"]),
+        ("The crib is round; my wife insisted. It goes in the corner.", ["1 crib in_corner corner"]),
+        ("The dock stands within a metre and a half of the door.", ["1 dock near door"]),
+        ("A lamp within 50 cm of the bed.", ["1 floor_lamp next_to bed"]),
+        ("Wall bars are mounted on the wall.", ["1 wall_bars on wall"]),
         # What containers hold, and what stands below what hangs on a wall.
         ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
         ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),
@@ -233,6 +246,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
     ("prompt", "doubt"),
     [
         ("A flat: bed and desk share the same wall.", "the same wall"),
+        ("A lamp within 20 cm of the bed.", "within 20 cm of the bed"),
         ("A sofa with its back to the door.", "its back to the door"),
         ("A desk with its short side against the wall.", "its short side"),
         ("Three tables and a vase on the tables.", "which of them"),

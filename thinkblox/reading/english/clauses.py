@@ -276,13 +276,21 @@ class Clauses(Audit):
     def _is_verb_left_out(self, noun: Noun) -> bool:
         """Whether a known thing is where a preposition says: "the sofa is by the wall, and the desk by the window"."""
         placed = self.predicate and self.verb in ("be", "stand", "hang") and noun.definite and not noun.each
+        placed |= self._is_told_more_of(noun)
         if not placed or self.subject is None or not self._is_link(self.peek(), "prepositions"):
             return False
         if self._is_link(self.peek(), "prepositions", "with", "of", "for", "as", "without"):
             return False
-        told = any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
+        told = self._is_told_more_of(noun)
+        told |= any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
         known = self.referents.named(noun)
         return told and known is not None and known not in self.subject.things
+
+    def _is_told_more_of(self, noun: Noun) -> bool:
+        """Whether it tells of what the sentence named where it is: "has a skull and a lamp, the lamp left of ..."."""
+        known = self.referents.named(noun) if noun.det == "the" and self.separator == "comma" else None
+        here = (t for chunk in self.chunks[self._clause_start() : self.at - 1] for t in self.meant.get(chunk.start, ()))
+        return known is not None and known in here
 
     def _is_said_of_subject(self, noun: Noun) -> bool:
         """Take "a recliner", "glass" after "is" for what the subject is."""

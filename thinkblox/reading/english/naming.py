@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -225,7 +226,8 @@ class Naming(Several):
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
         self._spend(noun)
-        several = noun.plural and (noun.value in self.habits.known() or not _is_one_made_of_two(noun))
+        plain = noun.value in CATALOGUE and not kind_of(noun.value).plain
+        several = noun.plural and (plain or not _is_one_made_of_two(noun))
         count = noun.count if noun.count is not None else (None if several else 1)
         if noun.value == "seat" and not noun.named:
             noun.value = "chair"

@@ -23,7 +23,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._again_with(noun) or self._adds(noun):
+        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -48,6 +48,22 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _is_look_of_last(self, noun: Noun) -> bool:
+        """Take "the stove, a black cast-iron one" for what the stove is like."""
+        thing = self.frontier[-1].thing if self.frontier else None
+        plain = noun.det == "a" and noun.word == "one" and not (noun.of_known or noun.ordinal or noun.side)
+        if (
+            thing is None
+            or thing.many
+            or not plain
+            or self.separator != "comma"
+            or not (noun.attributes or noun.unshown)
+        ):
+            return False
+        self._spend(noun)
+        self._look(thing, noun)
+        return True
 
     def _shares_out(self, noun: Noun) -> bool:
         """Read "twelve computers on six desks, two on each": how many of those just placed each of the others has."""

@@ -244,8 +244,16 @@ class PhraseReader(Heads):
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
+        if units.nouns and units.nouns[-1].known is not None and self._is_state_at_end(at):
+            return True
         stands = text == "stands" and not units.nouns and people
         return stands or (bool(units.nouns) and self.is_after_noun(at))
+
+    def _is_state_at_end(self, at: int) -> bool:
+        """Whether only how the thing is to be found comes: "Curtains closed."."""
+        state = grammar().at(self.tokens, at, "states")
+        end = at + state.length if state is not None else 0
+        return bool(end) and (end >= len(self.tokens) or self.tokens[end].kind == "mark")
 
     def is_after_noun(self, at: int) -> bool:
         """Whether words that hyphens join describe the noun before them: "a TV wall-mounted opposite it"."""

@@ -566,6 +566,7 @@ class Positions(Subjects):
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None
-            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and"
+            pointed = isinstance(before := self.peek(-1), Noun) and before.kind == "pronoun"
+            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and" or pointed
             return isinstance(following, Noun) and following.kind == "thing" and comma
         return False

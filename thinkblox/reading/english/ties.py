@@ -313,6 +313,7 @@ class Ties(Relating):
         """Whether it is small and ends a list of what lies there: "a counter with a till and a ticket dispenser"."""
         ends = self.separator == "and" and self._is_end(self.peek())
         low = max(kind_of(thing.noun).size) <= _SMALL or self.habits.is_in(thing.noun, "plants")
+        ends |= self._has_shelves(head) and kind_of(thing.noun).plain and self.separator in ("comma", "and")
         return ends and low and self._carries_before(thing, head, frame)
 
     def _carries_before(self, thing: Mention, head: Mention, frame: Listed) -> bool:
