@@ -204,11 +204,20 @@ class Clauses(Audit):
             self._lose(noun.start, noun.end)
             return
         self.barred = None
+        if self.pending is None and self._is_verb_of_before():
+            self.subject = self.frontier[0]
+            self._open_of_subject("with" if self.verb == "have" else self.verb)
         thing = self._new(noun)
         self._take(thing, noun)
         if self._holds_more(noun):
             self.frontier.append(Node([], Listed(self.frontier[-1], "inside", contents=True)))
         self.negating |= noun.det == "none"
+
+    def _is_verb_of_before(self) -> bool:
+        """Whether a verb is left out: "the one by the window has a vase, the one in the corner a lamp"."""
+        placed = isinstance(self._before(), Noun) and self._is_link(self._before(2), "prepositions")
+        told = self.verb in ("have", "hold", "carry") and not self.predicate and not self.separator
+        return placed and told and bool(self.frontier) and self.frontier[0].known
 
     def _holds_more(self, noun: Noun) -> bool:
         """Whether more of what a thing is named by holding comes: "buckets of roses, tulips and lilies"."""
@@ -267,13 +276,21 @@ class Clauses(Audit):
     def _is_verb_left_out(self, noun: Noun) -> bool:
         """Whether a known thing is where a preposition says: "the sofa is by the wall, and the desk by the window"."""
         placed = self.predicate and self.verb in ("be", "stand", "hang") and noun.definite and not noun.each
+        placed |= self._is_told_more_of(noun)
         if not placed or self.subject is None or not self._is_link(self.peek(), "prepositions"):
             return False
         if self._is_link(self.peek(), "prepositions", "with", "of", "for", "as", "without"):
             return False
-        told = any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
+        told = self._is_told_more_of(noun)
+        told |= any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
         known = self.referents.named(noun)
         return told and known is not None and known not in self.subject.things
+
+    def _is_told_more_of(self, noun: Noun) -> bool:
+        """Whether it tells of what the sentence named where it is: "has a skull and a lamp, the lamp left of ..."."""
+        known = self.referents.named(noun) if noun.det == "the" and self.separator == "comma" else None
+        here = (t for chunk in self.chunks[self._clause_start() : self.at - 1] for t in self.meant.get(chunk.start, ()))
+        return known is not None and known in here
 
     def _is_said_of_subject(self, noun: Noun) -> bool:
         """Take "a recliner", "glass" after "is" for what the subject is."""

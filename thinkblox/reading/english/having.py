@@ -52,7 +52,7 @@ class Having(Groups):
             self._dissolve(thing)
             return
         several = head.frame is not None and head.frame.times > 1
-        several |= thing in self.multiplied
+        several |= thing in self.multiplied or (thing is not None and bool(thing.per))
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
         several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
         if thing is not None and noun is not None and noun.kind == "thing":

@@ -196,7 +196,7 @@ class Heads(Modifiers):
         if noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
             noun.kind, noun.named, noun.end = "thing", False, longest
             noun.value = identifier_of(noun_of(self.tokens[longest - 1].text))
-            noun.attributes.clear()
+            noun.looks, noun.attributes = noun.attributes, []
             return self._finished(noun)
         return None
 

@@ -23,7 +23,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._again_with(noun) or self._adds(noun):
+        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -39,7 +39,7 @@ class Numbers(Verbs):
             return
         if self._shares_out(noun):
             return
-        whole = self._whole([])
+        whole = self._one_left(noun, [])
         if whole is not None:
             aside = self._list_of(whole)
             self._some(whole, noun)
@@ -57,6 +57,22 @@ class Numbers(Verbs):
         self._spend(noun)
         self.frontier = [Node([rows], self.clause, known=True, each=True)]
         self.clause.members, self.per_group = [rows], rows.rows
+        return True
+
+    def _is_look_of_last(self, noun: Noun) -> bool:
+        """Take "the stove, a black cast-iron one" for what the stove is like."""
+        thing = self.frontier[-1].thing if self.frontier else None
+        plain = noun.det == "a" and noun.word == "one" and not (noun.of_known or noun.ordinal or noun.side)
+        if (
+            thing is None
+            or thing.many
+            or not plain
+            or self.separator != "comma"
+            or not (noun.attributes or noun.unshown)
+        ):
+            return False
+        self._spend(noun)
+        self._look(thing, noun)
         return True
 
     def _shares_out(self, noun: Noun) -> bool:

@@ -40,8 +40,7 @@ class Positions(Subjects):
             return self._which(where)
         if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
             return where
-        whole = self.referents.named(chunk) if chunk.every and chunk.counted else None
-        if chunk.every and chunk.counted and not (whole is not None and whole.many):
+        if chunk.every and chunk.counted and not self._are_many_named(chunk):
             several = replace(chunk, det="", every=0, counted=False, count=chunk.every, plural=True)
             self.chunks[index], self.at = several, index
             where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
@@ -73,6 +72,13 @@ class Positions(Subjects):
             self._spend(noun)
             return replace(noun, kind="part", value="inside")
         return noun
+
+    def _are_many_named(self, noun: Noun) -> bool:
+        """Whether several were named of which "every three seats" are some."""
+        whole = self.referents.named(noun)
+        if whole is None and noun.word in grammar().lists["seats"]:
+            whole = next(iter(self._seats()), None)
+        return whole is not None and whole.many
 
     def _is_within_owner(self, noun: Noun) -> bool:
         """Whether "the shelves" are those of what was just named: "a shoe rack with shoes on the shelves"."""
@@ -344,7 +350,8 @@ class Positions(Subjects):
         if not self.front or self.clause.members or self.frontier or self.separator or self.subject is not None:
             return False
         before = self.chunks[self._began - 1] if self._began > 0 else None
-        return isinstance(before, Noun) and before.kind == "thing" and isinstance(self.front[-1].anchors[0], Mention)
+        named = isinstance(before, Noun) and before.kind in ("thing", "number", "pronoun")
+        return named and isinstance(self.front[-1].anchors[0], Mention)
 
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
@@ -567,6 +574,7 @@ class Positions(Subjects):
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None
-            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and"
+            pointed = isinstance(before := self.peek(-1), Noun) and before.kind == "pronoun"
+            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and" or pointed
             return isinstance(following, Noun) and following.kind == "thing" and comma
         return False

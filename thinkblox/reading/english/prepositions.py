@@ -6,7 +6,7 @@ from dataclasses import replace
 from thinkblox.knowledge.seats import places_at
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
@@ -41,16 +41,14 @@ class Prepositions(Negation):
                 self._open("with")
             case "without" | "instead":
                 self._exclude_next()
-            case "except":
-                self._except_next(link)
             case "of":
                 self._of()
-            case "for":
-                self._for(link)
             case "as":
                 self._as()
-            case "among":
-                self._among(link)
+            case "except" | "for" | "among":
+                {"except": self._except_next, "for": self._for, "among": self._among}[link.value](link)
+            case "in" if isinstance(self.peek(), Measured):
+                self._lose_distance(link)
             case _:
                 self._began = self.at - 1
                 self._where(self._read_where(link))
@@ -66,6 +64,17 @@ class Prepositions(Negation):
         if thing is not None or self._leads_with_everyone(link):
             return replace(link, value="at")
         return replace(link, value="on") if link.value == "among" and self._is_on_walls() else link
+
+    def _lose_distance(self, link: Connector) -> None:
+        """Say of "within 20 cm of the bed" that no relation of ours is as exact; the bed is asked for."""
+        noun = self._next_noun(2) if self._is_link(self.peek(1), "prepositions", "of", "from") else None
+        end = self.peek()
+        if noun is None or end is None:
+            return
+        self._go_past(noun)
+        if noun.kind == "thing":
+            self.anchors(noun, [])
+        self._lose(link.start, noun.end)
 
     def _is_for_everyone(self, link: Connector) -> Mention | None:
         """What there is one of "for each person"; None where no such thing was just named."""

@@ -71,6 +71,10 @@ class Referents:
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value),
         )
+        lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
+        single = [t for t in recent if lone and not t.many and last_word(t) == word]
+        if single and recent and recent[0] not in self.parts and not self.is_apart(single[0]):
+            return single[0]
         several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
         if noun.det == "the" and several and not any(self.family(t)[1:] for t in said if last_word(t) == word):
             return several[0]

@@ -210,6 +210,8 @@ class Relating(Naming):
 
     def _share(self, bond: Bond) -> None:
         """Keep the number that "each" gave where the relation to it is told in other words."""
+        if bond.subject.per and set(bond.anchors) <= set(bond.subject.per):
+            bond.each |= bond.kind != "between"
         for old in self.draft.bonds:
             if old.implied and old.each and old.subject is bond.subject and not bond.each:
                 heads = [a for a in old.anchors if isinstance(a, Mention)]

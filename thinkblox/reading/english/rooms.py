@@ -103,6 +103,12 @@ class Rooms(Memberships):
         if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
+        if roomish_under := self._place_of_label(noun):
+            self._spend(roomish_under)
+            self._room(replace(noun, kind="room", value=noun.value if noun.kind == "room" else "room"))
+            self.at += 2
+            self._lose(after.start if after is not None else noun.end, roomish_under.end)
+            return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
         roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
@@ -130,6 +136,16 @@ class Rooms(Memberships):
             return True
         return False
 
+    def _place_of_label(self, noun: Noun) -> Noun | None:
+        """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""
+        roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"] and not noun.many
+        place = (
+            self.peek(1) if self._is_link(self.peek(), "prepositions", "under", "above", "behind", "next_to") else None
+        )
+        sized = self._is_link(self.peek(2), "mark") and isinstance(self.peek(3), Measured)
+        ended = self._is_link(self.peek(2), "mark", "colon", "stop", "dash") or sized
+        return place if roomish and ended and isinstance(place, Noun) and place.kind == "thing" else None
+
     def _is_room_size(self, size: Size) -> bool:
         """Whether a size is that of a room rather than of a thing."""
         sides = [length.metres for length in size.lengths]
@@ -154,7 +170,7 @@ class Rooms(Memberships):
             return
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
         if everyone and self._is_link(self.peek(), "verbs", "have"):
-            seats = (t.seats for t in reversed(self.draft.things) if t.seats)
+            seats = (t.seats * (t.count or 1) for t in reversed(self.draft.things) if t.seats)
             self._begin()
             self.crowd = self.draft.people or next(seats, 0)
             if not self.crowd:

@@ -36,6 +36,7 @@ class State(Namer):
         counted: things whose number was told as a part of several, and is not that of each side.
         multiplied: things of which so many were asked for at each of several places.
         told_later: what "every" named first and whose number came after.
+        singled: what is left of several since one was called "the one by the window".
         summed: several without a number, whose parts are being counted.
         summed_looks: what was said of all of these before.
         each_of: of how many "every two" were the last.
@@ -90,6 +91,7 @@ class State(Namer):
         self.counted: set[Mention] = set()
         self.multiplied: set[Mention] = set()
         self.told_later: set[Mention] = set()
+        self.singled: Mention | None = None
         self.summed: Mention | None = None
         self.summed_looks: tuple[list[str], list[str], list[str]] = ([], [], [])
         self.each_of = 0

@@ -1,6 +1,7 @@
 """Whom a relation is about, and what a pronoun then means."""
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
@@ -301,8 +302,8 @@ class Subjects(Having):
         """A list that shares what is said of its last member: "a vase and two candles on the table"."""
         thing = node.things[-1]
         frame = node.frame
-        if below := self._under_raised(node, where):
-            return Node(below, frame)
+        if together := self._under_raised(node, where) or self._named_with(node):
+            return Node(together, frame)
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
         if untied := self._untied_before(node, frame, where):
@@ -328,8 +329,7 @@ class Subjects(Having):
             return node
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
         leaning = self._is_leaning()
-        taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
-        taken += [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
+        taken = self._taken(frame, thing)
         free: list[Mention] = []
         for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
@@ -338,6 +338,28 @@ class Subjects(Having):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _taken(self, frame: Listed, thing: Mention) -> list[Mention]:
+        """What of a list has a place of its own, which it does not share with its last thing."""
+        shared = [(b.kind, b.anchors) for b in self.draft.bonds_of(thing) if frame.head is None]
+        taken = [
+            m
+            for m in frame.members
+            if any(not b.implied and (b.kind, b.anchors) not in shared for b in self.draft.bonds_of(m))
+        ]
+        return taken + [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
+
+    def _named_with(self, node: Node) -> list[Mention]:
+        """Both of "a green and a black chair", which are where the last is said to be; empty for other things."""
+        thing, members = node.things[-1], node.frame.members if node.frame is not None else []
+        before = reversed(members[: members.index(thing) if thing in members else 0])
+        alike = [*takewhile(lambda member: member.noun == thing.noun and self._is_borrowed(member), before)]
+        return [*alike[::-1], *node.things] if alike else []
+
+    def _is_borrowed(self, thing: Mention) -> bool:
+        """Whether the noun it was named by is that of what came after it."""
+        said = self.named_by.get(thing)
+        return said is not None and bool(said.looks)
 
     def _under_raised(self, node: Node, where: Where) -> list[Mention]:
         """The furniture that stands under what is raised over it: "a loft bed, a desk and a chair below it"."""

@@ -93,7 +93,7 @@ class Ties(Relating):
         pair &= len(frame.members) == 1 or not (frame.told or frame.closing or self._is_told_next())
         if tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members and not pair:
             return False
-        if frame.told and is_small(head) and not frame.each:
+        if frame.told and is_small(head) and (not frame.each or head.per):
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
@@ -121,12 +121,20 @@ class Ties(Relating):
 
     def _is_told_by_pronoun(self) -> bool:
         """Whether "on it", "above them" comes."""
-        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        at = self._past_place(1 if self._is_link(self.peek(), "participles") else 0)
+        noun = self._next_noun(at + 1) if self._is_link(self.peek(at), "prepositions") else None
         return noun is not None and noun.kind == "pronoun"
+
+    def _past_place(self, at: int) -> int:
+        """How many chunks ahead it goes on after a place: after "on the wall" of "a shelf on the wall above it"."""
+        place = self._next_noun(at + 1) if self._is_link(self.peek(at), "prepositions") else None
+        goes_on = place is not None and place.kind == "place" and self._is_link(self.peek(at + 2), "prepositions")
+        return at + 2 if goes_on else at
 
     def _told_of(self, frame: Listed, thing: Mention) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
+        index = self._past_place(index) if frame.each and self._is_told_by_pronoun() else index
         link = self.peek(index)
         noun = self._next_noun(index + 1)
         if not isinstance(link, Connector) or link.sort != "prepositions":
@@ -319,6 +327,7 @@ class Ties(Relating):
         """Whether it is small and ends a list of what lies there: "a counter with a till and a ticket dispenser"."""
         ends = self.separator == "and" and self._is_end(self.peek())
         low = max(kind_of(thing.noun).size) <= _SMALL or self.habits.is_in(thing.noun, "plants")
+        ends |= self._has_shelves(head) and kind_of(thing.noun).plain and self.separator in ("comma", "and")
         return ends and low and self._carries_before(thing, head, frame)
 
     def _carries_before(self, thing: Mention, head: Mention, frame: Listed) -> bool:

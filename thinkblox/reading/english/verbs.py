@@ -67,6 +67,17 @@ class Verbs(Prepositions):
             self.subject, self.relative = self.relative, None
         elif self.subject is None or (self.clause.members and not self.predicate):
             self.subject = self._one_subject(link)
+            self._take_all_parts(link)
+
+    def _take_all_parts(self, link: Connector) -> None:
+        """Let a plural verb after a comma be about all of those that were just told apart: "..., one red, lie ..."."""
+        thing = self.subject.thing if self.subject is not None else None
+        family = self.referents.family(thing) if thing is not None else []
+        parted = len(family) > 1 and self._is_link(self._before(), "mark", "comma")
+        plural = not link.text.lower().split()[0].endswith("s")
+        here = {t for chunk in self.chunks[self._clause_start() : self.at] for t in self.meant.get(chunk.start, ())}
+        if self.subject is not None and parted and plural and here & set(family):
+            self.subject = Node(family, self.subject.frame, known=self.subject.known)
 
     def _one_subject(self, link: Connector) -> Node | None:
         """What a verb is said of: of a thing alone where it is singular, though others are joined to what it has."""
