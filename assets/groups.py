@@ -55,6 +55,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "sat_before": "needs floor before it for those who sit or stand there",
         # What the expert speaks of.
         "seating": "people sit on it",
+        "treated_on": "who is treated sits or lies on it",
         "lain_on": "people lie on it: they get in from its sides",
         "foot_rugs": "a rug under it reaches out at its foot",
         "lounged_at": "lounge seats gather around it",

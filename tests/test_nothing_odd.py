@@ -507,3 +507,38 @@ def test_armchairs_that_face_each_other_have_the_small_table_beside_them() -> No
     plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
     assert [(tie.kind, tie.anchors) for tie in plan.target("side_table_1").ties] == [("next_to", ("armchair_1",))]
     assert [(tie.kind, tie.anchors) for tie in plan.target("armchair_2").ties] == [("facing", ("armchair_1",))]
+
+
+def test_an_armchair_in_the_corner_is_no_chair_for_pupils_and_diners() -> None:
+    brief = read_brief("A classroom for 30 kids with a teacher's desk and a reading corner")
+    assert sum(request.count for request in brief.requests if request.category == "chair") == 31
+    assert counts("A dining room with a sideboard and an armchair").get("chair")
+
+
+def test_a_dentist_treats_in_one_chair() -> None:
+    assert "examination_table" not in counts("A clinic with a dentist chair, a cabinet and a stool")
+
+
+def test_a_side_table_in_a_meeting_room_stands_at_the_wall_and_not_by_a_drawn_up_chair() -> None:
+    brief = read_brief("A conference room with a table for ten and a side table")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert [tie.kind for tie in plan.target("side_table_1").ties] == ["against_wall"]
+
+
+def test_a_tv_wall_is_watched_from_the_sofa() -> None:
+    brief = read_brief("A living room with a sofa and a TV wall")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert [(tie.kind, tie.anchors) for tie in plan.target("wall_tv_1").ties] == [("opposite", ("sofa_1",))]
+
+
+@pytest.mark.parametrize(
+    ("things", "category"), [("three massage tables", "massage_table"), ("three high tables", "high_table")]
+)
+def test_between_tables_that_stand_in_rows_there_is_a_way(things: str, category: str) -> None:
+    tables = placed(generate_room(f"A room with {things}", seed=0, fill="named"), category)
+    assert len(tables) == 3
+    assert all(a.footprint.distance(b.footprint) > 0.5 for n, a in enumerate(tables) for b in tables[:n])
+
+
+def test_an_aquarium_has_a_stand_of_its_own() -> None:
+    assert counts("A living room with a sofa, a coffee table and an aquarium").get("aquarium_stand") == 1

@@ -202,7 +202,9 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
 
 
 def _is_its_own(anchor: Member, member: Member, habit: Habit) -> bool:
-    """Whether the anchor is what usually stands next to it, and so is not gone near: the side table of an armchair."""
+    """Whether the anchor is no company: it usually stands next to the other itself, or is drawn up to a table."""
+    if habit.kind == "next_to" and load_habits().is_in(anchor.category, "seats"):
+        return any(tie.kind in ("at", "around", "at_long_side", "at_short_side") for tie in anchor.ties)
     return habit.kind == "near" and load_habits().tie(anchor.category, member.category) == "next_to"
 
 

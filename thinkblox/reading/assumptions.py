@@ -324,6 +324,8 @@ def _place(anchors: str, made: Mapping[str, Mention]) -> str:
 def _serves(noun: str, usual: Usual) -> bool:
     """Whether a <noun> will do instead of what is expected: no island and no bar for the cabinets along a wall."""
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
+    if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
+        return True
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
 
@@ -351,7 +353,8 @@ def _have_places(draft: Draft, category: str) -> bool:
 
 def _is_one(noun: str, category: str) -> bool:
     """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
-    if load_habits().is_in(category, "chairs") and not load_habits().is_in(noun, "chairs", "seats"):
+    upright = load_habits().is_in(category, "chairs")
+    if upright and (not load_habits().is_in(noun, "chairs", "seats") or load_habits().is_in(noun, "lounges")):
         return False
     if load_habits().is_in(category, "own_bed") and load_habits().is_in(noun, "lain_on", "beds"):
         return True
