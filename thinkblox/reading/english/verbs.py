@@ -39,7 +39,8 @@ class Verbs(Prepositions):
                 self.existential = True
             case _:
                 self._find_subject(link)
-                if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
+                told = self.subject is not None or link.value not in ("be", "stand", "hang", "serve")
+                if told and not (link.value == "be" and self._is_what_each_is()):
                     self._predicate(link)
 
     def _do_something(self, link: Connector) -> None:
@@ -100,8 +101,6 @@ class Verbs(Prepositions):
         if self.subject is not None:
             self.frontier = [self.subject]
         self.separator = ""
-        if link.value == "be" and self._is_what_each_is():
-            return
         match link.value:
             case "have" | "consist":
                 self._have(link.value)
