@@ -92,6 +92,29 @@ def test_whose_a_size_is(prompt: str, size: tuple[float | None, float | None]) -
     assert (brief.width, brief.depth) == size
 
 
+@pytest.mark.parametrize(
+    ("prompt", "counts", "excluded"),
+    [
+        (
+            "A bed, and instead of a nightstand a wooden chair with an alarm clock on it.",
+            "bed chair alarm_clock",
+            "nightstand",
+        ),
+        ("Instead of a bed or a sofa, a futon and a rug.", "futon rug", "bed sofa"),
+    ],
+)
+def test_only_what_is_replaced_is_excluded(prompt: str, counts: str, excluded: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert set(counted(brief)) == set(counts.split())
+    assert set(brief.excluded) == set(excluded.split())
+
+
+def test_what_an_animal_lies_on_is_asked_for() -> None:
+    brief = read_brief("A sofa and the cat asleep on the ironing board.", fill="named")
+    assert counted(brief) == {"sofa": 1, "ironing_board": 1}
+    assert any("cat" in unknown for unknown in brief.unknown)
+
+
 def test_what_lacks_something_is_still_spoken_of() -> None:
     brief = read_brief("A large aquarium without any fish stands against the wall.", fill="named")
     assert counted(brief) == {"aquarium": 1}

@@ -58,7 +58,8 @@ class Clauses(Audit):
             if self._is_link(self._before(), "prepositions"):
                 self.pending = None
             self._lose(stray.start, stray.end)
-            if isinstance(following, Noun) and self.account.text(stray.start, stray.end).endswith((" than", " as")):
+            last = self.account.text(stray.start, stray.end).rpartition(" ")[2].lower()
+            if isinstance(following, Noun) and (last in ("than", "as") or grammar().knows(last, "prepositions")):
                 self.draft.unknown[-1] = self.account.text(stray.start, following.end)
 
     def _link(self, link: Connector) -> None:

@@ -158,3 +158,5 @@ class Negation(Positions):
         self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None
         self.barred = noun
+        if self._is_link(self._before(), "prepositions", "instead") and not self._is_link(self.peek(), "joins"):
+            self.excluding = False
