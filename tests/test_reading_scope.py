@@ -57,6 +57,18 @@ from thinkblox.reading import read_brief
             "Behind the counter, on which there are a cash register and a jar, stands a shelf.",
             "1 cash_register on counter; 1 jar on counter; 1 shelving_unit behind counter",
         ),
+        (
+            "Ten desks in two rows. Per desk: one monitor and one office chair.",
+            "10 monitor on desk; 10 office_chair at desk",
+        ),
+        (
+            "The washer and the dryer stand against the wall, the dryer directly to the right of the washer.",
+            "1 washing_machine against_wall wall; 1 dryer right_of washing_machine",
+        ),
+        ("The bed, a black iron one, is in the corner.", "1 bed in_corner corner"),
+        ("Pool table dead centre with three balls on it.", "3 ball on pool_table"),
+        ("A low table. It's got four magazines on it.", "4 magazine on coffee_table"),
+        ("Two server racks with three servers in each.", "6 server inside server_rack"),
         ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
         (
             "Two lab benches, each with a microscope and a rack with three test tubes in it.",
@@ -101,6 +113,7 @@ def test_whose_a_size_is(prompt: str, size: tuple[float | None, float | None]) -
             "nightstand",
         ),
         ("Instead of a bed or a sofa, a futon and a rug.", "futon rug", "bed sofa"),
+        ("A desk. Neither plants nor a telephone.", "desk", "plant telephone"),
     ],
 )
 def test_only_what_is_replaced_is_excluded(prompt: str, counts: str, excluded: str) -> None:

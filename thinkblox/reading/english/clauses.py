@@ -278,14 +278,16 @@ class Clauses(Audit):
         """Whether a known thing is where a preposition says: "the sofa is by the wall, and the desk by the window"."""
         placed = self.predicate and self.verb in ("be", "stand", "hang") and noun.definite and not noun.each
         placed |= self._is_told_more_of(noun)
-        if not placed or self.subject is None or not self._is_link(self.peek(), "prepositions"):
+        link = self.peek(1) if self._is_link(self.peek(), "participles", "stand") else self.peek()
+        if not placed or self.subject is None or not self._is_link(link, "prepositions"):
             return False
-        if self._is_link(self.peek(), "prepositions", "with", "of", "for", "as", "without"):
+        if self._is_link(link, "prepositions", "with", "of", "for", "as", "without"):
             return False
         told = self._is_told_more_of(noun)
         told |= any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
         known = self.referents.named(noun)
-        return told and known is not None and known not in self.subject.things
+        one_of_several = len(self.subject.things) > 1 and not noun.many
+        return told and known is not None and (known not in self.subject.things or one_of_several)
 
     def _is_told_more_of(self, noun: Noun) -> bool:
         """Whether it tells of what the sentence named where it is: "has a skull and a lamp, the lamp left of ..."."""

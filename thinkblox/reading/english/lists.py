@@ -170,7 +170,7 @@ class Memberships(Ties):
             if front.meaning.loose and not front.used:
                 self._lose_where(front.where)
             front.used = True
-            self._relate(things, replace(front.meaning), negated=front.where.negated)
+            self._relate(things, self.meanings.of_each(front.meaning, things), negated=front.where.negated)
 
     def _resume(self, things: list[Mention], noun: Noun) -> None:
         """Go back to things named before."""

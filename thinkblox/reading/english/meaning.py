@@ -568,6 +568,10 @@ class Meanings:
     def _kind(self, word: str) -> str:
         return _NAMED.get(word, word)
 
+    def of_each(self, meaning: Meaning, subjects: list[Mention]) -> Meaning:
+        """What "per desk", told before its subjects, means for them."""
+        return self._fitting(replace(meaning), subjects)
+
     def _fitting(self, meaning: Meaning, subjects: list[Mention], noun: str = "", word: str = "") -> Meaning:
         """The relation that a general word like "at", "in" or "per" stands for between these two."""
         anchor = meaning.anchors[0]
@@ -581,8 +585,9 @@ class Meanings:
                 "around" if habits.is_in(anchor.noun, "tables") else "at" if habits.is_in(name, "seats") else "next_to"
             )
             meaning.kind = usual if usual in ("at", "around") else seated if name else "at"
-        elif meaning.kind in ("per", "for"):
-            meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
+        elif meaning.kind in ("per", "for") and name:
+            lies = bool(subjects) and is_small(subjects[-1]) and not habits.is_in(anchor.noun, "seats", "chairs")
+            meaning.kind = usual or ("on" if lies else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
             meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"

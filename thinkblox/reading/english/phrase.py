@@ -172,6 +172,8 @@ class PhraseReader(Heads):
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
         stop = grammar().at(self.tokens, at, *STOPS)
+        if known is not None and not units.nouns and self._is_one(at + known.length):
+            return self._kind_of_one(noun, at, units, known)
         if known is not None and not units.nouns and self._is_shade(at, known.length):
             known = None
         if known is not None and self._is_better(known, stop, units):
@@ -203,6 +205,16 @@ class PhraseReader(Heads):
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
         return at < len(self.tokens) and self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
 
+    def _kind_of_one(self, noun: Noun, at: int, units: Units, known: Known) -> int:
+        """Take the iron of "a black iron one" for what that is like."""
+        said = self._known(at, "attribute")
+        if said is not None and said.length == known.length:
+            noun.attributes.append(said.entry.value)
+        else:
+            noun.unshown.append(self._text(at, at + known.length))
+        units.adjectives += 1
+        return known.length
+
     def _is_shade(self, at: int, length: int) -> bool:
         """Whether a word for a thing is the colour or material of what follows: "orange cushions", "a glass table"."""
         if length == 1 and self.tokens[at].text in grammar().lists["tints"] and self._is_colour(at + 1):
@@ -210,7 +222,7 @@ class PhraseReader(Heads):
         said = self._known(at, "attribute")
         if said is not None and said.length > length and self._starts_noun(at + said.length):
             return said.entry.value in LOOKS
-        if said is None or said.length != length or not self._starts_noun(at + length):
+        if said is None or said.length != length or not (self._starts_noun(at + length) or self._is_one(at + length)):
             return False
         return said.entry.value in LOOKS or said.entry.value in _SIZES
 

@@ -61,7 +61,10 @@ class Pronouns(Numbers):
         if noun.value == "none" and self._is_link(self._before(), "verbs", "be", "stand", "hang") and self.predicate:
             self.negating = True
             return
-        if noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
+        following = self.peek()
+        if noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":
+            self.excluding = not following.definite
+        elif noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
         elif (whole := self._whole([])) is not None:
             self._speak_of_some(whole, noun)

@@ -96,7 +96,8 @@ class Rooms(Memberships):
         if self.draft.things or self.draft.room or self.front or self.draft.excluded:
             return False
         after = self.peek()
-        if isinstance(after, Noun) and after.kind == "place" and not after.det and after.start == noun.end:
+        beside = isinstance(after, Noun) and after.kind == "place" and not after.det and after.start == noun.end
+        if beside and not noun.named:
             self.at += 1
             self._room(replace(noun, kind="room", value="room"))
             return True
