@@ -69,6 +69,19 @@ from thinkblox.reading import read_brief
         ("Pool table dead centre with three balls on it.", "3 ball on pool_table"),
         ("A low table. It's got four magazines on it.", "4 magazine on coffee_table"),
         ("Two server racks with three servers in each.", "6 server inside server_rack"),
+        (
+            "A bench is under the window; it is of maple, and on it he keeps three chisels.",
+            "1 bench next_to window; 3 chisel on bench",
+        ),
+        (
+            "A cabinet in the corner holds four rocks, and far from it, next to the door, stands a coat rack.",
+            "1 cabinet in_corner corner; 1 coat_rack far cabinet; 1 coat_rack next_to door",
+        ),
+        (
+            "Three stands, each carries four buckets; in every bucket is a bouquet, half of the bouquets red.",
+            "6 bouquet inside bucket; 6 bouquet-2 inside bucket",
+        ),
+        ("On the desk a lamp and, behind it, a plant.", "1 desk_lamp on desk; 1 potted_plant on desk"),
         ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
         (
             "Two lab benches, each with a microscope and a rack with three test tubes in it.",

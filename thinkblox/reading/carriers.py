@@ -52,7 +52,8 @@ def _lies(bond: Bond) -> bool:
 
 def _can_lie(thing: Mention) -> bool:
     """Whether it lies on others by nature, in one of the senses of its name."""
-    nouns = [category for category, _ in senses_of(thing.noun)] if thing.noun in GENERAL_WORDS else [thing.noun]
+    nouns = [category for category, _ in senses_of(thing.noun)]
+    nouns += [thing.noun] if thing.noun not in GENERAL_WORDS else []
     return any(mount_of(kind_of(noun), thing.attributes) == "surface" for noun in nouns)
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
-from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.nodes import Awaited, Listed, Node
 from thinkblox.reading.english.ties import Ties
 
 _FOR_ALL = (
@@ -149,6 +149,8 @@ class Memberships(Ties):
     def _apply_front(self, things: list[Mention]) -> None:
         """Give things the relation that stood before them ("on the desk a lamp and a vase")."""
         for front in list(self.front):
+            if all(self._is_bound_by(front, thing) for thing in things):
+                continue
             listed = len(self.clause.members) > len(things)
             thing = things[-1]
             off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted")
@@ -171,6 +173,12 @@ class Memberships(Ties):
                 self._lose_where(front.where)
             front.used = True
             self._relate(things, self.meanings.of_each(front.meaning, things), negated=front.where.negated)
+
+    def _is_bound_by(self, front: Awaited, thing: Mention) -> bool:
+        """Whether what stands in front was said of a thing before: of the bouquets of "half of the bouquets"."""
+        kinds = ("on", "inside") if front.kind in ("on", "inside", "in") else (front.kind,)
+        bonds = self.draft.bonds_of(thing)
+        return any(b.anchors == front.anchors and b.kind in kinds and not b.implied for b in bonds)
 
     def _resume(self, things: list[Mention], noun: Noun) -> None:
         """Go back to things named before."""

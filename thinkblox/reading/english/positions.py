@@ -553,13 +553,22 @@ class Positions(Subjects):
                 return ""
         return ""
 
+    def _past_positions(self) -> int:
+        """How many chunks ahead what tells where something is ends: "(far from it), next to the door, | stands"."""
+        ahead = 0
+        while ahead < LOOKAHEAD:
+            comma = int(self._is_link(self.peek(ahead), "mark", "comma"))
+            more = self._is_link(self.peek(ahead + comma), "prepositions")
+            if not more or not isinstance(self.peek(ahead + comma + 1), Noun):
+                break
+            ahead += comma + 2
+        comma = self._is_link(self.peek(ahead), "mark", "comma")
+        told = ahead + 1 if comma and self._is_link(self.peek(ahead + 1), "verbs", "stand", "hang") else ahead
+        return self._skip_fillers(self.at + told) - self.at
+
     def _is_fronted(self) -> bool:
         """Whether what was just read says where something is that comes only now."""
-        ahead = 0
-        while ahead < LOOKAHEAD and self._is_link(self.peek(ahead), "prepositions"):
-            if not isinstance(self.peek(ahead + 1), Noun):
-                break
-            ahead += 2
+        ahead = self._past_positions()
         after = self.peek(ahead)
         begins = not self.frontier and self.subject is None
         if begins and not self.clause.members:
@@ -568,7 +577,7 @@ class Positions(Subjects):
             return False
         if isinstance(after, Noun) and after.kind in ("thing",) and not after.definite:
             return True
-        if self._is_link(after, "verbs", "be", "stand", "hang"):
+        if self._is_link(after, "verbs", "be", "stand", "hang", "leave", "put", "have"):
             subject = self._next_noun(ahead + 1)
             return subject is not None and subject.kind == "thing"
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
