@@ -30,6 +30,7 @@ class Having(Groups):
         if noun is not None and node is not None and kind == "with" and self._is_feature(noun, node.things[-1]):
             self._features(node, noun)
             return
+        self._go_back_to_framed(node if kind == "with" else None)
         if kind == "with" and noun is not None and self._is_among(noun):
             return
         head = self._head_for(noun, kind)
@@ -183,6 +184,13 @@ class Having(Groups):
             thing.attributes.append(f"{noun.count}-{noun.word}s")
         else:
             thing.unshown.append(f"with {noun.text}")
+
+    def _go_back_to_framed(self, node: Node | None) -> None:
+        """Let "with" be said of each that something surrounds: "five mirrors, each framed by bulbs with a chair"."""
+        frame = node.frame if node is not None else None
+        if frame is not None and frame.head is not None and frame.each and frame.kind in ("next_to", "around"):
+            del self.frontier[self.frontier.index(frame.head) + 1 :]
+            self.each = True
 
     def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
         nodes = [node for node in reversed(self.frontier) if node.things]

@@ -305,6 +305,7 @@ class Meanings:
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        loose |= said.value == "end" and kind == "on"
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
         if said.value == "side" and (said.count or 0) > _SIDES and not (is_small(whole) or meaning.each):
@@ -421,6 +422,8 @@ class Meanings:
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.rows or whole.word == "row":
+            return None
         if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
             return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:

@@ -360,4 +360,6 @@ class Numbers(Verbs):
             return 1
         if noun.kind == "part":
             return 2
+        if noun.count:
+            return noun.count
         return 4 if noun.value in ("wall", "corner") and "side" not in noun.text.lower() else 2
