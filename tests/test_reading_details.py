@@ -92,6 +92,8 @@ from thinkblox.reading import read_brief
         ("The bed faces the window; a bench with a blanket at its foot.",
          ["1 bench at_foot_of bed", "1 blanket on bench"]),
         ("Two hospital beds, each with a monitor.", ["2 monitor next_to hospital_bed"]),
+        ("A table in the middle, a trolley with jars at its head.", ["1 serving_trolley at_short_side dining_table"]),
+        ("Mats for eight people in two rows.", ["8 door_mat in_rows"]),
         # What containers hold, and what stands below what hangs on a wall.
         ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
         ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),
@@ -264,6 +266,11 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
     [
         ("A flat: bed and desk share the same wall.", "the same wall"),
         ("A lamp within 20 cm of the bed.", "within 20 cm of the bed"),
+        ("A bench with plant pots on and under it.", "on and under it"),
+        ("A bar with two stools divides the room.", "divides the room"),
+        ("A table in the corner, two chairs on the open sides.", "on the open sides"),
+        ("Four mannequins along the window wall.", "the window wall"),
+        ("A bed against the wall with the window.", "the wall with the window"),
         ("An island in the middle, sinks at both ends.", "at both ends"),
         ("Four tables in two rows, a watering can at the end of each row.", "at the end of each row"),
         ("A sofa with its back to the door.", "its back to the door"),

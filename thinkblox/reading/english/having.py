@@ -21,6 +21,8 @@ class Having(Groups):
         self.negating = False
         self._turn_wall_round(kind)
         noun = self._next_noun()
+        if kind == "with" and noun is not None and self._is_of_wall(noun):
+            return
         if noun is not None and noun.kind == "abstract" and kind == "with":
             self._hold_matter(noun)
             return
@@ -56,6 +58,17 @@ class Having(Groups):
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
         several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _is_of_wall(self, noun: Noun) -> bool:
+        """Say of "the wall with the window" that we do not know which that is."""
+        wall = self._before()
+        told = isinstance(wall, Noun) and wall.kind == "place" and wall.definite and "wall" in wall.value
+        opening = noun.kind == "place" and noun.value in ("window", "door") and noun.definite
+        if not told or not opening or not isinstance(wall, Noun):
+            return False
+        self._go_past(noun)
+        self._lose(wall.start, noun.end)
+        return True
 
     def _is_at_each(self, thing: Mention) -> bool:
         """Whether there is one for each of several: "a shelf above each sink"."""

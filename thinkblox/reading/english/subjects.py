@@ -110,8 +110,8 @@ class Subjects(Having):
 
     def _is_at_foot_of_another(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "its foot" is that of a bed at which the head stands: "a bench with a blanket at its foot"."""
-        foot = where.noun is not None and where.noun.kind == "part" and where.noun.value == "foot"
-        its = foot and where.whole is None and not self.habits.is_in(head.things[-1].noun, "beds")
+        end = where.noun is not None and where.noun.kind == "part" and where.noun.value in ("foot", "head")
+        its = end and where.whole is None and not self.habits.is_in(head.things[-1].noun, "beds", "tables")
         return its and self._is_held(thing, frame) and not frame.each
 
     def _is_other_side_of_before(self, thing: Mention, frame: Listed, where: Where) -> bool:
