@@ -40,6 +40,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "sat_in": "a table with its own seats",
         "fills_shelves": "shelves full of it are described, not asked for",
         "takes_books": "can be full of books",
+        "takes_goods": "is full of goods where such are sold or stored",
         # What the planner speaks of.
         "long_sides": "several sit at its long side",
         "watched": "still looks for those who watch it where it is only said to be on the wall",
@@ -54,6 +55,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "sat_before": "needs floor before it for those who sit or stand there",
         # What the expert speaks of.
         "seating": "people sit on it",
+        "treated_on": "who is treated sits or lies on it",
         "lain_on": "people lie on it: they get in from its sides",
         "foot_rugs": "a rug under it reaches out at its foot",
         "lounged_at": "lounge seats gather around it",

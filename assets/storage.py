@@ -5,6 +5,7 @@ from math import cos, pi, sin
 from msgspec import structs
 
 from thinkblox.assets.carcasses import BOARD, GAP, Cell, cabinet, door, face_of
+from thinkblox.assets.goods import is_filled, put_goods
 from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range, moved
 from thinkblox.assets.shapes import around, box, cylinder, prism, rod, top_surface
@@ -69,7 +70,7 @@ def _row_of_books(build: Build, spec: Spec, x: Range, y: Range, z: float, headro
 
 
 def shelving_unit(spec: Spec) -> Build:
-    """Return boards between four metal posts, open on all sides."""
+    """Return boards between four metal posts, open on all sides; with "filled" the goods are part of it."""
     x, y, z = spec.size
     rows = max(2, round(z / 0.42))
     metal, board = spec.main(spec.style.metal), spec.style.wood
@@ -87,6 +88,8 @@ def shelving_unit(spec: Spec) -> Build:
         build.surfaces.append(
             top_surface(f"shelf {k + 1}", *area, level, headroom=step - 0.02 if k < rows - 1 else None)
         )
+    if is_filled(spec):
+        put_goods(build, spec)
     return build
 
 

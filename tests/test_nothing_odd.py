@@ -429,3 +429,116 @@ def test_what_is_watched_stands_across_from_the_sofa():
     across = [tie.anchors for tie in plan.target("tv_stand_1").ties if tie.kind == "opposite"]
     assert across == [("sofa_1",)]
     assert measure(made("A living room").scene, "opposite", "tv_stand_1", ["sofa_1"]).holds
+
+
+@pytest.mark.parametrize("prompt", ["A hardware shop", "A pharmacy with a counter and shelves of medicine"])
+def test_shelves_of_shops_are_full(prompt: str) -> None:
+    shelves = [r for r in read_brief(prompt).requests if r.category == "shelving_unit"]
+    assert shelves
+    assert all("filled" in request.attributes for request in shelves)
+
+
+def test_shelves_of_shops_carry_what_is_counted_and_nothing_else() -> None:
+    brief = read_brief("A gift shop with a counter and a shelf with three vases on it")
+    assert not any("filled" in request.attributes for request in brief.requests)
+
+
+@pytest.mark.parametrize("category", ["shelving_unit", "gondola_shelf"])
+def test_goods_leave_the_rest_of_a_shelf_to_what_is_put_there(category: str) -> None:
+    bare, full = make_asset(category, seed=3), make_asset(category, seed=3, attributes=("filled",))
+    assert realised(full, "filled")
+    goods = [shape for link in full.links for shape in link.shapes]
+    assert len(goods) > 10 + sum(len(link.shapes) for link in bare.links)
+    for shelf in full.surfaces:
+        _, y, z = shelf.position
+        above = [s for s in goods if z < s.position[2] < z + (shelf.headroom or 0.0) and s.kind in ("box", "cylinder")]
+        assert all(
+            abs(s.position[1] - y) >= shelf.size[1] / 2 for s in above if abs(s.position[1]) < 0.45 * full.size[1]
+        )
+
+
+def test_who_sews_has_a_table_of_their_own() -> None:
+    brief = read_brief("A sewing workshop with three sewing machines")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    tables = [plan.target(f"sewing_machine_{n}").ties[0].anchors for n in (1, 2, 3)]
+    assert len(set(tables)) == 3
+    assert {plan.target(f"chair_{n}").ties[0].anchors for n in (1, 2, 3)} == set(tables)
+
+
+def test_stools_along_a_bar_are_drawn_up_and_high_tables_have_their_own() -> None:
+    brief = read_brief("A wine bar with high tables, bar stools along the bar and shelves of bottles behind it")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    ties = [
+        (target.ties[0].kind, target.ties[0].anchors[0]) for target in plan.targets if target.category == "bar_stool"
+    ]
+    assert ties.count(("at", "bar_counter_1")) == 3
+    assert all(("around", f"high_table_{n}") in ties for n in (1, 2, 3))
+
+
+def test_a_table_for_demonstrations_is_not_where_the_pupils_sit() -> None:
+    assert counts("A physics classroom for 24 students with a big table and cupboards").get("school_desk") == 24
+    assert "school_desk" not in counts("A classroom for twelve students with a table for twelve")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "category", "widest"),
+    [
+        ("A dance studio with mirrors along one wall and a piano in the corner", "studio_mirror", 0.1),
+        ("A barber shop with three chairs and mirrors in front of them", "mirror", 1.5),
+    ],
+)
+def test_mirrors_hang_in_a_row_on_one_wall(prompt: str, category: str, widest: float) -> None:
+    room = made(prompt)
+    hung = placed(room, category)
+    assert len({p.yaw for p in hung}) == 1
+    places = sorted(p.position[1] if hung[0].yaw % 180.0 == 0.0 else p.position[0] for p in hung)
+    assert all(b - a - hung[0].size[1] < widest for a, b in pairwise(places))
+
+
+def test_a_chair_before_a_mirror_looks_at_it() -> None:
+    room = made("A barber shop with three chairs and mirrors in front of them")
+    mirrors, chairs = placed(room, "mirror"), placed(room, "barber_chair")
+    assert len(mirrors) == len(chairs) == 3
+    assert all(abs((chair.yaw - mirrors[0].yaw) % 360.0 - 180.0) < 15.0 for chair in chairs)
+
+
+def test_armchairs_that_face_each_other_have_the_small_table_beside_them() -> None:
+    brief = read_brief("A therapist's office with two armchairs facing each other, a small table and a desk")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert [(tie.kind, tie.anchors) for tie in plan.target("side_table_1").ties] == [("next_to", ("armchair_1",))]
+    assert [(tie.kind, tie.anchors) for tie in plan.target("armchair_2").ties] == [("facing", ("armchair_1",))]
+
+
+def test_an_armchair_in_the_corner_is_no_chair_for_pupils_and_diners() -> None:
+    brief = read_brief("A classroom for 30 kids with a teacher's desk and a reading corner")
+    assert sum(request.count for request in brief.requests if request.category == "chair") == 31
+    assert counts("A dining room with a sideboard and an armchair").get("chair")
+
+
+def test_a_dentist_treats_in_one_chair() -> None:
+    assert "examination_table" not in counts("A clinic with a dentist chair, a cabinet and a stool")
+
+
+def test_a_side_table_in_a_meeting_room_stands_at_the_wall_and_not_by_a_drawn_up_chair() -> None:
+    brief = read_brief("A conference room with a table for ten and a side table")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert [tie.kind for tie in plan.target("side_table_1").ties] == ["against_wall"]
+
+
+def test_a_tv_wall_is_watched_from_the_sofa() -> None:
+    brief = read_brief("A living room with a sofa and a TV wall")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert [(tie.kind, tie.anchors) for tie in plan.target("wall_tv_1").ties] == [("opposite", ("sofa_1",))]
+
+
+@pytest.mark.parametrize(
+    ("things", "category"), [("three massage tables", "massage_table"), ("three high tables", "high_table")]
+)
+def test_between_tables_that_stand_in_rows_there_is_a_way(things: str, category: str) -> None:
+    tables = placed(generate_room(f"A room with {things}", seed=0, fill="named"), category)
+    assert len(tables) == 3
+    assert all(a.footprint.distance(b.footprint) > 0.5 for n, a in enumerate(tables) for b in tables[:n])
+
+
+def test_an_aquarium_has_a_stand_of_its_own() -> None:
+    assert counts("A living room with a sofa, a coffee table and an aquarium").get("aquarium_stand") == 1

@@ -82,7 +82,7 @@ from thinkblox.reading import read_brief
         ("A desk, two chairs facing each other across it.", ["1 desk between chair"]),
         ("A clock and two candles on the shelf.", ["1 clock on shelving_unit", "2 candle on shelving_unit"]),
         ("Three bunk beds, one against each of three walls.", ["3 bunk_bed against_wall wall"]),
-        ("A gym with a rack with eight dumbbells.", ["8 dumbbell inside dumbbell_rack"]),
+        ("A gym with a rack with eight dumbbells.", ["8 dumbbell on dumbbell_rack"]),
         ("Three wheels, each with a stool and a bucket.", ["3 bucket next_to wheel"]),
         # What is not of each though the sentence tells of each, and what surrounds a thing.
         ("Two tables, each with a teapot, and scrolls on two of the walls.", ["2 scroll on wall"]),

@@ -3,6 +3,7 @@
 from itertools import pairwise
 from math import cos, pi, sin
 
+from thinkblox.assets.goods import is_filled, put_goods
 from thinkblox.assets.palette import BLACK_PLASTIC, GREY_METAL, IRON, SCREEN
 from thinkblox.assets.part import Build, Finish, Part, hull
 from thinkblox.assets.shapes import (
@@ -56,7 +57,7 @@ def machine(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def shelves(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return an open rack with a back; each shelf carries."""
+    """Return an open rack with a back; each shelf carries, and with "filled" has goods on it."""
     x, y, z = spec.size
     thick = max(0.008, min(0.025, 0.06 * z))
     finish, count = spec.main(main), max(1, min(5, round(z / 0.38)))
@@ -71,7 +72,10 @@ def shelves(spec: Spec, main: Finish, accent: Finish) -> Build:
         room = pitch - thick if k < count else None
         if room is None or room > 0.05:
             surfaces.append(top_surface(f"shelf_{k + 1}", inner_x, inner_y, level, headroom=room))
-    return Build(body=body, surfaces=surfaces)
+    build = Build(body=body, surfaces=surfaces)
+    if is_filled(spec):
+        put_goods(build, spec)
+    return build
 
 
 def stand(spec: Spec, main: Finish, accent: Finish) -> Build:

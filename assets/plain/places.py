@@ -68,6 +68,12 @@ KEEPING: Mapping[str, Keeping] = {
     "furniture": _standing("against_wall wall", clearance=0.6, large=True),
     "machine": _standing("against_wall wall", clearance=0.7, large=True),
     "storage": _standing("against_wall wall", groups=("storage", "surfaces", "cases"), clearance=0.6, large=True),
+    "goods": _standing(
+        "against_wall wall",
+        groups=("storage", "surfaces", "cases", "takes_goods"),
+        clearance=0.6,
+        large=True,
+    ),
     "tables": _standing("in_centre centre", groups=("tables", "surfaces"), clearance=0.4, large=True),
     "benches": Keeping(
         mount="floor",
@@ -81,6 +87,14 @@ KEEPING: Mapping[str, Keeping] = {
     "window_seats": _standing("near window", "against_wall wall", groups=("seats", "seating"), clearance=0.4),
     "seats": _standing("against_wall wall", groups=("seats", "seating"), clearance=0.4),
     "beds": _standing("against_wall wall", groups=("lain_on",), clearance=0.5, large=True),
+    "couches": Keeping(
+        mount="floor",
+        habits=("against_wall wall",),
+        groups=("lain_on", "treated_on"),
+        clearance=0.5,
+        large=True,
+        row=RowGaps(beside=(0.9, 0.7), aisle=(1.1, 0.9)),
+    ),
     "wall": _hung(1.5),
     "low_wall": _hung(0.7),
     "high_wall": _hung(2.1),

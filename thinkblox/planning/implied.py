@@ -118,8 +118,9 @@ def _hems_in(members: Members, member: Member, habit: Habit) -> bool:
     place = habit.anchors[0] if habit.anchors else ""
     walled = habit.kind == "in_corner" or place == "corner"
     backed = walled or habit.kind == "against_wall" or place in ("wall", "long_wall", "short_wall")
-    sides = _ALL_ROUND if backed else ()
+    sides: tuple[str, ...] = _ALL_ROUND if backed else ()
     sides = (*sides, *_BESIDE) if walled else sides
+    sides = ("in_front_of",) if habit.kind == "above" else sides
     floor = (other for other in members.all if other.mount in ("floor", "surface") and not other.flat)
     return any(tie.asked and tie.kind in sides and member.id in tie.anchors for other in floor for tie in other.ties)
 
@@ -159,7 +160,14 @@ def _needs_place(member: Member) -> bool:
         return True
     if member.mount == "surface":
         return not any(tie.kind == "on" or carries(tie) for tie in member.ties)
-    return all(tie.kind in _WITHOUT_PLACE for tie in member.ties)
+    return all(tie.kind in _WITHOUT_PLACE and not _is_of_pair(member, tie) for tie in member.ties)
+
+
+def _is_of_pair(member: Member, tie: Tie) -> bool:
+    """Whether it looks at one of its like, and so stands where the two can talk."""
+    kind = member.category
+    alike = any(anchor.rsplit("_", 1)[0] == kind for anchor in tie.anchors)
+    return tie.asked and alike and load_habits().is_in(kind, "seating")
 
 
 def _join_neighbour(members: Members, member: Member) -> bool:
@@ -186,11 +194,18 @@ def _follow(members: Members, waiting: list[Member], habit: Habit, *, windows: b
         return _at_place(members, waiting, habit, windows=windows)
     for category in habit.anchors:
         anchors = [m for m in members.of_category(category) if not any(members.depends(m, w) for w in waiting)]
-        anchors = [m for m in anchors if m.request is not waiting[0].request]
+        anchors = [m for m in anchors if m.request is not waiting[0].request and not _is_its_own(m, waiting[0], habit)]
         waiting = _at_anchors(members, waiting, habit, anchors)
         if not waiting:
             break
     return waiting
+
+
+def _is_its_own(anchor: Member, member: Member, habit: Habit) -> bool:
+    """Whether the anchor is no company: it usually stands next to the other itself, or is drawn up to a table."""
+    if habit.kind == "next_to" and load_habits().is_in(anchor.category, "seats"):
+        return any(tie.kind in ("at", "around", "at_long_side", "at_short_side") for tie in anchor.ties)
+    return habit.kind == "near" and load_habits().tie(anchor.category, member.category) == "next_to"
 
 
 def _applies(members: Members, waiting: list[Member], habit: Habit) -> bool:

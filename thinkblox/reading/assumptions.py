@@ -27,6 +27,8 @@ _MOST_FILLED = 12
 """Books are many shapes: more bookcases than this stay empty."""
 _CROWDED = 4
 """More people than this share no desk."""
+_MOST = 2
+"""A table at which one in so many sits is not where the people of a room have their places."""
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
@@ -63,13 +65,28 @@ def anticipated(draft: Draft) -> frozenset[str]:
     return frozenset(usual.category for usual in (*room_type(draft.room).expected, *themes))
 
 
-def stock(draft: Draft) -> None:
-    """Put books into bookcases where people read, unless the prompt says what is in them; counts are settled by now."""
-    cases = [t for t in draft.things if t.noun == "bookcase"]
-    if not room_type(draft.room).reads or sum(t.count or 1 for t in cases) > _MOST_FILLED:
+def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
+    """Put books into bookcases, and goods onto the shelves of shops and stores, unless the prompt says what is there.
+
+    Counts are settled by now.
+
+    Args:
+        draft: what was read.
+        uncounted: ids of things of which nobody says how many: shelves with some of these are full of others, too.
+    """
+    laid = [b for b in draft.bonds if b.kind in ("on", "inside")]
+    _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid)
+    if any(room_type(name).stocked for name in kinds_of_room(draft.room)):
+        told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
+        _fill_shelves([t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], told)
+
+
+def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
+    """Fill those on which nothing is laid."""
+    if sum(t.count or 1 for t in cases) > _MOST_FILLED:
         return
     for case in cases:
-        carries = any(b.kind in ("on", "inside") and case in b.anchors for b in draft.bonds)
+        carries = any(case in b.anchors for b in laid)
         if not carries and not {"empty", "filled"} & set(case.attributes):
             case.attributes.append("filled")
 
@@ -90,6 +107,21 @@ def counted_seats(draft: Draft) -> tuple[str, ...]:
     seats = (t for t in seats if t.many or any(bond.each for bond in draft.bonds_of(t)))
     names = ((t.noun, *(singular(word) for word in t.text.lower().split()[-1:])) for t in seats)
     return tuple(name for pair in names for name in pair)
+
+
+def pull_up(draft: Draft) -> None:
+    """Have stools along a counter drawn up to it, and seats put before what hangs in front of those who sit there."""
+    habits = load_habits()
+    for bond in draft.bonds:
+        anchor = bond.anchors[0] if len(bond.anchors) == 1 else None
+        if not isinstance(anchor, Mention) or bond.negated:
+            continue
+        drawn = bond.subject.many and habits.tie(bond.subject.noun, anchor.noun) == "at"
+        seen = habits.is_in(bond.subject.noun, "wallpieces") and habits.is_in(anchor.noun, "seating", "seats")
+        if bond.kind in ("next_to", "near") and drawn and habits.is_in(anchor.noun, "counters"):
+            bond.kind = "at"
+        elif bond.kind == "in_front_of" and seen:
+            bond.subject, bond.anchors = anchor, (bond.subject,)
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:
@@ -274,6 +306,10 @@ def _share_with(draft: Draft, usual: Usual, made: Mapping[str, Mention]) -> None
         place = made.get(_place(anchors, made))
         if hung and each and kind == "above" and place is not None:
             draft.bonds.append(Bond("above", hung[0], (place,), each=True, asked=False))
+        if len(seats) == 1 and usual.category == room_type(draft.room).place and kind == "on" and place is not None:
+            if not place.asked:
+                _multiply(draft, place, seats[0].count or 1)
+            draft.bonds.append(Bond("on", seats[0], (place,), asked=False))
         if len(seats) == 1 and kind in _SEATED and each and place is not None and not place.asked:
             if place.count != seats[0].count:
                 _multiply(draft, place, seats[0].count or 1)
@@ -288,6 +324,8 @@ def _place(anchors: str, made: Mapping[str, Mention]) -> str:
 def _serves(noun: str, usual: Usual) -> bool:
     """Whether a <noun> will do instead of what is expected: no island and no bar for the cabinets along a wall."""
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
+    if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
+        return True
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
 
@@ -302,6 +340,7 @@ def _have_places(draft: Draft, category: str) -> bool:
         return True
     named = any(
         t.asked
+        and not _is_too_small(t, draft.people)
         and (
             load_habits().is_in(t.noun, "meal_tables")
             or (t.many and load_habits().is_in(t.noun, "worked_at"))
@@ -314,7 +353,8 @@ def _have_places(draft: Draft, category: str) -> bool:
 
 def _is_one(noun: str, category: str) -> bool:
     """Whether a <noun> will do where a <category> is expected: a beer fridge for a fridge."""
-    if load_habits().is_in(category, "chairs") and not load_habits().is_in(noun, "chairs", "seats"):
+    upright = load_habits().is_in(category, "chairs")
+    if upright and (not load_habits().is_in(noun, "chairs", "seats") or load_habits().is_in(noun, "lounges")):
         return False
     if load_habits().is_in(category, "own_bed") and load_habits().is_in(noun, "lain_on", "beds"):
         return True
@@ -406,6 +446,11 @@ def _is_ones_own(thing: Mention, people: int, places: int = 1) -> bool:
     return thing.asked and thing.count is not None and _CROWDED * thing.count * places < people
 
 
+def _is_too_small(table: Mention, people: int) -> bool:
+    """Whether most of the people would find no place at it: the table for demonstrations in a classroom."""
+    return _MOST * (table.count or _SEVERAL) * (table.seats or places_at(table.noun)) < people
+
+
 def _enough(noun: str, people: int) -> int:
     """How many of what people work at are enough for so many."""
     return -(-people // places_at(noun)) if load_habits().is_in(noun, "worked_at") else people
@@ -422,7 +467,10 @@ def _give_places(draft: Draft) -> None:
     shared = places_at(room.place) if room.place else 1
     unsaid = any(t.count is None or t.noun == room.place or t.count >= draft.people for t in there)
     unsaid &= any(not _is_ones_own(t, draft.people, shared) for t in there)
-    if draft.people < 2 or not room.place or not there or unsaid or _has(draft, "meal_tables"):
+    shared_table = any(
+        load_habits().is_in(t.noun, "meal_tables") and not _is_too_small(t, draft.people) for t in draft.things
+    )
+    if draft.people < 2 or not room.place or not there or unsaid or shared_table:
         return
     made: dict[str, Mention] = {t.noun: t for t in draft.things}
     for usual in room.usual:
@@ -468,11 +516,13 @@ def _carry(draft: Draft, *, seated: bool) -> None:
         if not any(t.noun in carriers and _serves_for(draft, thing, t) for t in draft.things):
             noun = _carrier(draft, [c for c in carriers if not c.startswith("any_") and c not in draft.excluded])
             if noun:
-                carrier, drawn = _add(draft, noun, 1), usual_seat(noun)
+                own = thing.noun == room_type(draft.room).place
+                carrier, drawn = _add(draft, noun, (thing.count or 1) if own else 1), usual_seat(noun)
                 worked_at = seated and load_habits().is_in(noun, "worked_at")
                 if drawn is not None and worked_at and not _has(draft, "drawn_aside"):
-                    seat = _add(draft, drawn.category, 1)
-                    draft.bonds.append(Bond(relation_kind(drawn.relations[0][0]), seat, (carrier,), asked=False))
+                    seat = _add(draft, drawn.category, carrier.count or 1)
+                    kind = relation_kind(drawn.relations[0][0])
+                    draft.bonds.append(Bond(kind, seat, (carrier,), each=carrier.many, asked=False))
 
 
 def _serves_for(draft: Draft, thing: Mention, carrier: Mention) -> bool:

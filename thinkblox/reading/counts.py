@@ -140,7 +140,11 @@ def _bare(thing: Mention, bonds: list[Bond]) -> int:
 def _usual(draft: Draft, thing: Mention) -> int:
     """How many of a bare plural such a room usually has: a library with bookcases has more than two."""
     usual = (usual.count for usual in room_type(draft.room).usual if usual.category == thing.noun)
-    furniture = thing.plural and thing.asked and load_habits().is_in(thing.noun, "storage", "shelves", "worked_at")
+    furniture = (
+        thing.plural
+        and thing.asked
+        and load_habits().is_in(thing.noun, "storage", "shelves", "worked_at", "meal_tables")
+    )
     return next(usual, 0) if furniture and draft.room not in ("", UNKNOWN_ROOM) else 0
 
 

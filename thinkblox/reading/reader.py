@@ -10,8 +10,8 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, bed_down, counted_seats, draw_up, stock
-from thinkblox.reading.carriers import too_large
+from thinkblox.reading.assumptions import anticipated, assume, bed_down, counted_seats, draw_up, pull_up, stock
+from thinkblox.reading.carriers import share_carriers, too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
@@ -82,19 +82,22 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _drop_general(draft)
     keep_things(draft)
     read_moods(draft)
+    share_carriers(draft)
     choose_senses(draft, anticipated(draft) if fill != "named" else ())
     emphasise(draft)
     _settle_carriers(draft)
     draft.unknown += too_large(draft)
+    pull_up(draft)
     assume(draft, fill)
     counted = counted_seats(draft)
+    uncounted = {id(t) for t in draft.things if t.count is None}
     settle_counts(draft)
     draft.bonds = [b for b in draft.bonds if b.anchors != (b.subject,) or (b.subject.count or 1) > 1]
     if fill != "named":
         draw_up(draft, counted)
         bed_down(draft)
     if fill == "essentials":
-        stock(draft)
+        stock(draft, uncounted)
     _fit_tables(draft)
 
 
@@ -103,7 +106,7 @@ def _settle_carriers(draft: Draft) -> None:
     opposite = any(bond.anchors == ("opposite_wall",) for bond in draft.bonds)
     shared = len({id(bond.subject) for bond in draft.bonds if bond.anchors == ("one_wall",)}) > 1
     for bond in draft.bonds:
-        if bond.anchors == ("one_wall",) and not (opposite or shared):
+        if bond.anchors == ("one_wall",) and not (opposite or shared or bond.subject.plural):
             bond.anchors = ("wall",)
         anchor = bond.anchors[0] if bond.anchors else None
         if bond.kind == "inside" and isinstance(anchor, Mention) and load_habits().is_in(anchor.noun, *_TOPS):

@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 
 from thinkblox.phrases import Constraint
+from thinkblox.policies.expert import hung_rows
+from thinkblox.policies.expert.hung_rows import BETWEEN
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.sizing import SHRINK, scaled
@@ -16,8 +18,6 @@ PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
 USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
-BETWEEN = 0.05
-"""Between things that hang side by side [m]."""
 DRAPED = 0.2
 """How far drapes reach past a window, on either side [m]."""
 BACK_GAP = 0.002
@@ -33,6 +33,10 @@ def on_walls(situation: Situation, place: str = "wall") -> Iterator[Idea]:
             return
     watched = is_watched(situation) or situation.facts.is_in("boards")
     for wall in named_walls(situation.room, place):
+        for row in hung_rows.places(situation, wall, z):
+            yield hang(
+                situation, wall, row.along, z, why="it hangs in a row with its like", cost=row.cost, size=row.size
+            )
         short_view = 0.5 * (_longest_view(situation.room) - _view(situation.room, wall)) if watched else 0.0
         half = situation.size[1] / 2
         if wall.length < situation.size[1]:

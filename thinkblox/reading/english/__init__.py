@@ -45,7 +45,7 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = _spelt_out(lexicon.tokens(text))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
-    tokens = [replace(token, text=word or token.text) for token, word in zip(tokens, meant, strict=True)]
+    tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
     draft = Clauses(tokens, with_nouns(chunks)).read()
     draft.surfaces += noted
@@ -63,7 +63,7 @@ def _spelt_out(tokens: list[Token]) -> list[Token]:
             whole.append(Token(token.text[:head], first, "word", start=token.start))
             whole.append(Token("is", rest, "word", start=token.start + head))
         else:
-            whole.append(replace(token, text=_SHORT.get(token.text, token.text)))
+            whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
 
 

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.assets.sizing import COUNTED_PARTS
+from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -21,10 +22,7 @@ class Having(Groups):
         self.negating = False
         self._turn_wall_round(kind)
         noun = self._next_noun()
-        if kind == "with" and noun is not None and self._is_of_wall(noun):
-            return
-        if noun is not None and noun.kind == "abstract" and kind == "with":
-            self._hold_matter(noun)
+        if kind == "with" and noun is not None and self._is_no_list(noun):
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
@@ -57,7 +55,16 @@ class Having(Groups):
         several |= thing in self.multiplied or (thing is not None and bool(thing.per))
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
         several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
+        if thing is not None and noun is not None and noun.kind == "thing":
+            self._call_after_content(thing, noun.value)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _is_no_list(self, noun: Noun) -> bool:
+        """Take what something has that is no thing: light, or the window of "the wall with the window"."""
+        if noun.kind == "abstract":
+            self._hold_matter(noun)
+            return True
+        return self._is_of_wall(noun)
 
     def _is_of_wall(self, noun: Noun) -> bool:
         """Say of "the wall with the window" that we do not know which that is."""
@@ -167,7 +174,8 @@ class Having(Groups):
         """Whether it is a part that furniture comes with: "a cabinet with three drawers", "a vanity with two sinks"."""
         own = noun.kind == "part" and noun.det == "my"
         part = noun.word in grammar().lists["features"] or self._is_bowl_of(noun, thing)
-        return part and not self.each and not own
+        called = name_of(noun.text.lower().split()) if part and noun.named else None
+        return part and not (self.each or own or (called is not None and called.length > 1))
 
     def _is_bowl_of(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is the sink of a vanity: what one washes at has one of its own."""

@@ -49,6 +49,16 @@ class Numbers(Verbs):
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
 
+    def _speak_of_rows(self, noun: Noun) -> bool:
+        """Let what is told of "each row" hold so many times as there are rows."""
+        rows = next((thing for thing in reversed(self.draft.things) if thing.rows > 1), None)
+        if rows is None or not self._is_link(self.peek(), "verbs"):
+            return False
+        self._spend(noun)
+        self.frontier = [Node([rows], self.clause, known=True, each=True)]
+        self.clause.members, self.per_group = [rows], rows.rows
+        return True
+
     def _is_look_of_last(self, noun: Noun) -> bool:
         """Take "the stove, a black cast-iron one" for what the stove is like."""
         thing = self.frontier[-1].thing if self.frontier else None
@@ -249,6 +259,8 @@ class Numbers(Verbs):
 
     def _arrange(self, noun: Noun) -> None:
         """Read "(six shelving units stand) in two rows of three"; "the last row" is not understood."""
+        if noun.each and self._speak_of_rows(noun):
+            return
         if noun.ordinal or noun.det in ("the", "my"):
             self._lose(noun.start, noun.end)
             self.frontier, self.subject = [Node()], None

@@ -152,6 +152,8 @@ class Positions(Subjects):
         """Read "A counter, on which a monitor stands": a clause of its own about what was just named."""
         outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
         named = (outer or [n for n in self.frontier if n.things] or ([self.subject] if self.subject else []))[-1:]
+        if not named and (anchors := self._hold_front()) is not None:
+            named = [anchors]
         if named:
             self.referents.topics.append(named[0].things[-1])
             self.outer = named[0]
@@ -394,6 +396,8 @@ class Positions(Subjects):
             self._ask_all_the_same(where)
             return
         self._mount(subjects, where)
+        if where.word in ("in", "inside") and isinstance(holder := meaning.anchors[0], Mention):
+            self._call_after_content(holder, subjects[-1].noun)
         partner = self._partner(node, where, meaning)
         if partner is not None:
             self._relate([partner], replace(meaning), negated=where.negated)
@@ -449,6 +453,10 @@ class Positions(Subjects):
         lists = [n.frame for n in self.frontier if n.frame is not None and n.frame.each and n.frame.head is node]
         head = frame.head if frame is not None and frame.each and frame.head is not None else None
         heads = head.things if head is not None else node.things if lists else []
+        times = frame.times if frame is not None and frame.grouped else 1
+        for anchor in meaning.anchors if times > 1 else ():
+            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and anchor.count == 1:
+                anchor.count = times
         for anchor in meaning.anchors if any(t.many for t in heads) else ():
             if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and not self.draft.bonds_of(anchor):
                 anchor.per += heads

@@ -112,7 +112,8 @@ class Rooms(Memberships):
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
         roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
-        whole = self._next_noun(1) if self._is_link(after, "prepositions", "of") and not noun.det else None
+        part_of = self._is_link(after, "prepositions", "of", "at", "in", "on", "for") and not noun.det
+        whole = self._next_noun(1) if part_of else None
         if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
             self._spend(whole)
             self.at += 2
@@ -121,10 +122,11 @@ class Rooms(Memberships):
         with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
         sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
         large = sized and isinstance(size, Measured) and self._is_room_size(size.size)
+        large |= roomish and isinstance(after, Measured) and self._is_room_size(after.size)
         of_size = self._is_link(after, "prepositions", "of") and isinstance(size := self.peek(1), Measured)
         whole_room = (sized or of_size) and roomish and isinstance(size, Measured) and self._is_room_size(size.size)
         large = (large and (not noun.det or not noun.named)) or whole_room
-        led = not noun.det and not noun.many and self._colon_ahead()
+        led = not (noun.det or noun.many) and (roomish or not noun.named) and self._colon_ahead()
         named_room = large or led or (roomish and self._is_link(after, "mark", "colon"))
         if named_room and noun.det in ("a", "") and not noun.many:
             self._room(replace(noun, kind="room", value="room"))

@@ -92,11 +92,7 @@ class Subjects(Having):
         if middle and thing.many and not frame.each:
             return True
         if not self._is_pronominal(where):
-            if self._is_beside_whole(thing, frame, head, where):
-                return True
-            return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
-                noun is not None and self._is_beside_head(thing, frame, head, where, noun)
-            )
+            return noun is not None and self._is_said_of_head(thing, frame, head, where)
         if self._is_rather_of_head(thing, frame, head, where) or self._is_beside_outer(thing, frame, head, where):
             return True
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
@@ -120,6 +116,20 @@ class Subjects(Having):
         its = side is not None and side.kind == "part" and side.det == "my" and where.whole is None
         across = side is not None and sided is not None and {side.value, sided[0]} == {"left", "right"}
         return its and across and self._is_held(thing, frame) and not frame.each
+
+    def _is_said_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether what is told without a pronoun is about what has the list."""
+        if where.noun is None or self._is_of_member(where, frame):
+            return False
+        if self._is_beside_whole(thing, frame, head, where) or self._is_place_of_head(thing, frame, where, where.noun):
+            return True
+        return self._is_beside_head(thing, frame, head, where, where.noun)
+
+    def _is_of_member(self, where: Where, frame: Listed) -> bool:
+        """Whether it is to something of the same list: "a desk with a monitor, a keyboard in front of the monitor"."""
+        anchor = where.whole or where.noun
+        named = anchor is not None and anchor.kind == "thing" and anchor.definite and not frame.each
+        return named and anchor is not None and self.referents.named(anchor) in frame.members
 
     def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "its right" is of what has the head: "each with a stool and a trolley with towels on its right"."""

@@ -39,7 +39,8 @@ class Verbs(Prepositions):
                 self.existential = True
             case _:
                 self._find_subject(link)
-                if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
+                told = self.subject is not None or link.value not in ("be", "stand", "hang", "serve")
+                if told and not (link.value == "be" and self._is_what_each_is()):
                     self._predicate(link)
 
     def _do_something(self, link: Connector) -> None:
@@ -170,11 +171,15 @@ class Verbs(Prepositions):
         if every:
             frame.times = max(1, (self.subject.thing.count or every) // every)
             self.each_of = 0
+        elif self.per_group:
+            frame.times, frame.grouped, self.per_group = self.per_group, True, 0
         self.pending = frame
 
     def _participle(self, kind: str) -> None:
         match kind:
             case "hold" | "carry":
+                if not self.frontier and (anchors := self._hold_front()) is not None:
+                    self.frontier = [anchors]
                 carrier = self.frontier[-1].thing if self.frontier else None
                 which = self._before(0)
                 said = which.text.lower() if isinstance(which, Connector) else ""
