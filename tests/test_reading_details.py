@@ -94,6 +94,13 @@ from thinkblox.reading import read_brief
         ("Two hospital beds, each with a monitor.", ["2 monitor next_to hospital_bed"]),
         ("A table in the middle, a trolley with jars at its head.", ["1 serving_trolley at_short_side dining_table"]),
         ("Mats for eight people in two rows.", ["8 door_mat in_rows"]),
+        # What there is one of for each, and what lies on what was named before.
+        ("A round table, three microphones on it, one per chair, headphones hanging from each chair.",
+         ["3 microphone on dining_table", "3 headphones on chair"]),
+        ("Four chairs around a table, one plate per chair.", ["4 plate on dining_table"]),
+        ("Six chairs, one book per chair.", ["6 book on chair"]),
+        ("A crib, a changing table; on the changing table diapers and a lotion bottle.",
+         ["3 diaper on changing_table", "1 lotion_bottle on changing_table"]),
         # What containers hold, and what stands below what hangs on a wall.
         ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
         ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),

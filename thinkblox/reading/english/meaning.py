@@ -585,7 +585,8 @@ class Meanings:
             )
             meaning.kind = usual if usual in ("at", "around") else seated if name else "at"
         elif meaning.kind in ("per", "for"):
-            meaning.kind = usual or ("on" if subjects and is_small(subjects[-1]) else "next_to")
+            lying = "at" if habits.is_in(anchor.noun, "seats", "chairs") else "on"
+            meaning.kind = usual or (lying if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
             meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"

@@ -139,7 +139,7 @@ class Positions(Subjects):
         noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "from") else None
         if noun is not None and noun.kind == "thing":
             self.at += 1
-            self._stand("next_to")
+            self._stand("on" if self.habits.is_in(noun.value, "seats", "chairs") else "next_to")
             return
         link, wall = self.peek(), self._next_noun(1)
         along = isinstance(link, Connector) and self._is_link(link, "prepositions", *_ON_WALL)
