@@ -101,6 +101,10 @@ from thinkblox.reading import read_brief
         ("Six chairs, one book per chair.", ["6 book on chair"]),
         ("A crib, a changing table; on the changing table diapers and a lotion bottle.",
          ["3 diaper on changing_table", "1 lotion_bottle on changing_table"]),
+        ("A desk, a sofa in front, and a table with two plants between the sofa and the desk.",
+         ["1 coffee_table between sofa desk", "2 potted_plant on coffee_table"]),
+        ("Fifteen desks, one chair each, all facing the front.",
+         ["15 desk facing near_wall", "15 chair facing near_wall", "15 chair at desk"]),
         # What containers hold, and what stands below what hangs on a wall.
         ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
         ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),
@@ -273,6 +277,8 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
     [
         ("A flat: bed and desk share the same wall.", "the same wall"),
         ("A lamp within 20 cm of the bed.", "within 20 cm of the bed"),
+        ("A home office under the stairs: a desk and a stool.", "under the stairs"),
+        ("A bench facing each of the side walls.", "facing each of the side walls"),
         ("A bench with plant pots on and under it.", "on and under it"),
         ("A bar with two stools divides the room.", "divides the room"),
         ("A table in the corner, two chairs on the open sides.", "on the open sides"),

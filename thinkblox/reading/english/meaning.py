@@ -298,7 +298,7 @@ class Meanings:
             return None
         whole = meaning.anchors[0]
         if isinstance(whole, str):
-            return meaning
+            return replace(meaning, kind="facing") if where.word == "facing" else meaning
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
         loose, self.guessed = self.guessed, False
@@ -521,6 +521,8 @@ class Meanings:
             return Meaning("in_centre", (whole.value,))
         if whole is not None and whole.kind in ("thing", "pronoun"):
             meaning = self.of(Where("on", whole), subjects, likely, noun)
+            if meaning is not None and isinstance(meaning.anchors[0], Mention) and where.word in ("above", "under"):
+                return Meaning(where.word, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
             if meaning is not None and isinstance(meaning.anchors[0], Mention):
                 return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
         owner = subjects[-1].owner if subjects else None
@@ -629,7 +631,7 @@ def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:
 
 def _is_at_end(where: Where, said: Noun) -> bool:
     """Whether it is "above the headboard", "under the foot"."""
-    return where.word in ("above", "under", "behind") and said.value in ("head", "foot")
+    return where.word in ("above", "under", "behind") and said.value in ("head", "foot", "middle")
 
 
 def _is_one(side: Noun) -> bool:

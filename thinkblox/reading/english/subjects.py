@@ -222,7 +222,7 @@ class Subjects(Having):
 
     def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
-        held = self._is_held(thing, frame) and not frame.each
+        held_there = held = self._is_held(thing, frame) and not frame.each
         held = held and where.word in ("above", "under", "against", "by", "at")
         if where.word == "on" and self.habits.is_in(noun.value, "covers") and self.habits.is_in(thing.noun, "seats"):
             return not frame.each
@@ -240,7 +240,7 @@ class Subjects(Having):
             return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
-        return self.habits.is_in(thing.noun, "small", "seats", "lamps")
+        return self.habits.is_in(thing.noun, "small", "seats", "lamps") or (held_there and where.word == "between")
 
     def _is_over_wall_thing(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether the owner is below what hangs on a wall: "a table with four chairs under the clock"."""
