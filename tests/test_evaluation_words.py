@@ -27,6 +27,8 @@ WORDS = load_vocabulary()
         ("loaf of bread", "bread", 0),
         ("red wine bottle", "bottle", 2),
         ("bowl of red apples", "bowl", 1),
+        ("box of crayons", "crayon box", 1),
+        ("two cues", "pool cue", 1),
         ("cash register", "cash register", 0),
         ("chair", "office chair", None),
         ("table", "coffee table", None),

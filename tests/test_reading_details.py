@@ -75,6 +75,36 @@ from thinkblox.reading import read_brief
         ("The dock stands within a metre and a half of the door.", ["1 dock near door"]),
         ("A lamp within 50 cm of the bed.", ["1 floor_lamp next_to bed"]),
         ("Wall bars are mounted on the wall.", ["1 wall_bars on wall"]),
+        # What "its" and "the other" are, and what is told past a wall.
+        ("A chair, a stool on its left and a cart with instruments on its right.",
+         ["1 stool left_of chair", "1 serving_trolley right_of chair"]),
+        ("A desk with four monitors on the wall above it and a locker.", ["4 monitor above desk", "4 monitor on wall"]),
+        ("A desk, two chairs facing each other across it.", ["1 desk between chair"]),
+        ("A clock and two candles on the shelf.", ["1 clock on shelving_unit", "2 candle on shelving_unit"]),
+        ("Three bunk beds, one against each of three walls.", ["3 bunk_bed against_wall wall"]),
+        ("A gym with a rack with eight dumbbells.", ["8 dumbbell on dumbbell_rack"]),
+        ("Three wheels, each with a stool and a bucket.", ["3 bucket next_to wheel"]),
+        # What is not of each though the sentence tells of each, and what surrounds a thing.
+        ("Two tables, each with a teapot, and scrolls on two of the walls.", ["2 scroll on wall"]),
+        ("Four hooks, each with a coat and a bag, and a shoe rack under the hooks.", ["1 shoe_rack under coat_hooks"]),
+        ("Five mirrors, each framed by bulbs with a chair in front.", ["5 chair in_front_of mirror"]),
+        ("A sofa flanked by two lamps, with a rug in front.", ["1 rug in_front_of sofa"]),
+        ("The bed faces the window; a bench with a blanket at its foot.",
+         ["1 bench at_foot_of bed", "1 blanket on bench"]),
+        ("Two hospital beds, each with a monitor.", ["2 monitor next_to hospital_bed"]),
+        ("A table in the middle, a trolley with jars at its head.", ["1 serving_trolley at_short_side dining_table"]),
+        ("Mats for eight people in two rows.", ["8 door_mat in_rows"]),
+        # What there is one of for each, and what lies on what was named before.
+        ("A round table, three microphones on it, one per chair, headphones hanging from each chair.",
+         ["3 microphone on dining_table", "3 headphones on chair"]),
+        ("Four chairs around a table, one plate per chair.", ["4 plate on dining_table"]),
+        ("Six chairs, one book per chair.", ["6 book on chair"]),
+        ("A crib, a changing table; on the changing table diapers and a lotion bottle.",
+         ["3 diaper on changing_table", "1 lotion_bottle on changing_table"]),
+        ("A desk, a sofa in front, and a table with two plants between the sofa and the desk.",
+         ["1 coffee_table between sofa desk", "2 potted_plant on coffee_table"]),
+        ("Fifteen desks, one chair each, all facing the front.",
+         ["15 desk facing near_wall", "15 chair facing near_wall", "15 chair at desk"]),
         # What containers hold, and what stands below what hangs on a wall.
         ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
         ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),
@@ -247,6 +277,15 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
     [
         ("A flat: bed and desk share the same wall.", "the same wall"),
         ("A lamp within 20 cm of the bed.", "within 20 cm of the bed"),
+        ("A home office under the stairs: a desk and a stool.", "under the stairs"),
+        ("A bench facing each of the side walls.", "facing each of the side walls"),
+        ("A bench with plant pots on and under it.", "on and under it"),
+        ("A bar with two stools divides the room.", "divides the room"),
+        ("A table in the corner, two chairs on the open sides.", "on the open sides"),
+        ("Four mannequins along the window wall.", "the window wall"),
+        ("A bed against the wall with the window.", "the wall with the window"),
+        ("An island in the middle, sinks at both ends.", "at both ends"),
+        ("Four tables in two rows, a watering can at the end of each row.", "at the end of each row"),
         ("A sofa with its back to the door.", "its back to the door"),
         ("A desk with its short side against the wall.", "its short side"),
         ("Three tables and a vase on the tables.", "which of them"),
@@ -326,6 +365,14 @@ def test_a_place_that_something_is_not_at(prompt: str, kind: str) -> None:
 def test_the_size_of_a_cubby_is_not_that_of_the_stairs() -> None:
     brief = read_brief("Reading cubby under the stairs, 1.4 m by 2 m: a mattress with two pillows on it.", fill="named")
     assert (brief.width, brief.depth, brief.unknown) == (1.4, 2.0, ("under the stairs",))
+
+
+def test_a_basket_before_one_is_not_on_the_other() -> None:
+    prompt = "Two washing machines, one with a dryer on top, a basket in front of the other."
+    relations = read_brief(prompt, fill="named").relations
+    assert [(r.kind, r.anchors) for r in relations if r.subject == "basket"] == [
+        ("in_front_of", ("washing_machine-2",))
+    ]
 
 
 def test_each_student_is_one_at_each_of_the_tables() -> None:

@@ -92,6 +92,9 @@ class Vocabulary:
     def _parents(self, name: str) -> Iterator[str]:
         not_these = self.apart.get(name, frozenset())
         yield from (self.canonical(general) for general in self._above.get(name, ()))
+        head, of, rest = name.partition(" of ")
+        if of and head.split()[-1] not in _GROUPS:
+            yield self.canonical(f"{plain(rest)} {head}")
         general = _shorter(name)
         if general and general not in not_these and self.canonical(general) not in not_these:
             yield self.canonical(general)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
-from thinkblox.reading.attach import bind
+from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -184,6 +184,10 @@ class Groups(Descriptions):
         if node is None or node.frame is None:
             return
         head = node.frame.head
+        before = node.frame.members[-2:-1] if head is None else []
+        if before and before[0].many and node.things == node.frame.members[-1:]:
+            tie = relation_kind(self.habits.tie(node.things[0].noun, before[0].noun) or "next_to")
+            bind(self.draft, Bond(tie, node.things[0], (before[0],), each=True, implied=True))
         for thing in node.frame.members if head is not None else node.things:
             loose = head is not None and head.things and not self.draft.bonds_of(thing)
             if head is not None and loose and head.things[-1].many:

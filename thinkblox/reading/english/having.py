@@ -22,8 +22,7 @@ class Having(Groups):
         self.negating = False
         self._turn_wall_round(kind)
         noun = self._next_noun()
-        if noun is not None and noun.kind == "abstract" and kind == "with":
-            self._hold_matter(noun)
+        if kind == "with" and noun is not None and self._is_no_list(noun):
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
@@ -31,6 +30,7 @@ class Having(Groups):
         if noun is not None and node is not None and kind == "with" and self._is_feature(noun, node.things[-1]):
             self._features(node, noun)
             return
+        self._go_back_to_framed(node if kind == "with" else None)
         if kind == "with" and noun is not None and self._is_among(noun):
             return
         head = self._head_for(noun, kind)
@@ -58,6 +58,24 @@ class Having(Groups):
         if thing is not None and noun is not None and noun.kind == "thing":
             self._call_after_content(thing, noun.value)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
+
+    def _is_no_list(self, noun: Noun) -> bool:
+        """Take what something has that is no thing: light, or the window of "the wall with the window"."""
+        if noun.kind == "abstract":
+            self._hold_matter(noun)
+            return True
+        return self._is_of_wall(noun)
+
+    def _is_of_wall(self, noun: Noun) -> bool:
+        """Say of "the wall with the window" that we do not know which that is."""
+        wall = self._before()
+        told = isinstance(wall, Noun) and wall.kind == "place" and wall.definite and "wall" in wall.value
+        opening = noun.kind == "place" and noun.value in ("window", "door") and noun.definite
+        if not told or not opening or not isinstance(wall, Noun):
+            return False
+        self._go_past(noun)
+        self._lose(wall.start, noun.end)
+        return True
 
     def _is_at_each(self, thing: Mention) -> bool:
         """Whether there is one for each of several: "a shelf above each sink"."""
@@ -187,6 +205,13 @@ class Having(Groups):
             thing.attributes.append(f"{noun.count}-{noun.word}s")
         else:
             thing.unshown.append(f"with {noun.text}")
+
+    def _go_back_to_framed(self, node: Node | None) -> None:
+        """Let "with" be said of each that something surrounds: "five mirrors, each framed by bulbs with a chair"."""
+        frame = node.frame if node is not None else None
+        if frame is not None and frame.head is not None and frame.each and frame.kind in ("next_to", "around"):
+            del self.frontier[self.frontier.index(frame.head) + 1 :]
+            self.each = True
 
     def _head_for(self, noun: Noun | None, kind: str) -> Node | None:
         nodes = [node for node in reversed(self.frontier) if node.things]

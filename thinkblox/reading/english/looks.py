@@ -7,7 +7,7 @@ from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
-from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.nodes import Listed, Node, Where
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
 
@@ -119,10 +119,14 @@ class Descriptions(Rooms):
         )
         said = link.text.lower().endswith("across")
         noun = self._next_noun(1 if over and not said else 0) if over or said else None
-        if noun is None or noun.kind != "thing" or not things:
+        if noun is None or noun.kind not in ("thing", "pronoun") or not things:
             return
         self._go_past(noun)
-        anchors, known = self.anchors(noun, things)
+        if noun.kind == "pronoun":
+            meant = self.meanings.of(Where("next_to", noun, start=noun.start, text=noun.text), things, [])
+            anchors, known = tuple(a for a in meant.anchors if isinstance(a, Mention)) if meant else (), True
+        else:
+            anchors, known = self.anchors(noun, things)
         for thing in anchors:
             bind(self.draft, Bond("between", thing, tuple(things)))
         self.frontier.append(Node(list(anchors), None, known=known))

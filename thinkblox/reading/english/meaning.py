@@ -298,13 +298,14 @@ class Meanings:
             return None
         whole = meaning.anchors[0]
         if isinstance(whole, str):
-            return meaning
+            return replace(meaning, kind="facing") if where.word == "facing" else meaning
         if said.value in ("left", "right"):
             self.sided = (said.value, whole)
         loose, self.guessed = self.guessed, False
         both = said.det in ("each", "either", "both") or said.count == 2 or (said.plural and said.value != "top")
         times = 2 if said.det == "each" or where.word == "per" else 1
         kind = relation_at(said.value, subjects[-1].noun if subjects else noun, whole)
+        loose |= said.value == "end" and kind == "on"
         if kind == "around" and both and subjects and _line_two_sides(subjects[-1], said, whole):
             kind = "at_long_side"
         if said.value == "side" and (said.count or 0) > _SIDES and not (is_small(whole) or meaning.each):
@@ -421,6 +422,8 @@ class Meanings:
         self, whole: Noun, said: Noun, subjects: list[Mention], likely: list[Mention], noun: str
     ) -> Meaning | None:
         """Read "the foot of the bed", "each side of the window", "the back of the room"."""
+        if whole.rows or whole.word == "row":
+            return None
         if whole.kind == "place" and whole.value in _OPENINGS and said.value in ("left", "right") and said.det == "the":
             return Meaning(f"{said.value}_of", (whole.value,))
         if whole.kind == "place" and whole.value in _OPENINGS:
@@ -518,6 +521,8 @@ class Meanings:
             return Meaning("in_centre", (whole.value,))
         if whole is not None and whole.kind in ("thing", "pronoun"):
             meaning = self.of(Where("on", whole), subjects, likely, noun)
+            if meaning is not None and isinstance(meaning.anchors[0], Mention) and where.word in ("above", "under"):
+                return Meaning(where.word, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
             if meaning is not None and isinstance(meaning.anchors[0], Mention):
                 return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
         owner = subjects[-1].owner if subjects else None
@@ -586,8 +591,8 @@ class Meanings:
             )
             meaning.kind = usual if usual in ("at", "around") else seated if name else "at"
         elif meaning.kind in ("per", "for") and name:
-            lies = bool(subjects) and is_small(subjects[-1]) and not habits.is_in(anchor.noun, "seats", "chairs")
-            meaning.kind = usual or ("on" if lies else "next_to")
+            lying = "at" if habits.is_in(anchor.noun, "seats", "chairs") else "on"
+            meaning.kind = usual or (lying if subjects and is_small(subjects[-1]) else "next_to")
         elif meaning.kind == "inside" and name and habits.is_in(anchor.noun, *_OPEN_TOPS):
             meaning.loose |= habits.is_in(anchor.noun, "counters") and not habits.is_in(name, "built_in", "fitted")
             meaning.kind = "on"
@@ -630,7 +635,7 @@ def _line_two_sides(seats: Mention, sides: Noun, table: Mention) -> bool:
 
 def _is_at_end(where: Where, said: Noun) -> bool:
     """Whether it is "above the headboard", "under the foot"."""
-    return where.word in ("above", "under", "behind") and said.value in ("head", "foot")
+    return where.word in ("above", "under", "behind") and said.value in ("head", "foot", "middle")
 
 
 def _is_one(side: Noun) -> bool:

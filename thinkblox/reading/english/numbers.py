@@ -59,6 +59,19 @@ class Numbers(Verbs):
         self.clause.members, self.per_group = [rows], rows.rows
         return True
 
+    def _name_by_share(self, noun: Noun, each: Noun) -> bool:
+        """Ask for the three chairs of "three microphones, one per chair"."""
+        whole = self._whole([])
+        share = noun.count or 0
+        if whole is None or not whole.count or whole.count % share:
+            return False
+        self._go_past(each)
+        several = replace(each, det="", count=whole.count // share, plural=True)
+        self.numbers.add(share)
+        self.clause.members.append(self._new(several))
+        self.meant[each.start] = self.clause.members[-1:]
+        return True
+
     def _is_look_of_last(self, noun: Noun) -> bool:
         """Take "the stove, a black cast-iron one" for what the stove is like."""
         thing = self.frontier[-1].thing if self.frontier else None
@@ -83,6 +96,8 @@ class Numbers(Verbs):
             return False
         if not (each.each or each.value == "each" or self._is_link(link, "prepositions", "per")):
             return False
+        if each.kind == "thing" and self.referents.named(each) is None and self._is_link(link, "prepositions", "per"):
+            return self._name_by_share(noun, each)
         named = set(self.referents.every(each)) if each.kind == "thing" else set()
         for bond in self.draft.bonds[::-1][:_RECENT]:
             holders = [a for a in bond.anchors if isinstance(a, Mention) and (each.kind != "thing" or a in named)]
@@ -372,4 +387,6 @@ class Numbers(Verbs):
             return 1
         if noun.kind == "part":
             return 2
+        if noun.count:
+            return noun.count
         return 4 if noun.value in ("wall", "corner") and "side" not in noun.text.lower() else 2

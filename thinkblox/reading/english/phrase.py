@@ -256,10 +256,20 @@ class PhraseReader(Heads):
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
-        if units.nouns and units.nouns[-1].known is not None and self._is_state_at_end(at):
+        last = units.nouns[-1].known if units.nouns else None
+        if last is not None and (self._is_state_at_end(at) or self._lies_on_named(noun, at, last)):
             return True
         stands = text == "stands" and not units.nouns and people
         return stands or (bool(units.nouns) and self.is_after_noun(at))
+
+    def _lies_on_named(self, noun: Noun, at: int, last: Known) -> bool:
+        """Whether other things are said to lie on what was named before: "on the changing table | diapers and ..."."""
+        name = [token.text for token in self.tokens[at - last.length : at]]
+        before = [token.text for token in self.tokens[: noun.start]]
+        placed = grammar().at(self.tokens, noun.start - 1, "prepositions") is not None and noun.det == "the"
+        things = self._known(at, "object") if placed and last.length > 1 and last.entry.sort == "object" else None
+        named = any(before[n : n + len(name)] == name for n in range(len(before) - len(name) + 1))
+        return named and things is not None and things.entry.plural
 
     def _is_state_at_end(self, at: int) -> bool:
         """Whether only how the thing is to be found comes: "Curtains closed."."""

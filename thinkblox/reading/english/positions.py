@@ -139,7 +139,7 @@ class Positions(Subjects):
         noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "from") else None
         if noun is not None and noun.kind == "thing":
             self.at += 1
-            self._stand("next_to")
+            self._stand("on" if self.habits.is_in(noun.value, "seats", "chairs") else "next_to")
             return
         link, wall = self.peek(), self._next_noun(1)
         along = isinstance(link, Connector) and self._is_link(link, "prepositions", *_ON_WALL)
@@ -185,7 +185,7 @@ class Positions(Subjects):
     def _say_where(self, where: Where) -> None:
         """Bind what was named, or what comes, to where it is said to be."""
         self.negating = False
-        if where.noun is None and where.text.lower() in ("in", "into"):
+        if where.noun is None and (where.text.lower() in ("in", "into") or self._is_one_of_two_places(where)):
             return
         self._reword(where)
         if self._is_side_of_wall(where):
@@ -212,6 +212,16 @@ class Positions(Subjects):
             self._place_node(node, where)
         elif fronted or where.noun is not None:
             self._set_front(where)
+
+    def _is_one_of_two_places(self, where: Where) -> bool:
+        """Say of "pots on and under it" that nobody knows which are where."""
+        noun = self.peek(2)
+        joined = self._is_link(self.peek(), "joins", "and") and self._is_link(self.peek(1), "prepositions")
+        if not joined or not isinstance(noun, Noun) or not where.text:
+            return False
+        self._go_past(noun)
+        self._lose(where.start, noun.end)
+        return True
 
     def _is_side_of_wall(self, where: Where) -> bool:
         """Take "on the wall to the right" for the right wall."""
@@ -370,7 +380,8 @@ class Positions(Subjects):
 
     def _is_telling(self, noun: Noun) -> bool:
         """Whether a noun that is no thing says how something is to stand: "at right angles", "in three colours"."""
-        return noun.kind == "abstract" and noun.text.rpartition(" ")[2].lower() in grammar().lists["telling"]
+        words = {noun.text.rpartition(" ")[2].lower(), noun.word}
+        return noun.kind == "abstract" and not words.isdisjoint(grammar().lists["telling"])
 
     def _place_node(self, node: Node, where: Where) -> None:
         subjects = node.things

@@ -368,6 +368,8 @@ class Prepositions(Negation):
         """Let it be for so many: a table has as many places, and there are enough of what each has one of."""
         if self._are_places(thing):
             thing.count = math.ceil(people / places_at(thing.noun))
+        elif thing.count is None and thing.plural and self.habits.is_in(thing.noun, "covers", "own_bed"):
+            thing.count = people
         elif self.habits.is_in(thing.noun, "tables", "desks"):
             together = thing.plural and people > _MOST_AT_ONE
             if together and thing.count is None:

@@ -1,5 +1,7 @@
 """Pronouns as what a clause is about."""
 
+from dataclasses import replace
+
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.nodes import Node
@@ -56,7 +58,7 @@ class Pronouns(Numbers):
 
     def _one_of_several(self, noun: Noun) -> None:
         """Read "one", "another", "the other", "half", "none" of what was named."""
-        if noun.value == "one" and self._repeats(noun):
+        if noun.value == "one" and (self._shares_out(replace(noun, count=1)) or self._repeats(noun)):
             return
         if noun.value == "none" and self._is_link(self._before(), "verbs", "be", "stand", "hang") and self.predicate:
             self.negating = True

@@ -141,6 +141,7 @@ class Relating(Naming):
         if not tables:
             tables += self._only_table()
         if not tables:
+            meaning.kind = "on" if meaning.kind == "at" else meaning.kind
             return False
         subject.per += [s for s in seats if s not in subject.per]
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))

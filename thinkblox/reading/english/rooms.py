@@ -44,6 +44,10 @@ class Rooms(Memberships):
         self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
         if noun.size:
             self.draft.sizes.append(noun.size)
+        if (place := self._place_of_label(noun)) is not None and not self.draft.things:
+            self._lose(noun.end, place.end)
+            self._spend(place)
+            self._go_past(place)
         if not self.draft.things:
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
@@ -104,11 +108,8 @@ class Rooms(Memberships):
         if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
-        if roomish_under := self._place_of_label(noun):
-            self._spend(roomish_under)
-            self._room(replace(noun, kind="room", value=noun.value if noun.kind == "room" else "room"))
-            self.at += 2
-            self._lose(after.start if after is not None else noun.end, roomish_under.end)
+        if self._place_of_label(noun) is not None:
+            self._room(replace(noun, kind="room", value="room"))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
@@ -139,7 +140,7 @@ class Rooms(Memberships):
 
     def _place_of_label(self, noun: Noun) -> Noun | None:
         """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""
-        roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"] and not noun.many
+        roomish = noun.kind == "room" or (noun.text.lower().split()[-1] in grammar().lists["rooms"] and not noun.many)
         place = (
             self.peek(1) if self._is_link(self.peek(), "prepositions", "under", "above", "behind", "next_to") else None
         )

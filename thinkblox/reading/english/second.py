@@ -93,8 +93,9 @@ class SecondOpinion:
             for having in held:
                 yield from self._lists(having)
             spread = any(h.head.many for h in held) or any(_is_shared_out(chunk) for chunk in said) or _defines(said)
+            placed = {place.anchor.start for place in places if place.anchor is not None and place.anchor.definite}
             for one, other in pairwise(said):
-                if _is_cut_in_two(one, other):
+                if _is_cut_in_two(one, other) and not (one.start in placed and _is_many(other)):
                     yield Disagreement(one.start, other.end, range(one.start, other.end), "one thing?")
                 if is_link(one, "prepositions") and isinstance(other, Stray) and other.text.lower() in _OWNERS:
                     yield Disagreement(one.start, other.end, range(one.start, other.end), "where?")
@@ -347,6 +348,11 @@ def _is_cut_in_two(one: Chunk, other: Chunk) -> bool:
     """Whether two things are named without a word between them: "a light" and "grey sofa"."""
     named = isinstance(one, Noun) and isinstance(other, Noun) and one.kind == other.kind == "thing"
     return named and isinstance(other, Noun) and one.end == other.start and not other.det and other.count is None
+
+
+def _is_many(chunk: Chunk) -> bool:
+    """Whether it names several things that need no word before them."""
+    return isinstance(chunk, Noun) and chunk.many
 
 
 def _is_side_of_either(place: SaidPosition) -> bool:

@@ -10,7 +10,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
 from thinkblox.reading.english.parts import SIDES
-from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.referents import is_small, last_word
 
 _PAIR = 2
 _SLIM = 0.3
@@ -104,6 +104,19 @@ class Subjects(Having):
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
 
+    def _is_at_foot_of_another(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether "its foot" is that of a bed at which the head stands: "a bench with a blanket at its foot"."""
+        end = where.noun is not None and where.noun.kind == "part" and where.noun.value in ("foot", "head")
+        its = end and where.whole is None and not self.habits.is_in(head.things[-1].noun, "beds", "tables")
+        return its and self._is_held(thing, frame) and not frame.each
+
+    def _is_other_side_of_before(self, thing: Mention, frame: Listed, where: Where) -> bool:
+        """Whether "its right" is of what has its left: "a stool on its left and a cart with jars on its right"."""
+        side, sided = where.noun, self.meanings.sided
+        its = side is not None and side.kind == "part" and side.det == "my" and where.whole is None
+        across = side is not None and sided is not None and {side.value, sided[0]} == {"left", "right"}
+        return its and across and self._is_held(thing, frame) and not frame.each
+
     def _is_said_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether what is told without a pronoun is about what has the list."""
         if where.noun is None or self._is_of_member(where, frame):
@@ -120,6 +133,8 @@ class Subjects(Having):
 
     def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "its right" is of what has the head: "each with a stool and a trolley with towels on its right"."""
+        if self._is_other_side_of_before(thing, frame, where) or self._is_at_foot_of_another(thing, frame, head, where):
+            return True
         outer = head.frame.head if head.frame is not None else None
         side = where.noun is not None and where.noun.kind == "part" and where.noun.det == "my" and where.whole is None
         side = side and where.noun is not None and where.noun.value in SIDES
@@ -172,6 +187,8 @@ class Subjects(Having):
 
     def _is_place_of_head(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether a place is where the owner stands: "a desk with a chair by the window"."""
+        if self._is_link(self.peek(), "prepositions") and self._is_pronoun_next():
+            return False
         if noun.kind != "place" or frame.each or (noun.value == "centre" and where.whole is None):
             return False
         on_surface = noun.value in ("wall", "floor", "ceiling") and where.word == "on"
@@ -181,6 +198,11 @@ class Subjects(Having):
         heads = frame.head.things if frame.head is not None else []
         hung &= where.word not in _STANDING or any(self.habits.is_in(t.noun, "wallpieces") for t in heads)
         return not on_surface and not hung
+
+    def _is_pronoun_next(self) -> bool:
+        """Whether "it" comes after the next preposition: "with four screens on the wall above it"."""
+        noun = self._next_noun(1)
+        return noun is not None and noun.kind == "pronoun" and noun.value == "it"
 
     def _is_within(self, noun: Noun, frame: Listed) -> bool:
         """Whether it is something of the same list."""
@@ -200,7 +222,7 @@ class Subjects(Having):
 
     def _is_beside_head(self, thing: Mention, frame: Listed, head: Node, where: Where, noun: Noun) -> bool:
         """Whether the owner is beside another thing: "a desk with a chair next to the bed"."""
-        held = self._is_held(thing, frame) and not frame.each
+        held_there = held = self._is_held(thing, frame) and not frame.each
         held = held and where.word in ("above", "under", "against", "by", "at")
         if where.word == "on" and self.habits.is_in(noun.value, "covers") and self.habits.is_in(thing.noun, "seats"):
             return not frame.each
@@ -218,7 +240,7 @@ class Subjects(Having):
             return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
-        return self.habits.is_in(thing.noun, "small", "seats", "lamps")
+        return self.habits.is_in(thing.noun, "small", "seats", "lamps") or (held_there and where.word == "between")
 
     def _is_over_wall_thing(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether the owner is below what hangs on a wall: "a table with four chairs under the clock"."""
@@ -334,6 +356,7 @@ class Subjects(Having):
         for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
             alike = leaning or lies or self._belongs(member.noun, group) or (on_thing and _may_lie(member))
+            alike |= on_thing and last_word(member) in grammar().lists["set_on"]
             if member is not thing and (member in taken or not alike):
                 break
             free.insert(0, member)

@@ -101,7 +101,7 @@ class _Surveyor:
             self._end_part(link)
         elif is_link(link, "joins", "which"):
             self._outer = self._head
-        elif is_having(link):
+        elif is_having(link) or is_link(link, "inverses"):
             self._have(link)
         elif is_spatial(link) or is_link(link, "prepositions", "to"):
             self._role, self._told, self._here = "anchor", True, True
@@ -137,6 +137,8 @@ class _Surveyor:
         self._role, self._told, self.seen.having = "member", False, link.start
         known = self._anchored and self._last is not None and self._last.definite
         owners = [self._head, self._last] if link.sort == "verbs" or known else [self._last, self._head]
+        if link.value == "with" and is_link(self._before, "mark", "comma"):
+            owners.reverse()
         if self._head is not None and self._head.start in self.seen.loose and is_link(self._before, "mark", "comma"):
             owners = []
         if self._each is not None:

@@ -149,7 +149,9 @@ class Ties(Relating):
             return frame.times > 1
         match noun.kind:
             case "pronoun":
-                return not (self._are_all(frame, noun, thing) or self._is_of_another(frame, noun))
+                return noun.value != "other" and not (
+                    self._are_all(frame, noun, thing) or self._is_of_another(frame, noun)
+                )
             case "thing" if noun.definite:
                 return self._is_beside_with(frame, thing, noun) or self._is_of(frame, thing, noun)
             case "part":
@@ -179,7 +181,7 @@ class Ties(Relating):
         if head is not None and not (frame.each or on_it) and self._lies_with(thing, head, frame, place):
             return True
         if frame.each:
-            return place.value.split()[0] == "wall"
+            return place.value.split()[0] == "wall" and not place.plural
         return seated and self.separator == "and" and frame.kind == "with"
 
     def _lies_by_part(self, frame: Listed, thing: Mention, index: int) -> bool:
@@ -236,7 +238,9 @@ class Ties(Relating):
         if found in frame.members and self._lies_among(frame, thing):
             return True
         if frame.head is not None and found in frame.head.things:
-            return not (noun.ordinal or noun.degree)
+            several = noun.plural or noun.word != noun.text.lower().rpartition(" ")[2]
+            together = frame.each and noun.det == "the" and several and self.separator in ("comma", "comma_and")
+            return not (noun.ordinal or noun.degree or together)
         outside = found is not None and not found.many and found not in frame.members
         carriers = [
             a for t in (frame.head.things if frame.head else ()) for b in self.draft.bonds_of(t) for a in b.anchors
@@ -276,6 +280,8 @@ class Ties(Relating):
         lies = self._belongs(thing.noun, "small")
         lies |= self.habits.is_in(thing.noun, "fitted") and (first or frame.kind in ("carry", "hold", "on"))
         lies &= not (self.habits.is_in(thing.noun, "fitted") and is_small(head))
+        soft = self.habits.is_in(head.noun, "beds", "lounges") and frame.kind == "with"
+        lies &= not (soft and self.habits.is_in(thing.noun, "screens", "lamps"))
         lies_here = lies or first or usual == "on"
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
@@ -314,8 +320,11 @@ class Ties(Relating):
         carries = contains or seats or flat or self.habits.is_in(head.noun, "surfaces", "beds", "lounges")
         lies |= last_word(thing) in grammar().lists["set_on"] and frame.kind == "with"
         lies |= self._ends_small_list(thing, head, frame)
-        carries |= lies and (
-            self._stands_there(head) if first or frame.each else self._carries_before(thing, head, frame)
+        stands = kind_of(head.noun).plain and not any(h.kind == "on" for h in self.habits.of(thing.noun))
+        carries |= (
+            lies
+            and not stands
+            and (self._stands_there(head) if first or frame.each else self._carries_before(thing, head, frame))
         )
         if lies and carries and thing.noun != "tv":
             return "inside" if contains else "on"

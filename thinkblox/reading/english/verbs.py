@@ -46,10 +46,16 @@ class Verbs(Prepositions):
     def _do_something(self, link: Connector) -> None:
         """Go past a verb that says nothing about a room, unless it ties a thing to another that was named."""
         noun = self.peek()
+        if isinstance(noun, Noun) and noun.kind == "room" and self.clause.members and self._is_parting(link):
+            self._lose(link.start, noun.end)
         named = isinstance(noun, Noun) and noun.kind == "thing" and noun.definite
         if named and isinstance(noun, Noun) and self.clause.members and self.referents.named(noun) is not None:
             self._lose(link.start, noun.end)
         self.frontier, self.subject, self.pending = [], None, None
+
+    def _is_parting(self, link: Connector) -> bool:
+        """Whether it says that something stands between the halves of the room."""
+        return link.text.lower() in grammar().lists["parting"]
 
     def _put(self) -> None:
         """Read "put": what follows is asked for, or lies on what was just named."""
