@@ -431,8 +431,15 @@ def test_what_is_watched_stands_across_from_the_sofa():
     assert measure(made("A living room").scene, "opposite", "tv_stand_1", ["sofa_1"]).holds
 
 
-@pytest.mark.parametrize("prompt", ["A hardware shop", "A pharmacy with a counter and shelves of medicine"])
-def test_shelves_of_shops_are_full(prompt: str) -> None:
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A hardware shop",
+        "A pharmacy with a counter and shelves of medicine",
+        "A garage with a workbench and two storage shelves",
+    ],
+)
+def test_shelves_are_full(prompt: str) -> None:
     shelves = [r for r in read_brief(prompt).requests if r.category == "shelving_unit"]
     assert shelves
     assert all("filled" in request.attributes for request in shelves)
@@ -542,3 +549,10 @@ def test_between_tables_that_stand_in_rows_there_is_a_way(things: str, category:
 
 def test_an_aquarium_has_a_stand_of_its_own() -> None:
     assert counts("A living room with a sofa, a coffee table and an aquarium").get("aquarium_stand") == 1
+
+
+def test_a_computer_on_a_desk_has_a_screen_and_a_keyboard() -> None:
+    number = counts("A call centre with twelve desks in rows, each with a computer")
+    assert (number["monitor"], number["keyboard"]) == (12, 12)
+    assert "monitor" not in counts("A call centre with six desks, each with a laptop")
+    assert counts("A study with a computer and two monitors on the desk")["monitor"] == 2

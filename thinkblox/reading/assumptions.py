@@ -10,6 +10,7 @@ from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.seats import places_at, usual_seat
+from thinkblox.knowledge.sets import rest_of_set
 from thinkblox.knowledge.things import are_alike, counts_as, things
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -66,7 +67,7 @@ def anticipated(draft: Draft) -> frozenset[str]:
 
 
 def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
-    """Put books into bookcases, and goods onto the shelves of shops and stores, unless the prompt says what is there.
+    """Put books into bookcases, and goods onto the shelves of a room with a use, unless the prompt says what is there.
 
     Counts are settled by now.
 
@@ -76,9 +77,22 @@ def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
     """
     laid = [b for b in draft.bonds if b.kind in ("on", "inside")]
     _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid)
-    if any(room_type(name).stocked for name in kinds_of_room(draft.room)):
+    if draft.room not in ("", UNKNOWN_ROOM):
         told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
         _fill_shelves([t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], told)
+
+
+def complete_sets(draft: Draft) -> None:
+    """Add what comes with things that stand on others and are of no use alone; counts are settled by now."""
+    for thing in [t for t in draft.things if t.asked]:
+        rest = rest_of_set(thing.noun)
+        places = [b for b in draft.bonds_of(thing) if b.kind == "on" and not b.negated]
+        if rest is None or not places or _has(draft, rest.group):
+            continue
+        for category in rest.categories:
+            if category not in draft.excluded and not any(t.noun == category for t in draft.things):
+                part = _add(draft, category, thing.count or 1)
+                draft.bonds += [Bond("on", part, bond.anchors, each=bond.each, asked=False) for bond in places]
 
 
 def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
