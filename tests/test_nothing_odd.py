@@ -556,3 +556,13 @@ def test_a_computer_on_a_desk_has_a_screen_and_a_keyboard() -> None:
     assert (number["monitor"], number["keyboard"]) == (12, 12)
     assert "monitor" not in counts("A call centre with six desks, each with a laptop")
     assert counts("A study with a computer and two monitors on the desk")["monitor"] == 2
+
+
+def test_chairs_that_are_named_are_for_the_table_that_is() -> None:
+    brief = read_brief("A radio studio with a round table, four microphones and four chairs")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert {plan.target(f"chair_{n}").ties[0].anchors for n in (1, 2, 3, 4)} == {("dining_table_1",)}
+
+
+def test_students_sit_at_the_tables_that_they_share() -> None:
+    assert counts("An art classroom for 16 students with big tables, easels and a sink").get("chair") == 16

@@ -424,8 +424,9 @@ def _seat(draft: Draft) -> None:
         tables = [b.anchors[0] for b in draft.bonds_of(seat) if b.kind == "around"]
         people = sum(t.seats * (t.count or 1) for t in tables if isinstance(t, Mention)) or draft.people
         seat.count = people if people and tables and room_type(draft.room).seats_at else seat.count
-    if draft.people and room_type(draft.room).seats_at and not _has(draft, "seats"):
-        table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
+    table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
+    shared = table is not None and room_type(draft.room).place and not _is_too_small(table, draft.people)
+    if draft.people and (room_type(draft.room).seats_at or shared) and not _has(draft, "seats"):
         _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 
 
