@@ -55,10 +55,15 @@ def name_of(words: Sequence[str]) -> ThingName | None:
 
 def thing_called(phrase: str, length: int = 1) -> ThingName | None:
     """What a whole phrase in lower case names, singular or plural; `length` is its number of words."""
-    known = _phrases(revision())
+    return _called(phrase, length, revision())
+
+
+@lru_cache(maxsize=4096)
+def _called(phrase: str, length: int, revision: int) -> ThingName | None:
+    known = _phrases(revision)
     phrase = phrase.replace("-", " ")
     first, several, _ = phrase.partition(" ")
-    if several and first not in _beginnings(revision()):
+    if several and first not in _beginnings(revision):
         return None
     if found := known.get(phrase):
         return _named(found, found.singular or phrase, length, plural=found.plural)

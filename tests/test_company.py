@@ -40,7 +40,7 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A hall with three long tables for thirty guests", "chair", 30),
         ("A playroom with low tables and small chairs", "child_chair", 8),
         ("A chemistry lab for 20 students with a fume hood", "stool", 20),
-        ("A chemistry lab for 20 students with a demonstration bench", "stool", 22),
+        ("A chemistry lab for 20 students with a demonstration bench", "stool", 20),
         ("A two-person home office with back-to-back desks and a printer", "office_chair", 2),
         ("A one-room flat with a dining table for two and a sofa", "chair", 2),
         ("A dining room for six with a high chair", "chair", 6),

@@ -7,17 +7,22 @@ from pathlib import Path
 import pytest
 from msgspec import structs
 
-from tests.edited_rooms import bedroom, built, bytes_of, dining, living, room, same_but
+from tests.edited_rooms import OPENINGS, bedroom, built, bytes_of, dining, living, room, same_but
 from thinkblox import Edit, Scene, World, edit_room, load_scene, read_episode, save_room, undo_edit, verify
 from thinkblox.cli import main
 from thinkblox.editing.reading import MAX_INSTRUCTION, read_instruction
 from thinkblox.errors import InputError
 from thinkblox.generate import generate_room
 from thinkblox.policies.expert import ExpertPolicy
+from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import rectangle
+from thinkblox.sim.verdict.verify import reverify
 from thinkblox.value import to_json
+from thinkblox.verdict import Verdict
 
 
 def gap(scene: Scene, one: str, other: str) -> float:
@@ -319,6 +324,27 @@ def test_the_report_on_what_changed_is_that_of_the_whole() -> None:
     ]
 
 
+@pytest.mark.parametrize(("x", "opens_less"), [(4.9, True), (4.3, False)])
+def test_what_stands_about_a_change_is_measured_anew_only_where_doors_open_less(
+    x: float, opens_less: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = built(room(), ("wardrobe_1", 5.65, 2.0, 180.0, "floor"), ("armchair_1", 3.0, 2.0, 0.0, "floor"))
+    known, after = verify(before), before.moved("armchair_1", position=(x, 2.0, 0.0))
+    whole = verify(after)
+    measured: list[str] = []
+    check = World.check
+
+    def checked(world: World, candidates: list[Placement], asset: Asset, **more: bool) -> list[Verdict]:
+        measured.extend(p.id for p in candidates)
+        return check(world, candidates, asset, **more)
+
+    monkeypatch.setattr(World, "check", checked)
+    anew = reverify(after, before, known)
+    assert anew.objects == whole.objects
+    assert any(v.swings for v in anew.objects) == opens_less
+    assert ("wardrobe_1" in measured) == opens_less
+
+
 def test_every_change_is_measured_like_a_placement() -> None:
     result = done(living(), "Move the armchair next to the sofa")
     placement = result.scene["armchair_1"]
@@ -344,6 +370,13 @@ def test_what_loses_its_place_stands_where_there_is_room_and_nobody_is_asked() -
     policy = Told()
     result = done(living(), "Remove the coffee table", policy=policy)
     assert result.scene["vase_1"].support in ("sideboard_1", "desk_1")
+    assert not policy.seen
+
+
+def test_what_is_made_larger_where_it_stands_is_nobody_asked_about() -> None:
+    policy = Told()
+    before = built(rectangle(1.95, 2.4, openings=OPENINGS[:1]), ("dining_table_1", 0.975, 1.6, 90.0, "floor"))
+    assert edit_room(before, "Make the table 2 m wide", policy=policy).failed
     assert not policy.seen
 
 

@@ -3,14 +3,16 @@
 import math
 
 import pytest
+from msgspec import structs
 
-from tests.edited_rooms import bedroom, built, dining, living, placed, room
+from tests.edited_rooms import OPENINGS, bedroom, built, dining, living, placed, room
 from tests.test_editing_guard import classroom, done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import rectangle, turn_between
+from thinkblox.scene.scene import Scene
 
 OFFICE = ("desk_1", "desk_2", "office_chair_1", "office_chair_2", "laptop_1", "whiteboard_1")
 
@@ -356,3 +358,98 @@ def test_what_stands_at_a_wall_is_on_it_and_a_corner_that_is_still_empty_is_empt
         order = read_instruction(said).orders[0]
         assert [phrase.noun.value for phrase in order.things] == ["plant"], said
         assert [w.noun.states for w in order.things[0].places if w.noun] == [["empty"]], said
+
+
+def test_what_is_centred_between_two_things_stays_as_far_from_the_wall_as_it_was_put() -> None:
+    before = bedroom().moved("bed_1", position=(2.9, 3.9, 0.0))
+    after = done(before, "Move the bed 20 cm away from the wall and centre it between the nightstands").scene
+    assert after["bed_1"].position[:2] == pytest.approx((3.0, 3.7), abs=0.03)
+
+
+def test_all_that_stands_in_rows_goes_to_the_front_or_the_back_that_it_looks_to() -> None:
+    before = classroom()
+    after = done(before, "Move every desk 10 cm to the back").scene
+    moved = {
+        (round(new.position[0] - old.position[0], 2), round(new.position[1] - old.position[1], 2))
+        for old, new in zip(before.placements, after.placements, strict=True)
+        if old.category == "school_desk"
+    }
+    assert moved == {(-0.1, 0.0)}
+
+
+def test_what_moves_with_a_row_moves_once() -> None:
+    before = classroom()
+    after = done(before, "Move the first row 20 cm forward, chairs included").scene
+    steps = {
+        round(math.dist(old.position, new.position), 3)
+        for old, new in zip(before.placements, after.placements, strict=True)
+    }
+    assert steps == {0.0, 0.2}
+
+
+def test_what_is_taken_along_stands_where_it_stood_beside() -> None:
+    before = built(room(), ("desk_1", 0.4, 2.5, 0.0, "floor"), ("chair_1", 1.0, 2.5, 180.0, "floor"))
+    after = done(before, "Move the desk 30 cm to the left and take the chair along").scene
+    steps = [math.dist(before[id].position, after[id].position) for id in ("desk_1", "chair_1")]
+    assert steps == pytest.approx([0.3, 0.3], abs=0.03)
+
+
+@pytest.mark.parametrize(
+    ("said", "yaw"), [("Turn the armchair to face north", 90.0), ("Turn the armchair so that it faces west", 180.0)]
+)
+def test_a_thing_faces_what_the_compass_says(said: str, yaw: float) -> None:
+    before = built(room(), ("armchair_1", 3.0, 2.5, 0.0, "floor"))
+    assert turn_between(done(before, said).scene["armchair_1"].yaw, yaw) <= 20.0
+
+
+def test_so_far_into_the_room_is_away_from_the_wall() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 270.0, "floor"))
+    after = done(before, "Move the sofa one metre into the room").scene
+    assert after["sofa_1"].position[1] == pytest.approx(1.6, abs=0.03)
+
+
+def test_the_window_wall_is_the_wall_with_the_window_where_one_has_windows() -> None:
+    after = done(living(), "Move the sideboard to the window wall").scene
+    assert measure(after, "against_wall", "sideboard_1", ("north_wall",)).holds
+    several = rectangle(6.0, 5.0, openings=(*OPENINGS, structs.replace(OPENINGS[1], id="window_2", wall=3)))
+    with pytest.raises(InputError, match="in north_wall and in west_wall"):
+        edit_room(built(several, ("desk_1", 3.0, 0.5, 90.0, "floor")), "Move the desk to the window wall")
+
+
+def test_the_other_end_is_not_that_at_which_a_thing_stands() -> None:
+    before = built(room(), ("sofa_1", 3.0, 0.6, 90.0, "floor"), ("floor_lamp_1", 1.7, 0.5, 0.0, "floor"))
+    after = done(before, "Put the lamp at the other end of the sofa").scene
+    assert after["floor_lamp_1"].position[0] > 3.9
+
+
+def test_one_sits_at_the_long_sides_of_a_table() -> None:
+    before = built(room(), ("dining_table_1", 3.0, 2.5, 90.0, "floor"))
+    after = done(before, "Add a chair at each side of the table").scene
+    assert {round(abs(after["dining_table_1"].to_local(after[id].position[:2])[1]), 1) for id in
+            ("chair_1", "chair_2")} == {0.0}  # fmt: skip
+
+
+def _with_lamps(*carriers: str) -> Scene:
+    rows = [("desk_1", 0.5, 2.5, 0.0, "floor"), ("sideboard_1", 5.7, 2.5, 180.0, "floor")]
+    spots = {"desk_1": (0.5, 2.5), "sideboard_1": (5.7, 2.5)}
+    lamps = [(f"table_lamp_{n + 1}", *spots[on], 0.0, on) for n, on in enumerate(carriers)]
+    return built(room(), *rows, *lamps, ("vase_1", 5.7, 3.0, 0.0, "sideboard_1"))
+
+
+def test_what_is_on_two_things_is_not_one_of_these() -> None:
+    said = "Remove the lamps on the desk and the sideboard"
+    after = done(_with_lamps("desk_1", "sideboard_1"), said).scene
+    assert [p.id for p in after.placements] == ["desk_1", "sideboard_1", "vase_1"]
+    with pytest.raises(InputError, match="in two orders"):
+        edit_room(_with_lamps("desk_1"), said)
+
+
+def test_the_lower_of_two_that_hang_is_told_by_how_high_it_hangs() -> None:
+    before = built(room(), ("picture_1", 5.984, 1.0, 180.0, "wall"), ("picture_2", 5.984, 3.0, 180.0, "wall"))
+    before = before.moved("picture_2", position=(5.984, 3.0, 0.6))
+    assert "picture_2" not in done(before, "Remove the lower picture").scene
+
+
+def test_the_left_of_those_at_one_wall_is_that_seen_by_who_looks_at_it() -> None:
+    before = built(room(), ("bookcase_1", 2.0, 0.2, 90.0, "floor"), ("bookcase_2", 4.0, 0.2, 90.0, "floor"))
+    assert "bookcase_2" not in done(before, "Remove the left bookcase").scene

@@ -98,7 +98,7 @@ SHARED = {
     "island with three stools and a bowl of fruit on it.": (
         "3 base_cabinet, 1 sink, 1 hob, 1 microwave, 1 fridge, 1 kitchen_island, 3 bar_stool, 1 fruit_bowl",
         (
-            "base_cabinet against_wall wall, sink on base_cabinet, hob on base_cabinet, microwave on base_cabinet, "
+            "base_cabinet against_wall one_wall, sink on base_cabinet, hob on base_cabinet, microwave on base_cabinet, "
             "fridge next_to base_cabinet, bar_stool at kitchen_island, fruit_bowl on kitchen_island"
         ),
     ),

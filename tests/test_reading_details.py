@@ -2,7 +2,8 @@
 
 import pytest
 
-from tests.test_reading_turns import related
+from tests.test_reading_turns import counted, related
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading import read_brief
 
 
@@ -27,6 +28,63 @@ from thinkblox.reading import read_brief
         ("Two parallel rows of three workbenches, each with a vise.", ["6 workbench in_rows", "6 vise on workbench"]),
         ("A long row of six lockers.", ["6 locker in_rows"]),
         ("Four beds, two along each side wall.", ["4 bed against_wall wall"]),
+        # Where all of a list are that is told only of its last thing, or before the first.
+        ("A kids' room with a loft bed, a desk and a chair below it.",
+         ["1 desk under bunk_bed", "1 chair under bunk_bed"]),
+        ("A loft bed with a desk, a chair and a bookcase underneath.",
+         ["1 desk under bunk_bed", "1 chair under bunk_bed", "1 bookcase under bunk_bed"]),
+        ("A desk and a dresser under the loft bed.", ["1 desk under bunk_bed", "1 dresser under bunk_bed"]),
+        ("A TV, a sofa and an armchair facing it.", ["1 sofa facing tv", "1 armchair facing tv"]),
+        ("A bed. At its foot are a bench and a trunk.", ["1 bench at_foot_of bed", "1 chest at_foot_of bed"]),
+        ("A console. Under it are two baskets and an umbrella stand.",
+         ["2 basket under console_table", "1 umbrella_stand under console_table"]),
+        ("A kitchen with a fridge, a stove and a sink, and wall cabinets above them.",
+         ["2 wall_cabinet above fridge stove sink"]),
+        ("A curtain in the middle. Each side has a bed.", ["1 bed left_of curtain", "1 bed-2 right_of curtain"]),
+        # Of each of several, and of all that were told apart.
+        ("Three beds, each with two pillows on it, a shelf on the wall above it and a box under it.",
+         ["3 wall_shelf above bed", "3 box under bed"]),
+        ("Two tables, each with a bench on both long sides and a lantern hanging from the ceiling above it.",
+         ["2 lantern above dining_table", "4 bench at_long_side dining_table"]),
+        ("Three benches; on each of them five books and a tray, above each a lamp.",
+         ["15 book on bench", "3 tray on bench", "3 pendant_lamp above bench"]),
+        ("Nine stools in front of a counter, and for every stool a bowl, a spoon and a napkin on the counter.",
+         ["9 bowl on counter", "9 spoon on counter", "9 napkin on counter"]),
+        ("A table, four chairs along each long side and one at either end. Per seat a plate with a napkin on it.",
+         ["10 plate on dining_table", "10 napkin on plate"]),
+        ("Five tables; each table has one little flag in the middle.", ["5 flag in_centre dining_table"]),
+        ("Three stools, one blue and two green, stand at the counter.",
+         ["1 bar_stool at counter", "2 bar_stool-2 at counter"]),
+        ("A red and two blue chairs at the table.", ["1 chair around dining_table", "2 chair-2 around dining_table"]),
+        ("Two lab benches. On the one in the middle: six beakers. On the one by the wall: a scale with a bin under it.",
+         ["1 lab_bench in_centre centre", "6 beaker on lab_bench", "1 scale on lab_bench-2",
+          "1 lab_bench-2 against_wall wall", "1 waste_bin under lab_bench-2"]),
+        ("Two tables. The one by the window has a vase, the one in the corner a lamp.",
+         ["1 vase on dining_table", "1 table_lamp on dining_table-2"]),
+        ("Framed art all over the walls and a tattoo chair.", ["2 picture on wall"]),
+        # What is told again, or with a pronoun, of what the sentence named.
+        ("There is the stove, a black one, against the wall. To its left is a basket.",
+         ["1 stove against_wall wall", "1 basket left_of stove"]),
+        ("Under the bed lies a jute rug and on that, three magazines.", ["3 magazine on rug"]),
+        ("A piano; it has a skull and a metronome on top, the metronome to the left of the skull.",
+         ["1 metronome left_of skull", "1 metronome on piano", "1 skull on piano"]),
+        ("A media console with two game consoles on it, the TV on the wall above the console.",
+         ["1 wall_tv above tv_stand"]),
+        ("A trunk does duty as a nightstand, with a lamp and a carafe on it.", ["1 carafe on chest"]),
+        ("The crib is round; my wife insisted. It goes in the corner.", ["1 crib in_corner corner"]),
+        ("The dock stands within a metre and a half of the door.", ["1 dock near door"]),
+        ("A lamp within 50 cm of the bed.", ["1 floor_lamp next_to bed"]),
+        ("Wall bars are mounted on the wall.", ["1 wall_bars on wall"]),
+        # What containers hold, and what stands below what hangs on a wall.
+        ("A desk with a mug of pens and a laptop.", ["1 pens inside cup", "1 laptop on desk"]),
+        ("Buckets of roses, tulips and lilies.", ["3 tulip inside flower_bucket", "3 lily inside flower_bucket"]),
+        ("Violins on the wall and a shelf with sheet music under the violins.",
+         ["1 shelving_unit under violin", "1 sheet_music inside shelving_unit"]),
+        ("A clock on the wall and a table with four chairs under the clock.",
+         ["1 dining_table under clock", "4 chair around dining_table"]),
+        ("A shoe rack with shoes on the shelves.", ["2 shoes inside shoe_rack"]),
+        ("A rack for coats and shoes on the shelf.", ["3 shoes on shelving_unit-2"]),
+        ("A cabinet with two doors and a lamp on it.", ["1 table_lamp on cabinet"]),
         # Sides and ends.
         ("Four tables, each with a lamp and six chairs, three on each side.", ["24 chair at_long_side dining_table"]),
         ("A desk is at the front left.", ["1 desk in_corner near_wall left_wall"]),
@@ -188,6 +246,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
     ("prompt", "doubt"),
     [
         ("A flat: bed and desk share the same wall.", "the same wall"),
+        ("A lamp within 20 cm of the bed.", "within 20 cm of the bed"),
         ("A sofa with its back to the door.", "its back to the door"),
         ("A desk with its short side against the wall.", "its short side"),
         ("Three tables and a vase on the tables.", "which of them"),
@@ -229,10 +288,49 @@ def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:
     [
         ("In the corner of the bedroom stands a chair.", "bedroom"),
         ("A gym room with two treadmills.", "gym"),
+        ("A judge's chambers with a desk.", "office"),
+        ("A bedroom for twins.", "kids_room"),
     ],
 )
 def test_the_room_is_named_in_passing(prompt: str, room: str) -> None:
     assert read_brief(prompt).room_type == room
+
+
+@pytest.mark.parametrize(
+    ("prompt", "beds"),
+    [
+        ("A bedroom for twins.", {"bed": 2}),
+        ("The twins' bedroom.", {"bed": 2}),
+        ("A nursery for triplets.", {"crib": 3}),
+        ("A bedroom for twins with two cribs.", {"crib": 2}),
+        ("A bedroom with a futon.", {"futon": 1}),
+    ],
+)
+def test_a_word_for_people_says_how_many_beds(prompt: str, beds: dict[str, int]) -> None:
+    lain_on = ("bed", *load_habits().group("lain_on"))
+    assert {r.category: r.count for r in read_brief(prompt).requests if r.category in lain_on} == beds
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("An ottoman that stands anywhere but in the middle.", "in_centre"),
+        ("The chair is in the corner instead of in the middle.", "in_centre"),
+        ("The bed is by the window rather than against the wall.", "against_wall"),
+    ],
+)
+def test_a_place_that_something_is_not_at(prompt: str, kind: str) -> None:
+    assert [r.kind for r in read_brief(prompt, fill="named").relations if r.negated] == [kind]
+
+
+def test_the_size_of_a_cubby_is_not_that_of_the_stairs() -> None:
+    brief = read_brief("Reading cubby under the stairs, 1.4 m by 2 m: a mattress with two pillows on it.", fill="named")
+    assert (brief.width, brief.depth, brief.unknown) == (1.4, 2.0, ("under the stairs",))
+
+
+def test_each_student_is_one_at_each_of_the_tables() -> None:
+    brief = read_brief("A classroom with five tables for four students each. Each student gets a chair.", fill="named")
+    assert counted(brief)["chair"] == 20
 
 
 def test_colours_are_told_after_paint() -> None:
@@ -293,6 +391,14 @@ def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost
     [
         ("The lobby of a grand hotel with two sofas.", {"sofa": 2}),
         ("A lounge in a grand house with a piano.", {"piano": 1}),
+        ("A bathroom with a double vanity with two sinks and a toilet.", {"vanity": 1, "toilet": 1}),
+        ("A bathroom. The vanity has two sinks and a mirror.", {"vanity": 1, "mirror": 1}),
+        ("A dresser with six drawers and a bed.", {"dresser": 1, "bed": 1}),
+        ("One green and one black trash can.", {"waste_bin": 2}),
+        ("Two small and one large vase.", {"vase": 3}),
+        ("A wooden, a red and a metal stool.", {"stool": 3}),
+        ("Two chairs, one red and one blue.", {"chair": 2}),
+        ("den w/o a couch, w/ a low table.", {"coffee_table": 1}),
         ("A living room with a grand and a sofa.", {"grand_piano": 1, "sofa": 1}),
         ("A bed and a nightstand holding reading glasses.", {"bed": 1, "nightstand": 1, "reading_glasses": 1}),
         ("Two nightstands with reading lamps.", {"nightstand": 2, "table_lamp": 2}),
@@ -301,7 +407,7 @@ def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost
 )
 def test_plain_words_name_what_they_should(prompt: str, things: dict[str, int]) -> None:
     brief = read_brief(prompt, fill="named")
-    assert {r.category: r.count for r in brief.requests if r.asked} == things
+    assert counted(brief) == things
     assert brief.unknown == ()
 
 

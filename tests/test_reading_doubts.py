@@ -161,6 +161,8 @@ def test_a_stack_says_how_things_lie() -> None:
     [
         "A bench between two stools, an amp on the right of the bench, a stack of boxes left of a table, a drum on it.",
         "A desk under the window, a chair next to a cabinet, a plant behind it.",
+        "A room with a fireplace, an armchair and a bookcase beside it.",
+        "A bench, two stools and a coat rack above them.",
     ],
 )
 def test_what_may_mean_either_of_two_is_said(prompt: str) -> None:

@@ -77,7 +77,8 @@ def verify(
 NEAR = 0.05
 """Whatever is nearer to what has changed is measured again, with all that hangs together with it [m]."""
 OPENS_WITHIN = 1.5
-"""The same for what has doors or drawers, and for what may be in the way of a changed thing's [m]."""
+"""What has doors or drawers, or may be in the way of a changed thing's, is measured again where these open less or
+more than they did, being nearer than this [m]."""
 HANGS = 0.02
 """Free things nearer than this to each other hang together [m]."""
 
@@ -109,10 +110,11 @@ def reverify(
     known = {v.id: v for v in report.objects} if report is not None else {}
     walkable = access(scene, walking)
     cut_off = bool(walkable.unreachable or (report and report.walker and report.walker.unreachable))
-    concerned = _concerned(scene, before)
+    concerned, around = _concerned(scene, before)
+    world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
     anew = {p.id for p in scene.placements} if cut_off or scene.room != before.room else concerned
     anew |= {p.id for p in scene.placements if p.id not in known}
-    world = World(scene, tolerances=tolerances, physics=physics, walking=walking)
+    anew |= {id for id in around - anew if world.swings(id) != known[id].swings}
     robot = access(scene, structs.replace(walking, width=walking.robot, large=0.0, movable=0.0))
     objects = tuple(
         _verdict(world, p, bool(walkable.unreachable), robot)
@@ -165,13 +167,13 @@ def _report(
     )
 
 
-def _concerned(scene: Scene, before: Scene) -> set[str]:
-    """What has changed, what is near to it or was, and what hangs together with that."""
+def _concerned(scene: Scene, before: Scene) -> tuple[set[str], set[str]]:
+    """What has changed, what is near to it or was, and what hangs together with that; and what doors concern around."""
     old, new = ({p.id: (p, s.asset_of(p)) for p in s.placements} for s in (before, scene))
     differs = [id for id in (*old, *new) if old.get(id) != new.get(id)]
     changed = dict.fromkeys(differs)
     there = Neighbours(scene)
-    found = {id for id in changed if id in new}
+    found, opens = {id for id in changed if id in new}, set[str]()
     for id in changed:
         for placement, asset in (entry for entry in (old.get(id), new.get(id)) if entry is not None):
             if not asset.collides:
@@ -179,9 +181,10 @@ def _concerned(scene: Scene, before: Scene) -> set[str]:
             boxes = piece_boxes(solid_of(asset), placement)
             found |= there.meetings(boxes, NEAR).keys()
             around = there.meetings(boxes, OPENS_WITHIN).keys()
-            found |= {o for o in around if asset.made_of[2] or new[o][1].made_of[2]}
+            opens |= {o for o in around if asset.made_of[2] or new[o][1].made_of[2]}
     solid = {id for id in found if new[id][1].collides}
-    return found | there.hanging_together(solid, HANGS)
+    found |= there.hanging_together(solid, HANGS)
+    return found, opens - found
 
 
 def _as_driven(known: Verdict, placement: Placement, scene: Scene, robot: Access) -> Verdict:

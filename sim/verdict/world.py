@@ -34,7 +34,7 @@ from thinkblox.sim.verdict.judge import (
 )
 from thinkblox.sim.verdict.requirement import Requirement, check_requirements, unmet_by
 from thinkblox.sim.verdict.stage import Settled, Stage
-from thinkblox.verdict import Collision, Push, Reason, Unmet, Verdict
+from thinkblox.verdict import Collision, Push, Reason, Swing, Unmet, Verdict
 
 CANDIDATE = "//candidate"
 """Name of the candidate's body; no placement can be called so."""
@@ -198,6 +198,12 @@ class World:
         near = world._hanging_together(boxes, NARROW, frozenset())
         stage = world._stage(asset, near, awake=False)
         return stage.settle(CANDIDATE, placement, seconds=min(SOON, self._physics.settle_time)).decided
+
+    def swings(self, id: str) -> tuple[Swing, ...]:
+        """The doors and drawers that do not simply open because of where an object stands, as a Verdict has them."""
+        placement = self.scene[id]
+        asset = self.scene.asset_of(placement)
+        return self._surroundings.swings(placement, asset) if asset.collides else ()
 
     def _leaning_on(self, id: str) -> list[str]:
         """Whatever free and not on the floor is near enough to an object that it may stand on it, in part at least."""

@@ -16,6 +16,7 @@ from thinkblox.editing.goals import (
     Laid,
     MidOf,
     MidWall,
+    Midway,
     OnPart,
     OnWall,
     Related,
@@ -66,6 +67,8 @@ def centred(scene: Scene, there: Bound) -> tuple[Bound, list[Goal]]:
     """A place with what being at the middle of it asks besides: the middle of a wall, or of the side of a thing."""
     if there.kind == "against_wall" or (there.kind == "on" and there.anchors[:1] and there.anchors[0].endswith("wall")):
         return replace(there, kind="against_wall", middle=True), []
+    if there.kind == "between" and len(there.anchors) == 2 and not there.negated:
+        return there, [Midway("between", there.anchors)]
     single = len(there.anchors) == 1 and len(things(scene, there.anchors[0])) == 1
     if not single or there.of_room or there.negated or there.kind == "in_centre":
         return there, []

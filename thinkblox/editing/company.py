@@ -30,7 +30,7 @@ REACH = 0.8
 
 def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable[[], None]) -> None:
     """Do something with one thing, and bring what the order names along to the same places beside it."""
-    mates = _mates(work, finder, order, id)
+    mates = company_of(work, finder, order, id)
     if not mates:
         do()
         return
@@ -74,7 +74,12 @@ def gathered(work: Work, finder: Finder, order: Order) -> Order:
     return replace(order, things=[head], company=[*order.company, NounPhrase(its)])
 
 
-def _mates(work: Work, finder: Finder, order: Order, id: str) -> list[str]:
+def company_of(work: Work, finder: Finder, order: Order, id: str) -> list[str]:
+    """What an order lets go along with a thing, by itself and not on it.
+
+    Raises:
+        InputError: as `mates_of`.
+    """
     found: list[str] = []
     for phrase in order.company:
         found += mates_of(work, finder, phrase, id)

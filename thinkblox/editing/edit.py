@@ -54,6 +54,8 @@ What = Literal["added", "removed", "replaced", "moved", "turned", "carried"]
 Doer = Callable[[Work, Finder, Order], None]
 _ONTO_KNOWN = ("move", "put", "add", "resite", "replace")
 _CARRYING = ("move", "put", "turn")
+_ON_EITHER = ("remove", "replace", "make", "move", "turn")
+_RESTING = ("on", "in", "inside", "on_top", "from")
 
 
 class Made(Protocol):
@@ -412,6 +414,7 @@ def _carry_out(work: Work, read: Instruction) -> None:
         work.order = (number, order.text)
         finder.owners, finder.named, finder.about = [], [], ""
         before, said = work.scene, (len(work.done), len(work.failed))
+        _on_either(order, finder)
         _DOERS[order.doing](work, finder, order)
         _hold(work, order, before, said[0])
         gone = [p for p in before.placements if p.id not in work.scene]
@@ -421,6 +424,32 @@ def _carry_out(work: Work, read: Instruction) -> None:
     work.done += finder.seen
     work.failed[:] = dict.fromkeys(work.failed)
     work.failed += work.unkept()
+
+
+def _on_either(order: Order, finder: Finder) -> None:
+    """Read "the lamps on the desk and the sideboard" as those on either, where such things rest on both.
+
+    Raises:
+        InputError: none rests on the second, which carries things too and would be taken away with all that it carries.
+    """
+    for number, (head, other) in enumerate(pairwise(order.things)):
+        where, known = head.places[-1] if head.places else None, other.noun
+        several = head.noun.kind == "thing" and head.noun.many and not head.noun.count and order.doing in _ON_EITHER
+        one = known.kind == "thing" and known.definite and not known.many and not other.id
+        if not several or not one or where is None or where.noun is None or where.word not in _RESTING:
+            continue
+        carriers = {p.support for p in finder.matching(head.noun)}
+        if where.noun.kind != "thing" or where.noun.many:
+            continue
+        there = finder.matching(known)
+        if carriers & {p.id for p in there}:
+            places = [*head.places[:-1], dataclasses.replace(where, noun=known), *other.places]
+            order.things[number + 1] = dataclasses.replace(head, noun=dataclasses.replace(head.noun), places=places)
+        elif order.doing == "remove" and any(finder.scene.riders(p.id) for p in there):
+            raise InputError(
+                f"'{order.text}': {known.text} could be what goes, or where {head.noun.text} are that go; none is"
+                " there: say it in two orders"
+            )
 
 
 def _tell_others(orders: Sequence[Order], finder: Finder) -> None:

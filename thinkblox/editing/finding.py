@@ -18,6 +18,7 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement, apart
+from thinkblox.scene.relations import measure
 from thinkblox.scene.room import Wall, turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
@@ -356,7 +357,7 @@ class Finder:
         meant = ordered[which : which + count]
         doors = any(o.kind == "door" for o in self.scene.room.openings)
         of_room = "seen from the door" if doors else "seen by who looks north"
-        of_room = "seen by who looks at it" if _hung_at(self.scene, found) is not None else of_room
+        of_room = "seen by who looks at it" if self._looked_at(found, company) is not None else of_room
         ids = " and ".join(p.id for p in meant)
         by = f"by the front of {company.id}" if company else of_room
         says = f"{noun.text} {'is' if count == 1 else 'are'} {ids}, {by}"
@@ -365,11 +366,16 @@ class Finder:
 
     def _leftmost_first(self, found: Sequence[Placement]) -> tuple[list[Placement], Placement | None]:
         """Things from left to right, and by the front of what, if not as seen from the door."""
-        if (wall := _hung_at(self.scene, found)) is not None:
-            return sorted(found, key=lambda p: -wall.coordinates(p.position[:2])[0]), None
         company = _company(self.scene, list(found))
+        if (wall := self._looked_at(found, company)) is not None:
+            return sorted(found, key=lambda p: -wall.coordinates(p.position[:2])[0]), None
         along = company.left if company is not None else _left_of_room(self.scene)
         return sorted(found, key=lambda p: -(p.position[0] * along[0] + p.position[1] * along[1])), company
+
+    def _looked_at(self, found: Sequence[Placement], company: Placement | None) -> Wall | None:
+        """The wall that all of them hang on, or stand at where they are beside nothing."""
+        hung = _hung_at(self.scene, found)
+        return hung if hung is not None or company is not None else _stood_at(self.scene, found)
 
     @staticmethod
     def _picked(found: list[Placement], picks: Sequence[Picks], *, least: int) -> list[Placement]:
@@ -425,6 +431,13 @@ def _hung_at(scene: Scene, found: Sequence[Placement]) -> Wall | None:
     return next((wall for wall in scene.room.walls if {wall.name} == names), None)
 
 
+def _stood_at(scene: Scene, found: Sequence[Placement]) -> Wall | None:
+    """The one wall that all of them stand with their backs to."""
+    fronted = all(scene.asset_of(p).front == "one" for p in found)
+    walls = scene.room.walls if fronted and len(found) > 1 else ()
+    return next((w for w in walls if all(measure(scene, "against_wall", p.id, (w.name,)).holds for p in found)), None)
+
+
 def _left_of_room(scene: Scene) -> tuple[float, float]:
     """The left of somebody who comes in by the first door, or looks north where there is none."""
     door = next((o for o in scene.room.openings if o.kind == "door"), None)
@@ -447,8 +460,10 @@ def _all(noun: Noun) -> Noun:
 
 
 def _extent(placement: Placement, along: str) -> float:
-    """How large something is, or how high or long [m]."""
+    """How large something is, or how high, how long, or how high up its top is [m]."""
     deep, wide, high = placement.size
+    if along == "level":
+        return placement.position[2] + high
     return high if along == "height" else max(deep, wide) if along == "length" else deep * wide * high
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-from shapely import Point, Polygon
+from shapely import LineString, Point, Polygon
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
@@ -31,6 +31,8 @@ MID_WALL = 0.1
 """How far from the middle of a wall something stands at most that is to be there [m]."""
 CENTRAL = 0.6
 """How far from the middle of the room something stands at most that is to be there [m]."""
+BESIDE_LINE = 0.3
+"""How far from the line between two things something stands at most that is centred between them [m]."""
 LEVEL = 0.2
 """How far before or behind a thing something stands at most that is beside it [m]."""
 BEFORE_SEAT = 0.9
@@ -166,6 +168,26 @@ class MidOf:
     def tie(self) -> Tie | None:
         """None: the language of plans has no word for it."""
         return None
+
+
+@dataclass(frozen=True)
+class Midway(Related):
+    """It is as far from one thing as from another, seen along the line between them, and across that at that line."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """How far it is off the middle of that line, and how far its outline is from the line."""
+        off, _ = self.off(after, after[id].position[:2])
+        one, other = (things(after, name)[0].centre for name in self.anchors)
+        aside = after[id].footprint.distance(LineString((one, other)))
+        says = f"{id} {abs(off):.2f} m off the middle between {' and '.join(self.anchors)}"
+        return abs(off) <= MID_WALL and aside <= BESIDE_LINE, f"{says}, {aside:.2f} m from the line"
+
+    def off(self, scene: Scene, point: Vec2) -> tuple[float, Vec2]:
+        """How far a point is past the middle towards the second thing [m], and the unit vector to that."""
+        (ax, ay), (bx, by) = (things(scene, name)[0].centre for name in self.anchors)
+        length = math.dist((ax, ay), (bx, by)) or 1.0
+        way = ((bx - ax) / length, (by - ay) / length)
+        return (point[0] - (ax + bx) / 2) * way[0] + (point[1] - (ay + by) / 2) * way[1], way
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from thinkblox.editing.acting import (
     say,
 )
 from thinkblox.editing.carrying import usual_ties
-from thinkblox.editing.company import gathered, with_company
+from thinkblox.editing.company import company_of, gathered, with_company
 from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
@@ -35,6 +35,7 @@ from thinkblox.editing.goals import (
     Free,
     Goal,
     IntoRoom,
+    Midway,
     Nearing,
     Related,
     Spot,
@@ -42,6 +43,7 @@ from thinkblox.editing.goals import (
 from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
+from thinkblox.editing.rows import SAME_WAY, rows_of
 from thinkblox.editing.scattering import scatter
 from thinkblox.editing.spots import (
     Pose,
@@ -67,6 +69,7 @@ from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.relations import measure
+from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec3
 
@@ -94,6 +97,8 @@ SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
 _LOOKS = ("facing", "opposite")
+_TO_FRONT = ("forward", "back")
+_SIDES = ("north", "south", "east", "west")
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
 """The same for "a bit"."""
 
@@ -114,9 +119,11 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     order = gathered(work, finder, order)
     groups = list(_groups(work, finder, order))
     moving = {id for ids, _ in groups for id in ids}
+    order = _by_rows(work, order, sorted(moving))
+    along = {mate for id in moving - _seats(work, moving) for mate in company_of(work, finder, order, id)}
     for ids, places in groups:
         _check_says_where(order, places)
-        ids = tuple(id for id in ids if not moving & set(work.before.carriers(id)))
+        ids = tuple(id for id in ids if id not in along and not moving & set(work.before.carriers(id)))
         ids = _by_slots(work, finder, ids, places)
         told = _to_one_wall(work, order, ids)
         for index, id in enumerate(_foremost_first(work, finder, order, ids)):
@@ -130,6 +137,26 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _by_rows(work: Work, order: Order, ids: Sequence[str]) -> Order:
+    """The order, where all of the things that stand in rows go to the front or back: that which they look to.
+
+    A desk of its own has its front where one sits at it; of a class the front is where everybody looks.
+    """
+    many = any(phrase.noun.many or phrase.noun.each for phrase in order.things)
+    rows = rows_of(work.scene, [work.scene[id] for id in ids]) if many and order.direction in _TO_FRONT else []
+    if sum(len(row) > 1 for row in rows) < 2:
+        return order
+    gaze = things(work.scene, rows[0][0].id)[0].gaze + (0.0 if order.direction == "forward" else 180.0)
+    sides = {name: math.degrees(math.atan2(y, x)) for name, (x, y, _) in ways_of(work.scene[ids[0]]).items()
+             if name in _SIDES}  # fmt: skip
+    side = min(sides, key=lambda name: turn_between(sides[name], gaze))
+    return dataclasses.replace(order, direction=side) if turn_between(sides[side], gaze) <= SAME_WAY else order
+
+
+def _seats(work: Work, ids: Iterable[str]) -> set[str]:
+    return {id for id in ids if facts_of(work.scene[id].category).is_in("seating")}
 
 
 def _lined_up() -> frozenset[str]:
@@ -383,6 +410,8 @@ def _at_place(
     if order.centred:
         there, more = centred(work.scene, there)
         yield from more
+        if any(isinstance(goal, Midway) for goal in more):
+            return
     yield related(there, category, index, count)
 
 
@@ -468,6 +497,7 @@ def move_one(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> None:
     else:
         direct = chain(
             _at_spot(work, id, goals),
+            _midway(work.scene, before, goals),
             _in_line(work.scene, before, goals),
             _so_far(work.scene, before, goals),
             _spots(work, id, goals),
@@ -493,7 +523,11 @@ def _reach_beside(work: Work, id: str, goals: Sequence[Goal], direct: Iterator[P
 
 def _is_so(work: Work, goal: Goal, id: str) -> bool:
     """Whether a goal is met as it is: of what is to be in the middle or between things not only about so."""
-    near = not isinstance(goal, Related) or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
+    near = (
+        not isinstance(goal, Related)
+        or isinstance(goal, Midway)
+        or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
+    )
     return near and goal.check(work.before, work.scene, id)[0]
 
 
@@ -528,6 +562,13 @@ def _at_spot(work: Work, id: str, goals: Sequence[Goal]) -> Iterator[Pose]:
         if at_wall(work.start, old.id) and asset.mount == "floor":
             yield from along_walls(empty, asset, old.position[:2], THERE)
         yield from whole_floor(empty, asset, structs.replace(work.scene[id], position=old.position, yaw=old.yaw))
+
+
+def _midway(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:
+    """The place as it is, moved along the line between two things to the middle of it."""
+    for goal in (g for g in goals if isinstance(g, Midway)):
+        off, way = goal.off(scene, before.position[:2])
+        yield shifted(before, (-off * way[0], -off * way[1], 0.0)), before.yaw
 
 
 def _in_line(scene: Scene, before: Placement, goals: Sequence[Goal]) -> Iterator[Pose]:

@@ -24,7 +24,7 @@ from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.sizes import Length, Size
-from thinkblox.reading.tokens import Token
+from thinkblox.reading.tokens import Token, tokenise
 
 MAX_INSTRUCTION = 2000
 """Longest instruction that is read [characters]."""
@@ -77,7 +77,7 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
-    tokens = _without_commas(reworded([_corrected(lexicon, token) for token in lexicon.tokens(plain)]))
+    tokens = _without_commas(_included(reworded([_corrected(lexicon, token) for token in lexicon.tokens(plain)])))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -153,6 +153,18 @@ def _is_of_adjectives(tokens: Sequence[Token], at: int) -> bool:
     adjective = means("comparatives", tokens[at - 1].text) or means("sizes", tokens[at - 1].text)
     begun = tokens[at - 2].text in ("a", "an", "the", "another", "some")
     return bool(adjective) and begun and tokens[at + 1].kind == "word" and tokens[at + 1].text not in ("and", "please")
+
+
+def _included(tokens: list[Token]) -> list[Token]:
+    """The tokens, where "turn the table, chairs included" says that it is turned with its chairs."""
+    read = list(tokens)
+    for at in reversed([n for n, token in enumerate(tokens) if means("included", token.text)]):
+        comma = next((n for n in range(at - 1, max(at - 4, 0), -1) if read[n].text == ","), None)
+        if comma is not None and comma < at - 1:
+            own = () if read[comma + 1].text in ("the", "its", "their") else tokenise("its")
+            said = [replace(token, start=-1) for token in (*tokenise("with"), *own)]
+            read[comma : at + 1] = [*said, *read[comma + 1 : at]]
+    return read
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
@@ -274,7 +286,15 @@ class _OrderReader:
             order.doing = "only"
         if order.doing == "add" and self._is_had_by_each():
             order.doing = "ensure"
+        self._along()
         self._looked()
+
+    def _along(self) -> None:
+        """Read "take the chair along" as what goes with that which was moved before it."""
+        order = self.order
+        if order.doing == "move" and order.things and order.lost == ["along"] and not self._places():
+            order.lost = []
+            order.things[-1].places.append(Where("with", Noun("pronoun", "it", 0, 0, "it"), text="along"))
 
     def _by_verb(self) -> None:
         """What a verb says of the place: "centre the table" in the room, and "stack the books" is not followed."""
@@ -859,6 +879,8 @@ class _OrderReader:
         following = self._items[self._at] if self._at < len(self._items) else None
         if isinstance(following, OrderMark) and following.key == "farther":
             return
+        if self._faces_by_compass(following):
+            return
         noun = self._next_noun()
         if noun is None:
             self.order.lost.append("face")
@@ -866,6 +888,14 @@ class _OrderReader:
             self.order.mutual = "facing"
         else:
             self.order.facing.append(self._merged(noun))
+
+    def _faces_by_compass(self, following: Item | None) -> bool:
+        """Take "(facing) north" as the wall that is there; whether it is that."""
+        if not isinstance(following, OrderMark) or following.key not in _COMPASS:
+            return False
+        self._at += 1
+        self.order.facing.append(Noun("place", f"{following.key}_wall", 0, 0, following.key))
+        return True
 
     def _next_noun(self) -> Noun | None:
         item = self._items[self._at] if self._at < len(self._items) else None
@@ -914,6 +944,9 @@ class _OrderReader:
         if following.kind != "room":
             return False
         turned = order.doing == "turn" and following.det == "the"
+        if link.text.lower() == "into" and order.doing in ("move", "put") and order.lengths and not order.closer:
+            order.closer.append((False, NounPhrase(Noun("place", "wall", 0, 0, "the wall", det="the"))))
+            return True
         if order.doing in ("rearrange", "make", "replace", "turn") and link.value in ("in", "as") and not turned:
             order.into = following.value if order.doing != "make" else ""
             order.doing = "rearrange" if order.doing in ("turn", "replace") else order.doing
@@ -934,6 +967,8 @@ class _OrderReader:
         """A preposition that no noun follows says how a thing is, waits for a length, or is lost."""
         order, text = self.order, link.text.lower()
         if isinstance(following, Connector) and following.text.lower() in _SPOT:
+            return
+        if link.value == "facing" and self._faces_by_compass(following):
             return
         if text in _SHAPES and order.doing in ("make", "put") and order.things:
             order.looks.append(text)

@@ -111,9 +111,10 @@ def _how_many(order: Order, ids: Sequence[str], new: Noun) -> int:
 def _comes_in_place(work: Work, id: str, new: Noun) -> bool:
     """Let a new thing stand where an object stands, a smaller one where the usual one cannot and no size is said."""
     said = len(work.failed)
-    for factor in MORE if new.degree and new.degree != SAME else MORE[:1]:
+    factors = MORE if new.degree and new.degree != SAME else MORE[:1]
+    for factor in factors:
         tried = len(work.failed)
-        if replace_one(work, id, _successor(work, id, new, factor)):
+        if replace_one(work, id, _successor(work, id, new, factor), ask=factor == factors[-1]):
             del work.failed[said:tried]
             return True
         del work.failed[said + 1 :]
@@ -215,10 +216,13 @@ def _place_of(work: Work, id: str) -> list[Bound]:
     return [Bound("on", (support,))] if support in work.scene else []
 
 
-def replace_one(work: Work, id: str, asset: Asset, *, stays: bool = False, bare: bool = False) -> bool:
+def replace_one(
+    work: Work, id: str, asset: Asset, *, stays: bool = False, bare: bool = False, ask: bool = False
+) -> bool:
     """Let an asset stand where an object stands; whether that could be, which is noted.
 
-    What stood at a wall stands at it again where that can be.
+    What stood at a wall stands at it again where that can be. The place is that of the old one, so that it is tried
+    with all that is free about it before anybody is asked.
 
     Args:
         work: the edit.
@@ -226,6 +230,7 @@ def replace_one(work: Work, id: str, asset: Asset, *, stays: bool = False, bare:
         asset: what it becomes.
         stays: it is the same thing made otherwise, and stays where it is.
         bare: all that rests on it is placed anew.
+        ask: whether the policy is asked where nothing there will do.
     """
     before, saved = work.scene, work.saved()
     old = before[id]
@@ -240,7 +245,8 @@ def replace_one(work: Work, id: str, asset: Asset, *, stays: bool = False, bare:
     why = ""
     for goals in wanted:
         direct = _same_place(work.scene, id, asset, reach)
-        reaching = Reaching(work, target, asset, goals, direct=direct, search=False, tries=TRIES)
+        last = goals is wanted[-1]
+        reaching = Reaching(work, target, asset, goals, direct=direct, ask=ask and last, search=False, tries=TRIES)
         if reaching.run():
             break
         why = why or reaching.why

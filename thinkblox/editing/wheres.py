@@ -40,6 +40,8 @@ _OF_ONE = ("on", "on_top", "under", "behind", "in_front_of", "left_of", "right_o
 """Prepositions after which a plural means each of them."""
 SAME_LENGTH = 0.01
 """How much two walls of the same length may differ [m]."""
+LONGER = 0.1
+"""By how much a table is longer than it is deep at least that has long sides, at which one sits [m]."""
 EMPTY, OVER_HEAD = 0.8, 1.9
 """How far from an empty corner the nearest thing is at least, and from which height on nothing counts [m]."""
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
@@ -255,14 +257,18 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
     bounds: list[Bound] = []
     for anchor in anchors:
         deep, wide, _ = finder.scene[anchor].size
-        across = noun.value == "side" or (noun.value == "long_side") == (deep > wide)
+        seated = facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in(
+            "tables", "desks"
+        )
+        long = noun.value == "long_side" or (noun.value == "side" and seated and abs(deep - wide) > LONGER)
+        across = long == (deep > wide) if long or noun.value != "side" else True
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
         small = [facts_of(name).is_in("small") for name in (category, finder.scene[anchor].category)]
         if small == [True, False] and finder.scene.asset_of(finder.scene[anchor]).surfaces:
             parts: tuple[PartOfTop, ...] = ("left", "right") if across else ("front", "back")
             bounds += [Bound("on", (anchor,), part=part) for part in parts]
             continue
-        if facts_of(category).is_in("seating") and facts_of(finder.scene[anchor].category).is_in("tables", "desks"):
+        if seated:
             bounds += [Bound("at", (anchor,), side=kind) for kind in kinds]
         else:
             bounds += [Bound(kind, (anchor,)) for kind in kinds]
@@ -306,7 +312,7 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         raise InputError(f"'{_text(where)}': which side? Say 'the left side', or 'in front of'")
     if part := _part_of_top(where, noun, category, finder, anchors[0]):
         return Bound("on", anchors, where.negated, part=part)
-    if noun.value == "side" and noun.det == "other":
+    if noun.value in ("side", "end") and noun.det == "other":
         side = _other_side(finder, where, anchors[0])
         drawn = facts_of(category).is_in("seating") and load_habits().is_in(
             finder.scene[anchors[0]].category, "tables", "desks"
@@ -332,7 +338,8 @@ def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
     """The side of a thing across from that at which stands what is moved."""
     thing = finder.scene[anchor]
     ahead, left = thing.to_local(_here(finder, _text(where)).position[:2])
-    if abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
+    ended = where.noun is not None and where.noun.value == "end" and thing.size[0] != thing.size[1]
+    if thing.size[0] > thing.size[1] if ended else abs(ahead) / thing.size[0] >= abs(left) / thing.size[1]:
         return "behind" if ahead > 0 else "in_front_of"
     return "right_of" if left > 0 else "left_of"
 
@@ -476,7 +483,7 @@ def _walls_by_length(scene: Scene, noun: Noun) -> tuple[str, ...]:
         InputError: they are compared by something else.
     """
     rank, along = rank_of(noun.degree)
-    if not rank or along == "height" or noun.value != "wall":
+    if not rank or along in ("height", "level") or noun.value != "wall":
         raise InputError(f"'{noun.text}': which wall that is is not known; say 'the north wall'")
     most = max(rank * wall.length for wall in scene.room.walls)
     return tuple(wall.name for wall in scene.room.walls if abs(rank * wall.length - most) < SAME_LENGTH)
@@ -553,6 +560,7 @@ def _opposite_wall(finder: Finder, where: Where) -> str:
         marks = things(scene, name)
         if not marks:
             raise InputError(f"the room has no {name.replace('_', ' ')}")
+        _check_at_one_wall(scene, where, name)
         spot = marks[0].centre
         if where.second is not None and name in scene and scene.asset_of(scene[name]).front == "one":
             x, y = scene[name].front
@@ -565,6 +573,17 @@ def _opposite_wall(finder: Finder, where: Where) -> str:
     if beside is not None and where.second is None:
         return near.name
     return min(walls, key=lambda w: (w.inward[0] * near.inward[0] + w.inward[1] * near.inward[1], -w.length)).name
+
+
+def _check_at_one_wall(scene: Scene, where: Where, kind: str) -> None:
+    """Refuse "the wall with the window" where windows are in several.
+
+    Raises:
+        InputError: they are; says in which.
+    """
+    walls = dict.fromkeys(scene.room.walls[o.wall].name for o in scene.room.openings if o.kind == kind)
+    if len(walls) > 1:
+        raise InputError(f"'{_text(where)}': a {kind} is in {' and in '.join(walls)}; say which wall")
 
 
 def corner_near(scene: Scene, name: str) -> tuple[str, ...]:
@@ -737,6 +756,8 @@ def _of_owners(finder: Finder, phrase: NounPhrase) -> tuple[str, ...]:
         raise finder.nothing(noun.text)
     if not owners:
         raise InputError(f"'{noun.text}': nothing was named before whose they are; name them by place or id")
+    if own := tuple(p.id for p in finder.matching(noun) if p.id in owners):
+        return own
     return _at_owners(finder, noun, owners, found)
 
 

@@ -370,6 +370,8 @@ def _is_one(noun: str, category: str) -> bool:
     upright = load_habits().is_in(category, "chairs")
     if upright and (not load_habits().is_in(noun, "chairs", "seats") or load_habits().is_in(noun, "lounges")):
         return False
+    if load_habits().is_in(category, "own_bed") and load_habits().is_in(noun, "lain_on", "beds"):
+        return True
     return are_alike(category, noun) or counts_as(noun, category) or stand_in(noun).like == category
 
 

@@ -50,10 +50,10 @@ def bind(draft: Draft, bond: Bond) -> None:
         else:
             bond = _turned(bond, anchor)
     if bond.subject.owner is not None and not bond.implied:
-        bond.each |= bond.kind != "between" and any(
-            _is_sharper(bond, old) and old.each and old.anchors == bond.anchors for old in draft.bonds
-        )
-        draft.bonds = [old for old in draft.bonds if not _is_sharper(bond, old)]
+        vaguer = [old for old in draft.bonds_of(bond.subject) if _is_sharper(bond, old)]
+        bond.each |= bond.kind != "between" and any(old.each and old.anchors == bond.anchors for old in vaguer)
+        if vaguer:
+            draft.bonds = [old for old in draft.bonds if old not in vaguer]
     draft.bonds.append(bond)
 
 
@@ -82,10 +82,10 @@ def _neighbours(bond: Bond) -> list[Bond]:
 
 
 def _is_sharper(bond: Bond, old: Bond) -> bool:
-    """Whether `bond` says better what `old` only supposed ("a bed with a lamp next to it")."""
+    """Whether `bond` says better what `old` of the same subject only supposed ("a bed with a lamp next to it")."""
     if old.kind in ("on", "inside") and bond.kind in _BESIDE and bond.anchors != old.anchors:
         return False
-    return old.implied and old.subject is bond.subject and bond.kind not in ("facing", "in_rows")
+    return old.implied and bond.kind not in ("facing", "in_rows")
 
 
 def subjects_of(

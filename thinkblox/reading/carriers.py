@@ -1,15 +1,63 @@
-"""What can hardly lie on what it is said to be on: a piano on a side table."""
+"""What lies on what: beside what lies on a table is on the table, and a piano is hardly on a side table."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
-from thinkblox.assets import Category, kind_of
+from thinkblox.assets import GENERAL_WORDS, Category, kind_of
 from thinkblox.assets.mounting import mount_of
-from thinkblox.reading.draft import Draft, Mention
+from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.senses import senses_of
+from thinkblox.reading.draft import Bond, Draft, Mention
 
 _CARRIERS = ("tables", "desks", "seats", "storage")
 """What has a top of a known size; pedestals and platforms carry what is larger."""
 _MUCH = 1.25
 """How much larger than the top of its carrier something is that cannot stand there."""
+_BESIDE = ("left_of", "right_of", "in_front_of", "behind", "next_to")
+"""What is so to something on a table is on that table as well."""
+_PLACING = ("on", "inside", "above", "under", "in_corner", "against_wall", "in_centre", "at", "around")
+"""Relations that say where something is by themselves."""
+
+
+def share_carriers(draft: Draft) -> None:
+    """Put what is beside something on a table on that table: "on it a laptop, and a lamp to the left of the laptop"."""
+    ahead = [bond for bond in draft.bonds if bond.kind in _BESIDE and not bond.negated]
+    while ahead:
+        found = [(bond, carrier) for bond in ahead if (carrier := _carrier_of_neighbour(draft, bond)) is not None]
+        if not found:
+            return
+        for bond, carrier in found:
+            if not _is_placed(draft, bond.subject):
+                draft.bonds.append(replace(carrier, subject=bond.subject))
+        ahead = [bond for bond in ahead if all(bond is not done for done, _ in found)]
+
+
+def _carrier_of_neighbour(draft: Draft, bond: Bond) -> Bond | None:
+    """What says on what the thing lies that this one is beside; None where this one need not be there too."""
+    beside = bond.anchors[0] if len(bond.anchors) == 1 else None
+    if not isinstance(beside, Mention) or beside is bond.subject or not _can_lie(bond.subject):
+        return None
+    if _is_placed(draft, bond.subject) or (beside.many and not bond.each):
+        return None
+    return next((b for b in draft.bonds_of(beside) if _lies(b) and b.anchors[0] is not bond.subject), None)
+
+
+def _lies(bond: Bond) -> bool:
+    """Whether it says that something small lies on a thing."""
+    under = bond.anchors[0] if len(bond.anchors) == 1 else None
+    if bond.kind != "on" or bond.negated or not isinstance(under, Mention):
+        return False
+    return not load_habits().is_in(under.noun, "covers") and not load_habits().is_in(bond.subject.noun, "screens")
+
+
+def _can_lie(thing: Mention) -> bool:
+    """Whether it lies on others by nature, in one of the senses of its name."""
+    nouns = [category for category, _ in senses_of(thing.noun)] if thing.noun in GENERAL_WORDS else [thing.noun]
+    return any(mount_of(kind_of(noun), thing.attributes) == "surface" for noun in nouns)
+
+
+def _is_placed(draft: Draft, thing: Mention) -> bool:
+    return any(bond.kind in _PLACING and not bond.negated for bond in draft.bonds_of(thing))
 
 
 def too_large(draft: Draft) -> Iterator[str]:

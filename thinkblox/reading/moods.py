@@ -97,7 +97,8 @@ def _in_names(draft: Draft) -> set[int]:
 
 
 def _places(said: list[str], name: list[str], begins: Mapping[str, list[int]]) -> Iterator[int]:
-    for start in begins.get(name[0], ()):
+    ahead = min(range(len(name)), key=lambda at: len(begins.get(name[at], ())))
+    for start in (at - ahead for at in begins.get(name[ahead], ()) if at >= ahead):
         if said[start : start + len(name)] == name:
             yield from range(start, start + len(name))
 

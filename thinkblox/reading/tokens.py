@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 _TOKEN = re.compile(
     r"(?P<unit>(?<![^\W\d_])(?:sq)?(?:m|ft)\s?(?:²|\^2|2(?!\w)))"
+    r"|(?P<name>(?<![\w.,])\d-?[dDkK](?!\w))"
     r"|(?P<number>(?:(?<![\w.)])[-−])?\d{1,40}(?:[.,]\d{1,6})?(?:[eE][-+]?\d{1,2}(?!\w))?)"
     r"|(?P<word>[^\W\d_]+(?:['’`´][^\W\d_]+)*)"
     r"|(?P<mark>[^\w\s])"
@@ -54,6 +55,8 @@ def tokenise(text: str) -> list[Token]:
         kind, start = match.lastgroup, match.start()
         if kind == "number":
             tokens.append(_number(match[0], start))
+        elif kind == "name":
+            tokens.append(Token(fold(match[0]).replace("-", ""), match[0], "word", start=start))
         elif kind == "unit":
             tokens.append(Token("m2" if "m" in match[0].lower() else "ft2", match[0], "word", start=start))
         elif kind == "word":

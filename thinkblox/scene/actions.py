@@ -167,18 +167,17 @@ def _replaced(scene: "Scene", action: Replace) -> Applied:
     new = structs.replace(
         old, category=asset.category, asset=asset.id, position=position, yaw=yaw, size=asset.size, support=""
     )
-    after = scene.with_placement(new, asset)
-    carried: list[str] = []
+    carried: list[Placement] = []
     left: list[str] = []
     for rider in scene.resting_on(old.id):
         seated = _seated(rider, old, new, asset, on_top=_is_on_top(scene, rider, old))
         if seated is None:
             left.append(rider.id)
             continue
-        group = [seated, *(_carried_along(upper, rider, seated) for upper in scene.riders(rider.id))]
-        after = after.with_placements(group)
-        carried += [p.id for p in group]
-    return Applied(after, tuple(carried), tuple(left))
+        carried += [seated, *(_carried_along(upper, rider, seated) for upper in scene.riders(rider.id))]
+    after = scene.with_placement(new, asset)
+    after = after.with_placements(carried) if carried else after
+    return Applied(after, tuple(p.id for p in carried), tuple(left))
 
 
 def _same_place(old: Placement, asset: Asset, scene: "Scene") -> Vec3:

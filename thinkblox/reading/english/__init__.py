@@ -1,11 +1,13 @@
 """English, read with an open vocabulary: noun phrases, clauses, what they refer to, and what became of every word."""
 
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.clauses import Clauses
+from thinkblox.reading.english.elisions import with_nouns
 from thinkblox.reading.english.familiar import known_share
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon
@@ -20,6 +22,16 @@ _ONE = re.compile(
     r"\ban?(?= (?:met(?:re|er)|foot|yard) (?:away|apart|from|in front|behind|above|below|off)\b)", re.IGNORECASE
 )
 """One of a unit of length where it says how far off something is."""
+_WITHIN = re.compile(
+    r"\bwithin (?:about |around |roughly )?(\d+(?:[.,]\d+)?|an?|half an?|one|two) ?"
+    r"(m|met(?:re|er)s?|cm|centimet(?:re|er)s?|f(?:oo|ee)t|ft|steps?)(?: and a half)? (?:of|from)\b",
+    re.IGNORECASE,
+)
+"""How far something is at most from another thing."""
+_METRES = {"m": 1.0, "c": 0.01, "f": 0.3, "s": 0.7}
+"""Lengths by the first letters of their units [m]."""
+_NEAR, _BESIDE = 1.0, 0.5
+"""What is at most so far off is near something, or beside it [m]; what is said to be nearer still is not understood."""
 _SHORT = {"w": "with", "teh": "the", "n": "and", "pls": "please", "plz": "please", "evrywhere": "everywhere"}
 _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 """Words with "is" joined to them by an apostrophe."""
@@ -28,13 +40,14 @@ _JOINED = ("its", "thats", "hes", "shes", "whats", "heres")
 def read_english(lexicon: Lexicon, text: str) -> Draft:
     """What an English text asks for, before counts and general words are settled."""
     text = _POINTS.sub(lambda match: match[0].replace(".", " "), text)
+    text = _WITHIN.sub(lambda match: _within(match).ljust(len(match[0])), text)
     text = _ONE.sub(lambda match: "1".ljust(len(match[0])), text)
     text = _HALF.sub(lambda match: "0.5".ljust(len(match[0])), text)
     tokens = _spelt_out(lexicon.tokens(text))
     meant = [meant_by(lexicon, token.text) if token.kind == "word" else "" for token in tokens]
-    tokens = [replace(token, text=word or token.text) for token, word in zip(tokens, meant, strict=True)]
+    tokens = [replace(token, text=word) if word else token for token, word in zip(tokens, meant, strict=True)]
     chunks, noted = cut(lexicon, tokens)
-    draft = Clauses(tokens, chunks).read()
+    draft = Clauses(tokens, with_nouns(chunks)).read()
     draft.surfaces += noted
     draft.unknown += [f"{t.shown} (read as {word})" for t, word in zip(tokens, meant, strict=True) if word]
     return draft
@@ -43,12 +56,33 @@ def read_english(lexicon: Lexicon, text: str) -> Draft:
 def _spelt_out(tokens: list[Token]) -> list[Token]:
     """Words that people shorten, as the lexicon has them; "it's" as two."""
     whole: list[Token] = []
-    for token in tokens:
+    for token in _slashed(tokens):
         if token.text in _JOINED and token.owner:
             head = len(token.text) - 1
             first, rest = token.shown[:head], token.shown[head:]
             whole.append(Token(token.text[:head], first, "word", start=token.start))
             whole.append(Token("is", rest, "word", start=token.start + head))
         else:
-            whole.append(replace(token, text=_SHORT.get(token.text, token.text)))
+            whole.append(replace(token, text=_SHORT[token.text]) if token.text in _SHORT else token)
     return whole
+
+
+def _slashed(tokens: list[Token]) -> Iterator[Token]:
+    """The tokens with "w/o" and "w/" as one word each."""
+    at = 0
+    while at < len(tokens):
+        slash = tokens[at].text == "w" and at + 1 < len(tokens) and tokens[at + 1].text == "/"
+        without = slash and at + 2 < len(tokens) and tokens[at + 2].text == "o"
+        length = 3 if without else 2 if slash else 1
+        shown = "".join(token.shown for token in tokens[at : at + length])
+        word = "without" if without else "with"
+        yield replace(tokens[at], text=word, shown=shown) if slash else tokens[at]
+        at += length
+
+
+def _within(said: re.Match[str]) -> str:
+    """The preposition for "within 1.5 m of"; the words themselves where no relation of ours is as close."""
+    number = said[1].lower().replace(",", ".")
+    amount = 0.5 if number.startswith("half") else {"a": 1.0, "an": 1.0, "one": 1.0, "two": 2.0}.get(number)
+    metres = (float(number) if amount is None else amount) * _METRES[said[2].lower()[0]]
+    return "near" if metres >= _NEAR else "next to" if metres >= _BESIDE else said[0]

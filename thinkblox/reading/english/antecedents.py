@@ -7,7 +7,7 @@ each other, nobody can tell which is meant.
 
 import tomllib
 from bisect import bisect_left
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
@@ -26,6 +26,7 @@ _BESIDE = ("next_to", "left_of", "right_of", "in_front_of", "behind", "near")
 """Relations that nothing has to what it lies on."""
 _FAINT = 0.25
 """How much of a part of a sentence counts once another sentence has begun."""
+_PAIR = 2
 _NEAR = 6
 """How many things back another can be of which both are "them"."""
 
@@ -180,11 +181,16 @@ class Antecedents:
             things = [p for t in self._meant[named.noun.start] for p in self._referents.family(t)]
             if len(things) > 1 or any(t.many for t in things):
                 weigh(self._place(kind, named, own, seen) + by["family"] * (len(things) > 1), things)
+        runs = list(_lists(seen.named, own))
+        for run in runs:
+            things = [t for n in run for t in self._meant[n.noun.start]]
+            weigh(sum(self._place(kind, n, own, seen) for n in run) / len(run) + by["whole_list"], things)
         for at, named in enumerate(before):
             for other in before[max(0, at - _NEAR) : at]:
                 pair = [t for n in (other, named) for t in self._meant[n.noun.start]]
                 tied = "joined" if named.joined is other.noun else "told" if named.of is other.noun else "beside"
-                apart = tied == "beside" and (kind != "between" or {named.role, other.role} != {"head"})
+                ends = kind != "between" and any(run[-1] is named and run[0] is not other for run in runs)
+                apart = ends or (tied == "beside" and (kind != "between" or {named.role, other.role} != {"head"}))
                 apart |= tied != "joined" and any(t.many for t in pair)
                 if len(pair) == 2 and other.sentence == named.sentence and not apart:
                     score = (self._place(kind, named, own, seen) + self._place(kind, other, own, seen)) / 2
@@ -224,8 +230,8 @@ class Antecedents:
             first = by["first"] if named.noun.start in seen.loose else by["topic"]
             score += first if not back or seen.sentence not in seen.topics else 0.0
         carries = kind in ("on", "inside", "above", "under") and not self._is_small(named)
-        if own is not None and own.paired and own.joined is named.noun and (own.owners or not carries):
-            score += by["joined"]
+        if own is not None and own.joined is named.noun and (own.owners or not carries):
+            score += by["joined"] if own.paired else by["tail"] * (named.role == "head")
         if named.role == "head" and own is None and named.part == seen.part - 1 and not back:
             score += by["before"]
         if named.role == "anchor":
@@ -255,6 +261,22 @@ class Antecedents:
             end = bisect_left(self._starts, start)
             self._seen = (start, survey(self._chunks[max(0, end - _WINDOW) : end], self._meant))
         return self._seen[1]
+
+
+def _lists(named: Sequence[Occurrence], own: Occurrence | None) -> Iterator[Sequence[Occurrence]]:
+    """The lists of more than two that end with two joined ones: "a sofa, a plant and a rug"; `own` is left out."""
+    for at, last in enumerate(named):
+        start = at
+        while start and _goes_on(named[start - 1], named[start]):
+            start -= 1
+        if last.joined is not None and at - start >= _PAIR:
+            yield named[start : at + (own is None or last.noun is not own.noun)]
+
+
+def _goes_on(one: Occurrence, other: Occurrence) -> bool:
+    """Whether a list goes on from one to the other."""
+    alike = one.role == other.role and one.owners == other.owners and one.sentence == other.sentence
+    return alike and other.part - one.part == 1 and other.noun.start - one.noun.end == 1
 
 
 def _apart(things: Sequence[Mention], others: Sequence[Mention]) -> Mention:

@@ -1,9 +1,11 @@
 """Where clauses begin and end: marks, conjunctions, brackets."""
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.referents import is_small
 from thinkblox.reading.english.state import State
 
 
@@ -90,9 +92,28 @@ class Boundaries(State):
         side = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
         if kind == "semicolon" and its and side is not None and side.kind == "part" and side.det == "my":
             self.referents.topics += [a for a in its[-1].anchors[:1] if isinstance(a, Mention)]
+        holder = self._holder() if kind == "colon" else None
         self._begin()
         self.front, self.sequence = front, sequence
         self.opening = None
+        if holder is not None:
+            holder.frame = self.clause
+            self.clause.members.append(holder.things[-1])
+            self.frontier = [holder]
+            lamp = isinstance(first := self._next_noun(), Noun) and self.habits.is_in(first.value, "lamps")
+            self.pending = Listed(holder, "with" if lamp else "hold")
+
+    def _holder(self) -> Node | None:
+        """The piece of furniture before a colon that has what is listed after it: "A desk: a laptop and a mug."."""
+        node = self.frontier[0] if self.frontier and all(front.used for front in self.front) else None
+        thing, listed = node.thing if node is not None else None, self._next_noun()
+        if thing is None or self.clause.members != [thing] or listed is None or listed.kind != "thing":
+            return None
+        carries = self.habits.is_in(thing.noun, "surfaces", "storage")
+        carries |= self.habits.tie(listed.value, thing.noun) in ("on", "inside")
+        lies = self._belongs(listed.value, "small") or self.habits.is_in(listed.value, "lamps")
+        lies |= listed.named and kind_of(listed.value).mount == "surface"
+        return Node([thing]) if carries and lies and not (listed.definite or is_small(thing)) else None
 
     def _begin_again(self) -> None:
         topic = self.clause.members[:1]
@@ -123,11 +144,16 @@ class Boundaries(State):
                 self._end("stop")
             case "which":
                 self.relative = next((n for n in reversed(self.frontier) if n.things), None)
-                if self.relative is None and self.front and not self.clause.members:
-                    anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
-                    self.relative = Node(anchors, None, known=True) if anchors else None
-                    self.held, self.front = self.front, []
+                self.relative = self.relative or self._hold_front()
                 self.separator = ""
+
+    def _hold_front(self) -> Node | None:
+        """What a clause in between is about: "behind the counter, on which there is a jar, stands a shelf"."""
+        if not self.front or self.clause.members or self.front[-1].used:
+            return None
+        anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
+        self.held, self.front = self.front, []
+        return Node(anchors, None, known=True) if anchors else None
 
     def _all_but(self) -> bool:
         """Read "every chair but one": what follows is said of the others."""

@@ -38,6 +38,7 @@ class Noun:
         within: it names a part of the thing ("the oven handle").
         degree: "larger", "oldest", where that tells it from others of its kind.
         fates: what becomes of words of the phrase that ask for nothing, by token.
+        looks: what is told of a thing of which the name is left out, or comes later ("a green and a black chair").
         total: of how many a number is said to be a part ("five of the eight chairs"); 0 where nothing is said.
         fraction: "three out of every four" is (3, 4).
         share: "half as many" is 0.5; 0 where it is not said of something else's number.
@@ -79,6 +80,7 @@ class Noun:
     within: bool = False
     id: str = ""
     degree: str = ""
+    looks: list[str] = field(default_factory=list)
     fates: dict[int, Fate] = field(default_factory=dict)
 
     @property

@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Mapping
 
+from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import LOOKAHEAD
 
 
@@ -14,6 +16,8 @@ def _sorts(text: str) -> list[tuple[str, str]]:
     return [(sort, text) for sort, _ in grammar().phrases.get(tuple(text.split()[-1:]), ())]
 
 
+_STANDING = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
+"""What no container holds."""
 _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
 
@@ -54,7 +58,8 @@ class Clauses(Audit):
             if self._is_link(self._before(), "prepositions"):
                 self.pending = None
             self._lose(stray.start, stray.end)
-            if isinstance(following, Noun) and self.account.text(stray.start, stray.end).endswith((" than", " as")):
+            last = self.account.text(stray.start, stray.end).rpartition(" ")[2].lower()
+            if isinstance(following, Noun) and (last in ("than", "as") or grammar().knows(last, "prepositions")):
                 self.draft.unknown[-1] = self.account.text(stray.start, following.end)
 
     def _link(self, link: Connector) -> None:
@@ -130,11 +135,26 @@ class Clauses(Audit):
 
     def _part(self, noun: Noun) -> None:
         """Read a part without a preposition: "a flag either side of the door"."""
-        if noun.value == "side" and noun.det in ("either", "both", "each") and self.frontier:
+        sides = noun.value == "side" and noun.det in ("either", "both", "each")
+        having = self._is_link(self.peek(), "verbs", "have") or self._is_link(self.peek(), "prepositions", "with")
+        if sides and having:
+            self._side_has(noun)
+        elif sides and self.frontier:
             self.at -= 1
             self._where(self._read_where(Connector("prepositions", "on", 0, 0)))
         elif not self._is_turned_part(noun):
             self._bare_part(noun)
+
+    def _side_has(self, side: Noun) -> None:
+        """Read "each side has a bed" as a bed on each side of what was named, or two of which nobody knows where."""
+        self._begin()
+        if self.draft.things:
+            self.chunks[self.at] = side
+            self._where(self._read_where(Connector("prepositions", "on", side.start, side.start)))
+        else:
+            self.at += 1
+            self.clause = Listed(None, "list", times=2, each=True)
+            self._lose(side.start, side.end)
 
     def _is_turned_part(self, noun: Noun) -> bool:
         """Whether it tells how the thing before it stands: "a bed, its headboard against the wall"."""
@@ -185,9 +205,30 @@ class Clauses(Audit):
             self._lose(noun.start, noun.end)
             return
         self.barred = None
+        if self.pending is None and self._is_verb_of_before():
+            self.subject = self.frontier[0]
+            self._open_of_subject("with" if self.verb == "have" else self.verb)
         thing = self._new(noun)
         self._take(thing, noun)
+        if self._holds_more(noun):
+            self.frontier.append(Node([], Listed(self.frontier[-1], "inside", contents=True)))
         self.negating |= noun.det == "none"
+
+    def _is_verb_of_before(self) -> bool:
+        """Whether a verb is left out: "the one by the window has a vase, the one in the corner a lamp"."""
+        placed = isinstance(self._before(), Noun) and self._is_link(self._before(2), "prepositions")
+        told = self.verb in ("have", "hold", "carry") and not self.predicate and not self.separator
+        return placed and told and bool(self.frontier) and self.frontier[0].known
+
+    def _holds_more(self, noun: Noun) -> bool:
+        """Whether more of what a thing is named by holding comes: "buckets of roses, tulips and lilies"."""
+        held, _, contents = noun.text.lower().partition(" of ")
+        more = self._next_noun(1)
+        if not contents or singular(held.split()[-1]) not in grammar().lists["containers"] or more is None:
+            return False
+        listed = self._is_link(self.peek(), "mark", "comma") or self._is_link(self.peek(), "joins", "and")
+        bare = more.kind == "thing" and not more.det and more.count is None
+        return listed and bare and not self.habits.is_in(more.value, *_STANDING)
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""
@@ -236,13 +277,21 @@ class Clauses(Audit):
     def _is_verb_left_out(self, noun: Noun) -> bool:
         """Whether a known thing is where a preposition says: "the sofa is by the wall, and the desk by the window"."""
         placed = self.predicate and self.verb in ("be", "stand", "hang") and noun.definite and not noun.each
+        placed |= self._is_told_more_of(noun)
         if not placed or self.subject is None or not self._is_link(self.peek(), "prepositions"):
             return False
         if self._is_link(self.peek(), "prepositions", "with", "of", "for", "as", "without"):
             return False
-        told = any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
+        told = self._is_told_more_of(noun)
+        told |= any(not b.implied for t in self.subject.things for b in self.draft.bonds_of(t))
         known = self.referents.named(noun)
         return told and known is not None and known not in self.subject.things
+
+    def _is_told_more_of(self, noun: Noun) -> bool:
+        """Whether it tells of what the sentence named where it is: "has a skull and a lamp, the lamp left of ..."."""
+        known = self.referents.named(noun) if noun.det == "the" and self.separator == "comma" else None
+        here = (t for chunk in self.chunks[self._clause_start() : self.at - 1] for t in self.meant.get(chunk.start, ()))
+        return known is not None and known in here
 
     def _is_said_of_subject(self, noun: Noun) -> bool:
         """Take "a recliner", "glass" after "is" for what the subject is."""

@@ -1,16 +1,16 @@
 """The words that hold English sentences together, read from grammar.toml."""
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
+from typing import NamedTuple
 
 from thinkblox.reading.tokens import Token, tokenise
 
 
-@dataclass(frozen=True, slots=True)
-class Function:
+class Function(NamedTuple):
     """What a phrase does in a sentence: `sort` is a section of grammar.toml, `value` a key of it."""
 
     sort: str
@@ -36,9 +36,15 @@ class Grammar:
     sorts: set[str] = field(default_factory=set)
     begun: dict[str, set[str]] = field(default_factory=dict)
 
+    def people(self, words: Iterable[str]) -> int:
+        """How many people a word among these says by itself ("twins"); 0 where none does."""
+        said = (value for word in words for sort, value in self.phrases.get((word,), ()) if sort == "born")
+        return int(next(said, 0))
+
     def at(self, tokens: Sequence[Token], start: int, *sorts: str) -> Function | None:
         """The longest phrase of one of these sorts that begins at `start`."""
-        return next(iter(self.all_at(tokens, start, *sorts)), None)
+        found = self.all_at(tokens, start, *sorts)
+        return found[0] if found else None
 
     def knows(self, word: str, *sorts: str) -> bool:
         """Whether a single folded word can be of one of these sorts."""
@@ -57,7 +63,7 @@ class Grammar:
                     found.append(Function(sort, value, len(key)))
             if key not in self.prefixes:
                 break
-        return sorted(found, key=lambda function: -function.length)
+        return sorted(found, key=lambda function: -function.length) if len(found) > 1 else found
 
 
 @lru_cache(maxsize=1)

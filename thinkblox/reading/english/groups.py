@@ -93,6 +93,19 @@ class Groups(Descriptions):
         self.referents.settle(group)
         self._dissolve(group)
 
+    def _is_what_each_is(self) -> bool:
+        """Read "six workstations. Each is a desk with two monitors"."""
+        group = self.subject.thing if self.subject is not None and self.subject.each else None
+        noun = self._next_noun()
+        if group is None or group not in self.groups.values() or noun is None:
+            return False
+        if noun.kind != "thing" or noun.det != "a":
+            return False
+        self.predicate = False
+        self.referents.settle(group)
+        self._dissolve(group)
+        return True
+
     def _is_told_of_parts(self, group: Mention) -> bool:
         """Whether what follows tells what a group is made of: something to work at or lie on, not only seats."""
         for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:

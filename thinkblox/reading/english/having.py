@@ -3,11 +3,15 @@
 from dataclasses import replace
 
 from thinkblox.assets.sizing import COUNTED_PARTS
+from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.groups import Groups
 from thinkblox.reading.english.nodes import Listed, Node
+from thinkblox.reading.english.referents import last_word
+
+_PAIR = 2
 
 
 class Having(Groups):
@@ -23,11 +27,10 @@ class Having(Groups):
             return
         if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
             self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
-        if noun is not None and self._is_feature(noun) and kind == "with":
-            node = next((n for n in reversed(self.frontier) if n.things), None)
-            if node is not None:
-                self._features(node.things[-1], noun)
-                return
+        node = next((n for n in reversed(self.frontier) if n.things), None)
+        if noun is not None and node is not None and kind == "with" and self._is_feature(noun, node.things[-1]):
+            self._features(node, noun)
+            return
         if kind == "with" and noun is not None and self._is_among(noun):
             return
         head = self._head_for(noun, kind)
@@ -49,9 +52,11 @@ class Having(Groups):
             self._dissolve(thing)
             return
         several = head.frame is not None and head.frame.times > 1
-        several |= thing in self.multiplied
+        several |= thing in self.multiplied or (thing is not None and bool(thing.per))
         several |= thing is not None and self.referents.total(thing) > (thing.count or 1)
         several |= self._goes_on_with_each(head) or (thing is not None and self._is_at_each(thing))
+        if thing is not None and noun is not None and noun.kind == "thing":
+            self._call_after_content(thing, noun.value)
         self._pend(Listed(head, kind, each=self.each or head.each or several), head)
 
     def _is_at_each(self, thing: Mention) -> bool:
@@ -147,26 +152,38 @@ class Having(Groups):
             return noun.kind in ("abstract", "people")
         return self.habits.is_in(noun.value, "fills_shelves") and self.habits.is_in(thing.noun, "takes_books")
 
-    def _is_feature(self, noun: Noun) -> bool:
-        """Whether it is a part that furniture comes with: "a cabinet with three drawers"."""
+    def _is_feature(self, noun: Noun, thing: Mention) -> bool:
+        """Whether it is a part that furniture comes with: "a cabinet with three drawers", "a vanity with two sinks"."""
         own = noun.kind == "part" and noun.det == "my"
-        return noun.word in grammar().lists["features"] and not self.each and not own
+        part = noun.word in grammar().lists["features"] or self._is_bowl_of(noun, thing)
+        called = name_of(noun.text.lower().split()) if part and noun.named else None
+        return part and not (self.each or own or (called is not None and called.length > 1))
 
-    def _features(self, thing: Mention, noun: Noun) -> None:
-        """Take "two doors and three drawers" for parts of a thing."""
+    def _is_bowl_of(self, noun: Noun, thing: Mention) -> bool:
+        """Whether it is the sink of a vanity: what one washes at has one of its own."""
+        basin = self.habits.is_in(thing.noun, "basins") or last_word(thing) in grammar().lists["basins"]
+        return basin and noun.kind == "thing" and not noun.definite and noun.word in grammar().lists["bowls"]
+
+    def _features(self, node: Node, noun: Noun) -> None:
+        """Take "two doors and three drawers" for parts of a thing; what is listed after them it may have as well."""
+        thing = node.things[-1]
+        self.frontier = [*self.frontier, Node([], Listed(node, "with", each=node.each))]
         while True:
             self._feature(thing, noun)
             self._go_past(noun)
             more = self._next_noun(1) if self._is_link(self.peek(), "joins", "and") else None
-            if more is None or not self._is_feature(more) or (more.count is None and not more.plural):
+            if more is None or not self._is_feature(more, thing) or (more.count is None and not more.plural):
                 return
             noun = more
 
     def _feature(self, thing: Mention, noun: Noun) -> None:
         """Note a part that a thing is to have: drawers and doors can be made in any number."""
         self._spend(noun)
-        plain = not (noun.attributes or noun.unshown or noun.size)
-        if noun.count and noun.word in COUNTED_PARTS and plain:
+        plain, bowl = not (noun.attributes or noun.unshown or noun.size), self._is_bowl_of(noun, thing)
+        noun.kind = "abstract"
+        if bowl and plain and noun.count in (None, 1, _PAIR):
+            thing.attributes += ["double"] if noun.count == _PAIR and "double" not in thing.attributes else []
+        elif noun.count and noun.word in COUNTED_PARTS and plain:
             thing.attributes.append(f"{noun.count}-{noun.word}s")
         else:
             thing.unshown.append(f"with {noun.text}")

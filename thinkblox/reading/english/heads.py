@@ -60,6 +60,7 @@ class Heads(Modifiers):
         people = "people" in dict(grammar().phrases.get((last.text.lower(),), ()))
         if people and noun.det in ("the", "my", "") and noun.count is None:
             noun.kind, noun.value = "people", "people"
+            noun.count = grammar().people([last.text.lower()]) or None
             return
         if last.known is not None:
             self._known_head(noun, self._kind_of_room(nouns) or last.known)
@@ -145,6 +146,7 @@ class Heads(Modifiers):
             found = dict(grammar().phrases.get(key, ()))
             if "people" in found and (key != (words[0],) or len(words) == 1):
                 noun.kind, noun.value = "people", "people"
+                noun.count = noun.count or grammar().people(words) or None
                 return True
             if "abstract" in found:
                 noun.kind, noun.value = "abstract", " ".join(words)
@@ -194,7 +196,7 @@ class Heads(Modifiers):
         if noun.det in ("a", "the", "another", "no", "my") and units.adjectives == 1 and len(noun.attributes) == 1:
             noun.kind, noun.named, noun.end = "thing", False, longest
             noun.value = identifier_of(noun_of(self.tokens[longest - 1].text))
-            noun.attributes.clear()
+            noun.looks, noun.attributes = noun.attributes, []
             return self._finished(noun)
         return None
 

@@ -13,6 +13,8 @@ _FOR_ALL = (
     "around", "opposite", "left_of", "right_of", "facing",
 )  # fmt: skip
 """Relations that, told first, hold of all that is then listed: "opposite the piano, a sofa and a lamp"."""
+_FOR_JOINED = ("under", "between", "at_foot_of", "far", "at_long_side", "at_short_side")
+"""The same of what is joined to it without a comma before the "and": "between the beds are a nightstand and a lamp"."""
 
 
 class Memberships(Ties):
@@ -162,7 +164,8 @@ class Memberships(Ties):
                 continue
             if listed and self._is_told_next() and not front.meaning.each:
                 continue
-            if listed and front.kind not in _FOR_ALL:
+            joined = front.kind in _FOR_JOINED and self.separator in ("and", "comma")
+            if listed and front.kind not in _FOR_ALL and not joined:
                 continue
             if front.meaning.loose and not front.used:
                 self._lose_where(front.where)

@@ -6,7 +6,7 @@ from itertools import pairwise
 from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, Stray
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.rooms import Rooms
 from thinkblox.reading.sizes import Size
@@ -226,7 +226,10 @@ class Descriptions(Rooms):
         return min(lengths) > max(depth, width)
 
     def _keeps_off(self, measured: Measured, following: Chunk | None, *, told: bool) -> bool:
-        """Whether a length says how far off something is: "2 m from it", "2 m in front of it", "1 m apart"."""
+        """Whether a length says how far off something is: "2 m from it", "1 m apart", "nothing closer than 1 m"."""
+        if isinstance(self._before(), Stray) and len(measured.size.lengths) == 1 and measured.size.area is None:
+            self._lose(measured.start, measured.end)
+            return True
         if not isinstance(following, Connector):
             return False
         if self._is_link(following, "prepositions", "from", "far", "away"):

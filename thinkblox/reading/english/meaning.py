@@ -151,7 +151,15 @@ class Meanings:
         if found is None:
             return None
         name = subject.noun if subject is not None else noun
-        return self.antecedents.choose(self._words, kind, subjects, name, found, one=one)
+        chosen = self.antecedents.choose(self._words, kind, subjects, name, found, one=one)
+        slides = is_small_name(name) and name in load_habits().known()
+        return self._carrier_of(chosen) if kind == "under" and not slides else chosen
+
+    def _carrier_of(self, thing: Mention) -> Mention:
+        """What a small thing lies on, as nothing but that can have something standing under it."""
+        lying = (b for b in self.referents.draft.bonds_of(thing) if b.kind == "on" and not b.negated)
+        carriers = [a for b in lying for a in b.anchors if isinstance(a, Mention)] if is_small(thing) else []
+        return carriers[0] if carriers else thing
 
     def _several(self, kind: str, subjects: list[Mention], noun: str) -> tuple[Mention, ...]:
         found = self.referents.several(subjects, kind)
@@ -199,7 +207,7 @@ class Meanings:
             if plural and (kind != "between" or likely[:1] == plural[:1])
             else self.referents.several(subjects, kind)
         )
-        if anchors and not two and said.value == "them":
+        if anchors and not two and (said.value == "them" or (said.value == "each" and len(plural) > 1)):
             name = subjects[-1].noun if subjects else noun
             anchors = self.antecedents.choose_several(self._words, kind, subjects, name, anchors)
         if said.value == "each" and not anchors:
@@ -384,6 +392,9 @@ class Meanings:
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        owner = subjects[-1].owner if subjects else None
+        if said.value == "middle" and owner is not None and owner in likely and self._is_top(owner):
+            return self._middle_of_top([owner])
         if said.value == "middle" and said.det == "the" and alone and likely and not self._is_top(likely[0]):
             return Meaning("on", self._middle_of_top(likely).anchors, told=True)
         carried = said.value in _CARRYING
@@ -433,6 +444,8 @@ class Meanings:
         if said.det == "the" and ({said.value, self.room_side} == {"left", "right"} or walls):
             return True
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        owner = subjects[-1].owner if subjects else None
+        alone |= owner is not None and owner in likely and self._is_top(owner)
         if said.value == "middle" and said.det != "my" and not (alone and likely):
             return True
         if said.value == "side" and said.det in ("each", "either", "both") and self._is_beside_something(subjects):
@@ -507,7 +520,9 @@ class Meanings:
             meaning = self.of(Where("on", whole), subjects, likely, noun)
             if meaning is not None and isinstance(meaning.anchors[0], Mention):
                 return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
+        owner = subjects[-1].owner if subjects else None
         small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
+        small |= owner is not None and owner in likely and self._is_top(owner)
         if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
             return self._middle_of_top(likely)
         return Meaning("in_centre", ("centre",))

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets import CATALOGUE, kind_of
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -9,6 +10,9 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.referents import last_word
 from thinkblox.reading.english.several import Several
 from thinkblox.reading.english.state import LOOKAHEAD
+
+_DRAWN_UP = ("at", "around", "at_long_side", "at_short_side")
+"""How seats stand that people take at a table."""
 
 
 class Naming(Several):
@@ -192,8 +196,10 @@ class Naming(Several):
             group = self.groups.get(word)
             if group is not None:
                 return (group,)
-        place = noun.value == "seat" or (noun.det == "each" and word in grammar().lists["seats"])
-        if place and (seats := self._seats()) and self.referents.named(noun) is None:
+        single = noun.det == "each" or (not noun.det and noun.count is None and not noun.plural)
+        place = noun.value == "seat" or (single and word in grammar().lists["seats"])
+        named = self.referents.named(noun)
+        if place and (seats := self._seats()) and (named is None or last_word(named) not in grammar().lists["seats"]):
             return tuple(seats)
         return ()
 
@@ -213,12 +219,15 @@ class Naming(Several):
         return ()
 
     def _seats(self) -> list[Mention]:
-        return [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
+        seats = [t for t in self.draft.things if self.habits.is_in(t.noun, "seats", "chairs") and t.asked]
+        drawn = [t for t in seats if any(b.kind in _DRAWN_UP for b in self.draft.bonds_of(t))]
+        return drawn or seats
 
     def _new(self, noun: Noun) -> Mention:
         """Add the thing that a phrase asks for."""
         self._spend(noun)
-        several = noun.plural and (noun.value in self.habits.known() or not _is_one_made_of_two(noun))
+        plain = noun.value in CATALOGUE and not kind_of(noun.value).plain
+        several = noun.plural and (plain or not _is_one_made_of_two(noun))
         count = noun.count if noun.count is not None else (None if several else 1)
         if noun.value == "seat" and not noun.named:
             noun.value = "chair"

@@ -124,6 +124,9 @@ class Negation(Positions):
 
     def _exclude_next(self) -> None:
         noun = self.peek()
+        if self._is_link(noun, "prepositions"):
+            self.negating = True
+            return
         if isinstance(noun, Noun) and noun.kind == "part" and noun.det in ("a", "") and self.frontier:
             self._go_past(noun)
             self._lose(noun.start - 1, noun.end)
@@ -155,3 +158,5 @@ class Negation(Positions):
         self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None
         self.barred = noun
+        if self._is_link(self._before(), "prepositions", "instead") and not self._is_link(self.peek(), "joins"):
+            self.excluding = False

@@ -23,7 +23,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._again_with(noun) or self._adds(noun):
+        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -39,7 +39,7 @@ class Numbers(Verbs):
             return
         if self._shares_out(noun):
             return
-        whole = self._whole([])
+        whole = self._one_left(noun, [])
         if whole is not None:
             aside = self._list_of(whole)
             self._some(whole, noun)
@@ -48,6 +48,32 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _speak_of_rows(self, noun: Noun) -> bool:
+        """Let what is told of "each row" hold so many times as there are rows."""
+        rows = next((thing for thing in reversed(self.draft.things) if thing.rows > 1), None)
+        if rows is None or not self._is_link(self.peek(), "verbs"):
+            return False
+        self._spend(noun)
+        self.frontier = [Node([rows], self.clause, known=True, each=True)]
+        self.clause.members, self.per_group = [rows], rows.rows
+        return True
+
+    def _is_look_of_last(self, noun: Noun) -> bool:
+        """Take "the stove, a black cast-iron one" for what the stove is like."""
+        thing = self.frontier[-1].thing if self.frontier else None
+        plain = noun.det == "a" and noun.word == "one" and not (noun.of_known or noun.ordinal or noun.side)
+        if (
+            thing is None
+            or thing.many
+            or not plain
+            or self.separator != "comma"
+            or not (noun.attributes or noun.unshown)
+        ):
+            return False
+        self._spend(noun)
+        self._look(thing, noun)
+        return True
 
     def _shares_out(self, noun: Noun) -> bool:
         """Read "twelve computers on six desks, two on each": how many of those just placed each of the others has."""
@@ -233,6 +259,8 @@ class Numbers(Verbs):
 
     def _arrange(self, noun: Noun) -> None:
         """Read "(six shelving units stand) in two rows of three"; "the last row" is not understood."""
+        if noun.each and self._speak_of_rows(noun):
+            return
         if noun.ordinal or noun.det in ("the", "my"):
             self._lose(noun.start, noun.end)
             self.frontier, self.subject = [Node()], None

@@ -31,6 +31,9 @@ class PhraseReader(Heads):
         if pronoun is not None and pronoun.value in ("former", "latter"):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
             return self._finished(noun)
+        if pronoun is not None and pronoun.value == "each" and self._ends_with_them(start, start + pronoun.length):
+            noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
+            return self._finished(noun)
         if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
             after = self._known(start + pronoun.length, "attribute", "style")
             if after is not None and not self._starts_noun(start + pronoun.length + after.length):
@@ -48,6 +51,11 @@ class PhraseReader(Heads):
                 return self._finished(noun)
             noun.of_known, at = True, noun.end
         return self._named_at(noun, at, after_preposition=after_preposition)
+
+    def _ends_with_them(self, start: int, end: int) -> bool:
+        """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
+        ends = self._text(start, end).lower().endswith((" them", " which"))
+        return ends and grammar().at(self.tokens, end, "determiners", "count", "vague") is not None
 
     def _named_at(self, noun: Noun, at: int, *, after_preposition: bool) -> Noun | None:
         """What the words after determiner and quantity make of the phrase."""
@@ -236,8 +244,16 @@ class PhraseReader(Heads):
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
+        if units.nouns and units.nouns[-1].known is not None and self._is_state_at_end(at):
+            return True
         stands = text == "stands" and not units.nouns and people
         return stands or (bool(units.nouns) and self.is_after_noun(at))
+
+    def _is_state_at_end(self, at: int) -> bool:
+        """Whether only how the thing is to be found comes: "Curtains closed."."""
+        state = grammar().at(self.tokens, at, "states")
+        end = at + state.length if state is not None else 0
+        return bool(end) and (end >= len(self.tokens) or self.tokens[end].kind == "mark")
 
     def is_after_noun(self, at: int) -> bool:
         """Whether words that hyphens join describe the noun before them: "a TV wall-mounted opposite it"."""

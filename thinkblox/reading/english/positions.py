@@ -40,14 +40,13 @@ class Positions(Subjects):
             return self._which(where)
         if not isinstance(chunk, Noun) or (chunk.kind == "thing" and chunk.det == "no"):
             return where
-        whole = self.referents.named(chunk) if chunk.every and chunk.counted else None
-        if chunk.every and chunk.counted and not (whole is not None and whole.many):
+        if chunk.every and chunk.counted and not self._are_many_named(chunk):
             several = replace(chunk, det="", every=0, counted=False, count=chunk.every, plural=True)
             self.chunks[index], self.at = several, index
             where.noun = Noun("pronoun", "each", chunk.start, chunk.start + 1, "each")
             return where
         self._as_seat(chunk)
-        if chunk.kind == "thing" and chunk.det == "my":
+        if chunk.kind == "thing" and (chunk.det == "my" or self._is_within_owner(chunk)):
             chunk = self._as_owned(chunk, index)
         where.noun = chunk
         self.at = index + 1
@@ -69,10 +68,25 @@ class Positions(Subjects):
         if "own" in noun.text.lower().split()[:2]:
             self.chunks[index] = owned = replace(noun, det="a")
             return owned
-        if noun.word in ("shelf", "drawer") and noun.plural:
+        if noun.text.lower().rpartition(" ")[2] in ("shelves", "drawers"):
             self._spend(noun)
             return replace(noun, kind="part", value="inside")
         return noun
+
+    def _are_many_named(self, noun: Noun) -> bool:
+        """Whether several were named of which "every three seats" are some."""
+        whole = self.referents.named(noun)
+        if whole is None and noun.word in grammar().lists["seats"]:
+            whole = next(iter(self._seats()), None)
+        return whole is not None and whole.many
+
+    def _is_within_owner(self, noun: Noun) -> bool:
+        """Whether "the shelves" are those of what was just named: "a shoe rack with shoes on the shelves"."""
+        owner = next((n.frame.head for n in reversed(self.frontier) if n.frame is not None and n.frame.head), None)
+        parts = noun.text.lower().rpartition(" ")[2] in ("shelves", "drawers")
+        if owner is None or owner.thing is None or noun.det != "the" or not parts:
+            return False
+        return self.referents.named(noun) is None and self._contains(owner.thing)
 
     def _same_wall(self, where: Where, wall: Noun) -> None:
         """Read "on the same wall as the bed": the wall that the bed was said to be on."""
@@ -138,6 +152,8 @@ class Positions(Subjects):
         """Read "A counter, on which a monitor stands": a clause of its own about what was just named."""
         outer = [n for n in self.frontier if n.things and n.frame is not None and n.frame.head is None]
         named = (outer or [n for n in self.frontier if n.things] or ([self.subject] if self.subject else []))[-1:]
+        if not named and (anchors := self._hold_front()) is not None:
+            named = [anchors]
         if named:
             self.referents.topics.append(named[0].things[-1])
             self.outer = named[0]
@@ -334,7 +350,8 @@ class Positions(Subjects):
         if not self.front or self.clause.members or self.frontier or self.separator or self.subject is not None:
             return False
         before = self.chunks[self._began - 1] if self._began > 0 else None
-        return isinstance(before, Noun) and before.kind == "thing" and isinstance(self.front[-1].anchors[0], Mention)
+        named = isinstance(before, Noun) and before.kind in ("thing", "number", "pronoun")
+        return named and isinstance(self.front[-1].anchors[0], Mention)
 
     def _beyond(self, where: Where) -> None:
         """Words that say where and mean no place that we know; "for each guest" makes so many of what comes."""
@@ -368,6 +385,8 @@ class Positions(Subjects):
             self._ask_all_the_same(where)
             return
         self._mount(subjects, where)
+        if where.word in ("in", "inside") and isinstance(holder := meaning.anchors[0], Mention):
+            self._call_after_content(holder, subjects[-1].noun)
         partner = self._partner(node, where, meaning)
         if partner is not None:
             self._relate([partner], replace(meaning), negated=where.negated)
@@ -423,6 +442,10 @@ class Positions(Subjects):
         lists = [n.frame for n in self.frontier if n.frame is not None and n.frame.each and n.frame.head is node]
         head = frame.head if frame is not None and frame.each and frame.head is not None else None
         heads = head.things if head is not None else node.things if lists else []
+        times = frame.times if frame is not None and frame.grouped else 1
+        for anchor in meaning.anchors if times > 1 else ():
+            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and anchor.count == 1:
+                anchor.count = times
         for anchor in meaning.anchors if any(t.many for t in heads) else ():
             if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and not self.draft.bonds_of(anchor):
                 anchor.per += heads
@@ -551,6 +574,7 @@ class Positions(Subjects):
         if self.separator in ("and", "comma_and") and self._is_link(after, "mark", "comma"):
             following = self.peek(ahead + 1)
             led = self.chunks[self._began - 1] if self._began else None
-            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and"
+            pointed = isinstance(before := self.peek(-1), Noun) and before.kind == "pronoun"
+            comma = self._is_link(led, "mark", "comma") or self.separator == "comma_and" or pointed
             return isinstance(following, Noun) and following.kind == "thing" and comma
         return False

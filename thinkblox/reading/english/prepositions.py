@@ -4,15 +4,18 @@ import math
 from dataclasses import replace
 
 from thinkblox.knowledge.seats import places_at
-from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Adjective, Connector, Noun
+from thinkblox.reading.attach import bind
+from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.referents import is_small, last_word
+from thinkblox.reading.english.state import LOOKAHEAD
 
 _MOST_AT_ONE = 12
 """Tables for more people than this are for so many together."""
+_PAIR = 2
 _OWN = ("beds", "desks", "chairs", "storage")
 """What each of several people may have one of."""
 _TOPS = ("tables", "desks", "counters")
@@ -27,36 +30,95 @@ class Prepositions(Negation):
         raise NotImplementedError
 
     def _preposition(self, link: Connector) -> None:
-        thing = self._is_for_everyone(link)
-        if thing is not None and not self._read_as_place(thing):
-            self._one_for_each(thing, link)
-            return
-        if thing is not None or (link.value == "among" and self._is_on_walls()):
-            link = replace(link, value="on" if thing is None else "at")
+        meant = self._for_each(link)
+        if meant is not None:
+            self._follow(meant)
+
+    def _follow(self, link: Connector) -> None:
+        """Read what a preposition leads to."""
         match link.value:
             case "with":
                 self._open("with")
             case "without" | "instead":
                 self._exclude_next()
-            case "except":
-                self._except_next(link)
             case "of":
                 self._of()
-            case "for":
-                self._for(link)
             case "as":
                 self._as()
-            case "among":
-                self._among(link)
+            case "except" | "for" | "among":
+                {"except": self._except_next, "for": self._for, "among": self._among}[link.value](link)
+            case "in" if isinstance(self.peek(), Measured):
+                self._lose_distance(link)
             case _:
                 self._began = self.at - 1
                 self._where(self._read_where(link))
+
+    def _for_each(self, link: Connector) -> Connector | None:
+        """The preposition as it is meant; None where "a locker for each person" was read with it."""
+        if self._gives_one_for_every(link):
+            return None
+        thing = self._is_for_everyone(link)
+        if thing is not None and not self._read_as_place(thing):
+            self._one_for_each(thing, link)
+            return None
+        if thing is not None or self._leads_with_everyone(link):
+            return replace(link, value="at")
+        return replace(link, value="on") if link.value == "among" and self._is_on_walls() else link
+
+    def _lose_distance(self, link: Connector) -> None:
+        """Say of "within 20 cm of the bed" that no relation of ours is as exact; the bed is asked for."""
+        noun = self._next_noun(2) if self._is_link(self.peek(1), "prepositions", "of", "from") else None
+        end = self.peek()
+        if noun is None or end is None:
+            return
+        self._go_past(noun)
+        if noun.kind == "thing":
+            self.anchors(noun, [])
+        self._lose(link.start, noun.end)
 
     def _is_for_everyone(self, link: Connector) -> Mention | None:
         """What there is one of "for each person"; None where no such thing was just named."""
         noun, node = self._next_noun(), self.frontier[-1] if self.frontier else None
         each = noun is not None and noun.kind == "people" and (noun.each or link.value == "per")
         return node.thing if each and link.value in ("for", "per") and node is not None and not node.known else None
+
+    def _gives_one_for_every(self, link: Connector) -> bool:
+        """Read "one bench for every two lockers": one for so many of what was named; it is near them."""
+        noun, node = self._next_noun(), self.frontier[-1] if self.frontier else None
+        thing = node.thing if node is not None and not node.known else None
+        if link.value not in ("for", "per") or noun is None or noun.kind != "thing" or thing is None:
+            return False
+        every = noun.every if noun.counted else noun.count if link.text.lower().endswith("every") else None
+        if not every or every < _PAIR:
+            return False
+        whole = self.referents.named(replace(noun, every=0, det="the", count=None), besides=[thing])
+        self._go_past(noun)
+        count = self.referents.total(whole) if whole is not None and whole is not thing else 0
+        if whole is None or not count or count % every:
+            self._lose(link.start, noun.end)
+            return True
+        self._spend(noun)
+        thing.count, thing.per = (thing.count or 1) * (count // every), []
+        self.draft.bonds = [b for b in self.draft.bonds if b.subject is not thing or whole not in b.anchors]
+        if not any(b.kind == "on" for b in self.draft.bonds_of(thing)):
+            tables = self._tables_of([whole]) if is_small(thing) else []
+            near = Bond("near", thing, (whole,), implied=True)
+            bind(self.draft, Bond("on", thing, tuple(tables)) if tables else near)
+        return True
+
+    def _leads_with_everyone(self, link: Connector) -> bool:
+        """Whether "for each person" begins what then is at every seat that was named: "for each person: a plate"."""
+        noun = self._next_noun()
+        if noun is None or noun.kind != "people" or not (noun.each or link.value == "per") or self.draft.people:
+            return False
+        if link.value not in ("for", "per") or self.frontier or not self._seats():
+            return False
+        ahead = (c for c in self.chunks[self.at : self.at + LOOKAHEAD] if isinstance(c, Noun) and c is not noun)
+        first = next(ahead, None)
+        if first is None or first.kind != "thing" or not self._belongs(first.value, "small"):
+            return False
+        noun.kind, noun.value, noun.det, noun.named = "thing", "seat", "each", False
+        return True
 
     def _read_as_place(self, thing: Mention) -> bool:
         """Read the person as a seat that was named, who has a plate there, or as a desk, at which is the chair."""
@@ -122,6 +184,12 @@ class Prepositions(Negation):
 
         What is denied of things that nobody named, or of what they have, is not understood.
         """
+        link = self._before()
+        lacks = isinstance(link, Connector) and link.value == "without" and link.text.lower().startswith("with")
+        if lacks and self.frontier and self._is_link(self.peek(), "verbs"):
+            self._exclude(noun)
+            self.excluding = False
+            return None
         if not self._denies(noun):
             self._exclude(noun)
             return None
@@ -191,6 +259,8 @@ class Prepositions(Negation):
         self._go_past(noun)
         self._spend(noun)
         head.text = f"{head.text} of {noun.text}"
+        if self._holds_things(head) and noun.plural:
+            head.unshown.append(f"of {noun.text}")
         if not is_small(head) and self.habits.is_in(head.noun, "shelves", *_TOPS):
             self._lose(noun.start, noun.end)
 
@@ -221,7 +291,14 @@ class Prepositions(Negation):
             return ""
         if last_word(head) in grammar().lists["boxes"] or self.habits.is_in(head.noun, "shelves"):
             return "inside"
+        if self._holds_things(head) and several and noun.named:
+            return "inside"
         return "on" if self.habits.is_in(head.noun, *_TOPS) and not noun.definite else ""
+
+    def _holds_things(self, head: Mention) -> bool:
+        """Whether what it is full of are things of their own, as pens in a mug; a vase of tulips is one thing."""
+        word = last_word(head)
+        return word in grammar().lists["containers"] and word not in grammar().lists["vases"]
 
     def _of_no_thing(self, noun: Noun) -> None:
         """Go past "of the room", "of four people"; "every pew of the left column" is not understood."""
@@ -255,7 +332,7 @@ class Prepositions(Negation):
             else:
                 self._serve(thing, noun.count)
             self._go_past(noun)
-        elif noun.kind in ("people", "number") and noun.count and not self.draft.things:
+        elif noun.kind in ("people", "number") and (noun.count or noun.kind == "people") and not self.draft.things:
             self._for_people(noun)
             self._go_past(noun)
         elif noun.kind == "thing" and noun.word in grammar().lists["animals"]:

@@ -58,6 +58,9 @@ class Pronouns(Numbers):
         """Read "one", "another", "the other", "half", "none" of what was named."""
         if noun.value == "one" and self._repeats(noun):
             return
+        if noun.value == "none" and self._is_link(self._before(), "verbs", "be", "stand", "hang") and self.predicate:
+            self.negating = True
+            return
         if noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
         elif (whole := self._whole([])) is not None:

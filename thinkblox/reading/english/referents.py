@@ -9,6 +9,7 @@ from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.grammar import grammar
 
 _REACH = 200
 """How many things back "the desk" can reach."""
@@ -61,6 +62,8 @@ class Referents:
         named = _is_own_name(noun.text, noun.value) and noun.named and noun.kind == "thing"
         recent = [t for t in recent if t.asked and not (named and _is_another_kind(noun, t))]
         word = noun.word
+        apart = grammar().lists["told_apart"]
+        recent = [t for t in recent if word not in apart or last_word(t) in (word, "") or last_word(t) not in apart]
         said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
@@ -68,6 +71,10 @@ class Referents:
             lambda t: word in (last_word(t), _head_word(t)),
             lambda t: are_alike(t.noun, noun.value),
         )
+        lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
+        single = [t for t in recent if lone and not t.many and last_word(t) == word]
+        if single and recent and recent[0] not in self.parts and not self.is_apart(single[0]):
+            return single[0]
         several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
         if noun.det == "the" and several and not any(self.family(t)[1:] for t in said if last_word(t) == word):
             return several[0]

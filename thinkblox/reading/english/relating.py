@@ -1,14 +1,17 @@
 """Binds things to what they are related to."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.naming import Naming
 from thinkblox.reading.english.nodes import Meaning
-from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.referents import is_small, last_word
 
-_SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to")
+_SEATED = ("at", "around", "at_long_side", "at_short_side", "next_to", "in_front_of")
 """How seats stand to their tables."""
 
 
@@ -134,7 +137,7 @@ class Relating(Naming):
             return False
         if not is_small(subject) or (meaning.kind == "on" and meaning.told):
             return False
-        tables = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
+        tables = self._tables_of(seats)
         if not tables:
             tables += self._only_table()
         if not tables:
@@ -142,6 +145,32 @@ class Relating(Naming):
         subject.per += [s for s in seats if s not in subject.per]
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
         return True
+
+    def _call_after_content(self, holder: Mention, content: str) -> None:
+        """Take "a rack with test tubes", "umbrellas in the stand" for the rack and the stand that are for these."""
+        named = self.named_by.get(holder)
+        words = named.text.lower().split() if named is not None else []
+        if not words or words[-1] not in grammar().lists["holders"] or holder.many:
+            return
+        known = name_of(words)
+        found = name_of([*content.split("_"), words[-1]])
+        if (known is None or known.length == 1) and found is not None and found.length > 1:
+            holder.noun = found.name or found.category
+            for bond in self.draft.bonds_of(holder) if is_small(holder) else ():
+                bond.kind = "on" if bond.implied and bond.kind == "next_to" else bond.kind
+
+    def _tables_of(self, seats: Sequence[Mention]) -> list[Mention]:
+        """The tables, desks and counters that seats were said to be at."""
+        places = [a for s in seats for b in self.draft.bonds_of(s) if b.kind in _SEATED for a in b.anchors]
+        return [a for a in places if isinstance(a, Mention) and self._seated(a)]
+
+    def _seated(self, head: Mention) -> str:
+        """How seats stand to what one sits at; "" where one does not."""
+        word = last_word(head)
+        if self.habits.is_in(head.noun, "tables") or word == "table":
+            return "around"
+        sat_at = self.habits.is_in(head.noun, "desks", "counters", "worktops") or word in grammar().lists["sat_at"]
+        return "at" if sat_at else ""
 
     def _only_table(self) -> list[Mention]:
         """The one table or desk that was named, where there is one."""
@@ -154,6 +183,9 @@ class Relating(Naming):
         bare = subject.count is None and (alone or meaning.each)
         if meaning.both and (subject.count == 1 or bare) and meaning.times == 1:
             subject.count = 2
+        elif meaning.both and meaning.times == 1 and (subject.count or 0) > 1 and (subject.count or 0) % 2:
+            # So many cannot be parted into two like halves: they are those of one side.
+            subject.count = 2 * (subject.count or 0) if meaning.kind == "next_to" else subject.count
         if subject.count and meaning.times > 1 and subject not in self.counted:
             subject.count *= meaning.times
             self.multiplied.add(subject)
@@ -178,6 +210,8 @@ class Relating(Naming):
 
     def _share(self, bond: Bond) -> None:
         """Keep the number that "each" gave where the relation to it is told in other words."""
+        if bond.subject.per and set(bond.anchors) <= set(bond.subject.per):
+            bond.each |= bond.kind != "between"
         for old in self.draft.bonds:
             if old.implied and old.each and old.subject is bond.subject and not bond.each:
                 heads = [a for a in old.anchors if isinstance(a, Mention)]

@@ -39,7 +39,8 @@ class Rooms(Memberships):
         if not self.draft.room or self.draft.room == "room":
             self.draft.room = self._room_of_whole(noun) or noun.value
         self.draft.room_attributes += [a for a in noun.attributes if not people((a,))]
-        self.draft.people = self.draft.people or people(noun.attributes)
+        owners = grammar().people(word.strip("'\u2019") for word in noun.text.lower().split())
+        self.draft.people = self.draft.people or people(noun.attributes) or owners
         self.draft.empty |= "empty" in noun.attributes or "empty" in noun.states
         if noun.size:
             self.draft.sizes.append(noun.size)
@@ -102,10 +103,17 @@ class Rooms(Memberships):
         if noun.room and not self._is_link(after, "joins", "and"):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
+        if roomish_under := self._place_of_label(noun):
+            self._spend(roomish_under)
+            self._room(replace(noun, kind="room", value=noun.value if noun.kind == "room" else "room"))
+            self.at += 2
+            self._lose(after.start if after is not None else noun.end, roomish_under.end)
+            return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
         roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"]
-        whole = self._next_noun(1) if self._is_link(after, "prepositions", "of") and not noun.det else None
+        part_of = self._is_link(after, "prepositions", "of", "at", "in", "on", "for") and not noun.det
+        whole = self._next_noun(1) if part_of else None
         if whole is not None and self._is_link(self.peek(2), "mark", "comma") and isinstance(self.peek(3), Measured):
             self._spend(whole)
             self.at += 2
@@ -114,10 +122,11 @@ class Rooms(Memberships):
         with_ = self._is_link(after, "prepositions", "with", "for", "of") or self._is_link(after, "joins", "stop")
         sized = self._is_link(after, "mark", "comma", "open") and isinstance(size := self.peek(1), Measured)
         large = sized and isinstance(size, Measured) and self._is_room_size(size.size)
+        large |= roomish and isinstance(after, Measured) and self._is_room_size(after.size)
         of_size = self._is_link(after, "prepositions", "of") and isinstance(size := self.peek(1), Measured)
         whole_room = (sized or of_size) and roomish and isinstance(size, Measured) and self._is_room_size(size.size)
         large = (large and (not noun.det or not noun.named)) or whole_room
-        led = not noun.det and not noun.many and self._colon_ahead()
+        led = not (noun.det or noun.many) and (roomish or not noun.named) and self._colon_ahead()
         named_room = large or led or (roomish and self._is_link(after, "mark", "colon"))
         if named_room and noun.det in ("a", "") and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
@@ -126,6 +135,16 @@ class Rooms(Memberships):
             self._room(replace(noun, kind="room", value="room"))
             return True
         return False
+
+    def _place_of_label(self, noun: Noun) -> Noun | None:
+        """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""
+        roomish = noun.text.lower().split()[-1] in grammar().lists["rooms"] and not noun.many
+        place = (
+            self.peek(1) if self._is_link(self.peek(), "prepositions", "under", "above", "behind", "next_to") else None
+        )
+        sized = self._is_link(self.peek(2), "mark") and isinstance(self.peek(3), Measured)
+        ended = self._is_link(self.peek(2), "mark", "colon", "stop", "dash") or sized
+        return place if roomish and ended and isinstance(place, Noun) and place.kind == "thing" else None
 
     def _is_room_size(self, size: Size) -> bool:
         """Whether a size is that of a room rather than of a thing."""
@@ -151,7 +170,7 @@ class Rooms(Memberships):
             return
         everyone = noun.each or noun.text.lower() in ("everyone", "everybody")
         if everyone and self._is_link(self.peek(), "verbs", "have"):
-            seats = (t.seats for t in reversed(self.draft.things) if t.seats)
+            seats = (t.seats * (t.count or 1) for t in reversed(self.draft.things) if t.seats)
             self._begin()
             self.crowd = self.draft.people or next(seats, 0)
             if not self.crowd:
@@ -160,8 +179,8 @@ class Rooms(Memberships):
             self.crowd = noun.count
 
     def _for_people(self, noun: Noun) -> None:
-        """The room is for so many; children have one of their own."""
-        self.draft.people = noun.count or 0
+        """The room is for so many, or for some; children have one of their own."""
+        self.draft.people = noun.count or self.draft.people
         children = noun.text.lower().split()[-1] in grammar().lists["children"]
         if children and self.draft.room in _THEIRS:
             self.draft.room = _THEIRS[self.draft.room]

@@ -7,6 +7,7 @@ from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.boundaries import Boundaries
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.meaning import ROOM_SIDES
 
 
@@ -30,6 +31,12 @@ class Several(Boundaries):
         )
         return found or next((t for t in reversed(self.referents.last_family()) if t not in besides), None)
 
+    def _one_left(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
+        """What a number parts; "the one by the door" is of those of which another was called so before."""
+        left = self.singled if noun.text.lower() == "the one" else None
+        kept = left is not None and left in self.draft.things and left not in besides and not self.referents.parted
+        return left if kept else self._whole(besides)
+
     def _others(self, whole: Mention) -> list[Mention]:
         """All that are left of several of which the first, the second, ... were told."""
         told = [t for known in self.ordinals.values() for t in known.values()]
@@ -40,7 +47,7 @@ class Several(Boundaries):
     def some_of(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The part of some known things that a number, "the left one" or "the other" means."""
         self._spend(noun)
-        whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._whole(besides)
+        whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._one_left(noun, besides)
         if noun.kind == "number" and (those := self._those(noun, besides)) is not None:
             return those
         if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
@@ -63,6 +70,7 @@ class Several(Boundaries):
         self.referents.settle(whole)
         count = self._how_many(noun, whole)
         part = self.referents.part(whole, count)
+        self.singled = whole if noun.text.lower() == "the one" and part is not whole else self.singled
         if noun.side:
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
@@ -110,8 +118,9 @@ class Several(Boundaries):
 
     def _counted_to(self, ordinal: int, family: list[Mention]) -> Mention | None:
         """The ninth of "nine chairs: four here, four there and the ninth by the door": the one past those told of."""
-        told = [t for t in family if t in self.counted]
-        rest = [t for t in family if t not in self.counted]
+        parts = [t for known in self.referents.parts.values() for t in known]
+        told = [t for t in family if t in self.counted or t in parts]
+        rest = [t for t in family if t not in told]
         if not told or len(rest) != 1 or self.ordinals.get(family[0]):
             return None
         past = ordinal - sum(self.referents.total(t) for t in told)
@@ -160,9 +169,15 @@ class Several(Boundaries):
         for bond in told:
             bond.anchors, bond.spread = (wall,), 0
 
+    def _seats(self) -> list[Mention]:
+        """The seats that were named."""
+        raise NotImplementedError
+
     def _every(self, noun: Noun) -> list[Mention]:
         """Read "every second chair", "every two loungers": so many of them, or groups of so many."""
         whole = self.referents.named(noun)
+        if whole is None and noun.word in grammar().lists["seats"]:
+            whole = next(iter(self._seats()), None)
         if whole is None or not whole.count:
             return []
         self.referents.settle(whole)

@@ -36,6 +36,7 @@ class State(Namer):
         counted: things whose number was told as a part of several, and is not that of each side.
         multiplied: things of which so many were asked for at each of several places.
         told_later: what "every" named first and whose number came after.
+        singled: what is left of several since one was called "the one by the window".
         summed: several without a number, whose parts are being counted.
         summed_looks: what was said of all of these before.
         each_of: of how many "every two" were the last.
@@ -90,6 +91,7 @@ class State(Namer):
         self.counted: set[Mention] = set()
         self.multiplied: set[Mention] = set()
         self.told_later: set[Mention] = set()
+        self.singled: Mention | None = None
         self.summed: Mention | None = None
         self.summed_looks: tuple[list[str], list[str], list[str]] = ([], [], [])
         self.each_of = 0
@@ -182,6 +184,11 @@ class State(Namer):
         """The chunk so many before the one that is being read."""
         index = self.at - 1 - back
         return self.chunks[index] if index >= 0 else None
+
+    def _clause_start(self) -> int:
+        """The chunk after the last mark that ended a sentence."""
+        ends = (n for n in range(self.at - 2, -1, -1) if self._is_link(self.chunks[n], "mark", "stop", "semicolon"))
+        return next(ends, -1) + 1
 
     def _go_past(self, noun: Noun) -> None:
         """Go on after a noun that was found ahead."""

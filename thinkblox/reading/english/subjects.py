@@ -1,5 +1,8 @@
 """Whom a relation is about, and what a pronoun then means."""
 
+from collections.abc import Sequence
+from itertools import takewhile
+
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
@@ -89,11 +92,7 @@ class Subjects(Having):
         if middle and thing.many and not frame.each:
             return True
         if not self._is_pronominal(where):
-            if self._is_beside_whole(thing, frame, head, where):
-                return True
-            return (noun is not None and self._is_place_of_head(thing, frame, where, noun)) or (
-                noun is not None and self._is_beside_head(thing, frame, head, where, noun)
-            )
+            return noun is not None and self._is_said_of_head(thing, frame, head, where)
         if self._is_rather_of_head(thing, frame, head, where) or self._is_beside_outer(thing, frame, head, where):
             return True
         if where.word == "between" and self._belongs(thing.noun, "small") and not head.things[-1].many:
@@ -104,6 +103,20 @@ class Subjects(Having):
         within = bool(lying) and lying[0].kind == "inside" and len(self.clause.members) > 1
         within &= where.word in _BY_OWNER
         return bool(lying) and (within or self._behind_its_carrier(head, where))
+
+    def _is_said_of_head(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
+        """Whether what is told without a pronoun is about what has the list."""
+        if where.noun is None or self._is_of_member(where, frame):
+            return False
+        if self._is_beside_whole(thing, frame, head, where) or self._is_place_of_head(thing, frame, where, where.noun):
+            return True
+        return self._is_beside_head(thing, frame, head, where, where.noun)
+
+    def _is_of_member(self, where: Where, frame: Listed) -> bool:
+        """Whether it is to something of the same list: "a desk with a monitor, a keyboard in front of the monitor"."""
+        anchor = where.whole or where.noun
+        named = anchor is not None and anchor.kind == "thing" and anchor.definite and not frame.each
+        return named and anchor is not None and self.referents.named(anchor) in frame.members
 
     def _is_beside_outer(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether "its right" is of what has the head: "each with a stool and a trolley with towels on its right"."""
@@ -194,7 +207,11 @@ class Subjects(Having):
         told = where.word in _BY_OWNER and noun.kind == "thing" and not frame.each and self._is_told_of(thing, head)
         if told and not (self._is_head(noun, head) or self._is_within(noun, frame)):
             return True
-        if not (where.word in _BY_OWNER or held) or noun.kind != "thing" or self._is_head(noun, head):
+        if noun.kind != "thing" or self._is_head(noun, head):
+            return False
+        if self._is_over_wall_thing(thing, frame, where, noun):
+            return True
+        if not (where.word in _BY_OWNER or held):
             return False
         lying = self.habits.is_in(noun.value, "small") and not self.habits.is_in(noun.value, "built_in")
         if held and (lying or self._is_within(noun, frame)):
@@ -202,6 +219,16 @@ class Subjects(Having):
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
         return self.habits.is_in(thing.noun, "small", "seats", "lamps")
+
+    def _is_over_wall_thing(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
+        """Whether the owner is below what hangs on a wall: "a table with four chairs under the clock"."""
+        known = self.referents.named(noun) if noun.definite else None
+        if known is None or frame.each or where.word not in ("above", "under"):
+            return False
+        hangs = kind_of(known.noun).mount == "wall" or any(
+            str(a).endswith("wall") for b in self.draft.bonds_of(known) if b.kind == "on" for a in b.anchors
+        )
+        return hangs and all(bond.implied for bond in self.draft.bonds_of(thing))
 
     def _behind_its_carrier(self, head: Node, where: Where) -> bool:
         """Whether "it" is something before the shelves: "a counter, shelves with bottles behind it"."""
@@ -275,6 +302,8 @@ class Subjects(Having):
         """A list that shares what is said of its last member: "a vase and two candles on the table"."""
         thing = node.things[-1]
         frame = node.frame
+        if together := self._under_raised(node, where) or self._named_with(node):
+            return Node(together, frame)
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
         if untied := self._untied_before(node, frame, where):
@@ -300,8 +329,7 @@ class Subjects(Having):
             return node
         each = where.noun is not None and where.noun.kind == "pronoun" and where.noun.value == "each"
         leaning = self._is_leaning()
-        taken = [m for m in frame.members if any(not b.implied for b in self.draft.bonds_of(m))]
-        taken += [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
+        taken = self._taken(frame, thing)
         free: list[Mention] = []
         for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
@@ -311,6 +339,47 @@ class Subjects(Having):
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
 
+    def _taken(self, frame: Listed, thing: Mention) -> list[Mention]:
+        """What of a list has a place of its own, which it does not share with its last thing."""
+        shared = [(b.kind, b.anchors) for b in self.draft.bonds_of(thing) if frame.head is None]
+        taken = [
+            m
+            for m in frame.members
+            if any(not b.implied and (b.kind, b.anchors) not in shared for b in self.draft.bonds_of(m))
+        ]
+        return taken + [m for m in frame.members if any(m in b.anchors and not b.implied for b in self.draft.bonds)]
+
+    def _named_with(self, node: Node) -> list[Mention]:
+        """Both of "a green and a black chair", which are where the last is said to be; empty for other things."""
+        thing, members = node.things[-1], node.frame.members if node.frame is not None else []
+        before = reversed(members[: members.index(thing) if thing in members else 0])
+        alike = [*takewhile(lambda member: member.noun == thing.noun and self._is_borrowed(member), before)]
+        return [*alike[::-1], *node.things] if alike else []
+
+    def _is_borrowed(self, thing: Mention) -> bool:
+        """Whether the noun it was named by is that of what came after it."""
+        said = self.named_by.get(thing)
+        return said is not None and bool(said.looks)
+
+    def _under_raised(self, node: Node, where: Where) -> list[Mention]:
+        """The furniture that stands under what is raised over it: "a loft bed, a desk and a chair below it"."""
+        noun, things = where.noun, self.draft.things
+        if where.word != "under" or len(node.things) > 1 or not self._is_joined_before(self._began):
+            return []
+        if noun is None or noun.value == "it":
+            raised = [at for at, thing in enumerate(things) if is_raised(thing.noun, thing.attributes)]
+            since = raised[-1] + 1 if raised else len(things)
+        elif noun.kind == "thing" and is_raised(noun.value, noun.attributes):
+            since = 0
+        else:
+            return []
+        named = {t for start in self._of_clause() for t in self.meant.get(start, ())}
+        return [t for t in things[since:] if t in named and self._is_free(t) and self._is_furniture(t)]
+
+    def _of_clause(self) -> list[int]:
+        """The first tokens of what was named since the last mark that ended a sentence."""
+        return [chunk.start for chunk in self.chunks[self._clause_start() : self._began]]
+
     def _untied_before(self, node: Node, frame: Listed, where: Where) -> list[Mention]:
         """What else the head has, where only the last tells how: the cues of "a table with cues and a ball on it"."""
         if frame.head is None or not self._is_pronominal(where) or where.word in _BY_OWNER:
@@ -318,8 +387,7 @@ class Subjects(Having):
         if frame.each:
             return [m for m in frame.members if m not in node.things and self._is_merely_beside(m, frame.head, node)]
         untied = [thing for thing, head in self.untied if head in frame.head.things]
-        several = len(frame.members) == _PAIR
-        return [m for m in frame.members if several and m in untied and m not in node.things and self._is_free(m)]
+        return [m for m in frame.members if m in untied and m not in node.things and self._is_free(m)]
 
     def _is_free(self, thing: Mention) -> bool:
         return not self.draft.bonds_of(thing)
@@ -417,6 +485,11 @@ class Subjects(Having):
         said = [b for m in before for b in self.draft.bonds_of(m) if not b.implied]
         anchors = [a for b in said[-1:] for a in b.anchors if isinstance(a, Mention) and a not in self.fresh]
         return anchors if not (before and is_small(before[0]) and said and said[-1].kind == "on") else []
+
+
+def is_raised(noun: str, attributes: Sequence[str]) -> bool:
+    """Whether it is said to be of such a kind that furniture stands under it."""
+    return kind_of(noun).forms.get("over", "") in attributes
 
 
 def _may_lie(thing: Mention) -> bool:

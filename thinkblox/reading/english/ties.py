@@ -8,6 +8,8 @@ from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
+_ON_IT = ("prepositions", "on", "in", "inside", "on_top")
+"""How a list ends of which all lies on, or in, what has it."""
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
 _CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
 """What things are beside rather than on."""
@@ -58,12 +60,16 @@ class Ties(Relating):
         bare = not noun.det and noun.count is None and noun.plural and self.separator == "and"
         if frame.contents and bare and told is not None and not self._is_told_by_pronoun():
             return True
-        if frame.contents and noun.det and self.separator in ("comma", "comma_and"):
+        holder = frame.head.thing if frame.head is not None else None
+        apart = self.separator in ("comma", "comma_and") or (holder is not None and is_small(holder))
+        if frame.contents and noun.det and apart:
             return False
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False
         if told and frame.closing and frame.each and self.separator == "comma" and not self._is_told_by_pronoun():
             return False
+        if frame.kind == "with" and not (frame.each or frame.closing) and self._is_link(self._told_at_end(), *_ON_IT):
+            return True
         inverse = frame.kind not in ("with", "list", "hold", "carry", "inside", "on")
         if inverse and told and self.separator == "comma_and":
             return False
@@ -77,7 +83,7 @@ class Ties(Relating):
     def _fits_in(self, frame: Listed, head: Mention, thing: Mention) -> bool:
         """Whether a thing of which nothing is told may be one more of what the head has."""
         tie = self._tie(thing, frame)
-        if frame.each and not frame.closing and self.separator in ("comma", "and") and self._are_told_at_end():
+        if frame.each and not frame.closing and self.separator in ("comma", "and") and self._told_at_end() is not None:
             return tie is not None
         if frame.closing and self.separator in ("comma", "comma_and"):
             return frame.each and self.separator == "comma_and" and tie in ("at", "around") and not self._told_apart()
@@ -87,7 +93,7 @@ class Ties(Relating):
         pair &= len(frame.members) == 1 or not (frame.told or frame.closing or self._is_told_next())
         if tie == "next_to" and not self.habits.tie(thing.noun, head.noun) and frame.members and not pair:
             return False
-        if frame.told and is_small(head) and not frame.each:
+        if frame.told and is_small(head) and (not frame.each or head.per):
             return False
         if frame.told and self.separator == "comma":
             return frame.each and tie in _CARRIED
@@ -98,27 +104,37 @@ class Ties(Relating):
             return pair
         return not (self.separator == "comma_and" and tie not in _CARRIED and not frame.each)
 
-    def _are_told_at_end(self) -> bool:
-        """Whether a list ends with what is said of each of its head: "each with a desk, a chair and a bin under it"."""
+    def _told_at_end(self) -> Connector | None:
+        """How a list ends that says where each is to its head: "each with a desk, a chair and a bin under it"."""
         at, joined = self.at, self.separator == "and"
         while at < len(self.chunks) and not joined:
             comma = self._is_link(self.chunks[at], "mark", "comma")
             joined = self._is_link(self.chunks[at], "joins", "and")
             after = self.chunks[at + 1] if at + 1 < len(self.chunks) else None
             if not (comma or joined) or not isinstance(after, Noun) or after.kind != "thing" or after.definite:
-                return False
+                return None
             at += 2
         link, noun = (*self.chunks[at : at + 2], None, None)[:2]
-        return self._is_link(link, "prepositions") and isinstance(noun, Noun) and noun.value in ("it", "each")
+        if not isinstance(link, Connector) or link.sort != "prepositions" or not isinstance(noun, Noun):
+            return None
+        return link if noun.value in ("it", "each") else None
 
     def _is_told_by_pronoun(self) -> bool:
         """Whether "on it", "above them" comes."""
-        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions") else None
+        at = self._past_place(1 if self._is_link(self.peek(), "participles") else 0)
+        noun = self._next_noun(at + 1) if self._is_link(self.peek(at), "prepositions") else None
         return noun is not None and noun.kind == "pronoun"
+
+    def _past_place(self, at: int) -> int:
+        """How many chunks ahead it goes on after a place: after "on the wall" of "a shelf on the wall above it"."""
+        place = self._next_noun(at + 1) if self._is_link(self.peek(at), "prepositions") else None
+        goes_on = place is not None and place.kind == "place" and self._is_link(self.peek(at + 2), "prepositions")
+        return at + 2 if goes_on else at
 
     def _told_of(self, frame: Listed, thing: Mention) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
+        index = self._past_place(index) if frame.each and self._is_told_by_pronoun() else index
         link = self.peek(index)
         noun = self._next_noun(index + 1)
         if not isinstance(link, Connector) or link.sort != "prepositions":
@@ -135,9 +151,9 @@ class Ties(Relating):
             case "pronoun":
                 return not (self._are_all(frame, noun, thing) or self._is_of_another(frame, noun))
             case "thing" if noun.definite:
-                return self._is_beside_with(frame, thing, noun) or self._is_of(frame, noun)
+                return self._is_beside_with(frame, thing, noun) or self._is_of(frame, thing, noun)
             case "part":
-                return self._lies_by_part(frame, thing, index) or self._is_part_of(frame, index, noun)
+                return self._lies_by_part(frame, thing, index) or self._is_part_of(frame, thing, index, noun)
             case "place" if noun.value.split()[0] in ("corner", "window", "door", "wall", "ceiling", "floor"):
                 return None if self._may_share_place(frame, noun, thing) else False
         return None
@@ -150,6 +166,10 @@ class Ties(Relating):
         )
         lies = pair and is_small(thing) and head is not None and self._carries_before(thing, head, frame)
         return lies and self.referents.named(noun) not in frame.members
+
+    def _lies_among(self, frame: Listed, thing: Mention) -> bool:
+        """Whether it lies where what was listed before does: "a desk with a laptop, a lamp left of the laptop"."""
+        return not frame.each and is_small(thing) and self._tie(thing, frame) in ("on", "inside")
 
     def _may_share_place(self, frame: Listed, place: Noun, thing: Mention) -> bool:
         """Whether seats after "and" are still of the table that stands there: "a table with a clock and two chairs"."""
@@ -203,16 +223,18 @@ class Ties(Relating):
             return False
         return not (head.thing.rows or head.thing.groups or head.thing in self.referents.shared)
 
-    def _is_part_of(self, frame: Listed, index: int, part: Noun) -> bool | None:
+    def _is_part_of(self, frame: Listed, thing: Mention, index: int, part: Noun) -> bool | None:
         """Whether "on the side" is of the head: not "of the bed", and not "at the front", which is of the room."""
         if not self._is_link(self.peek(index + 2), "prepositions", "of"):
             of_room = part.det == "the" and part.value in ("front", "back", "end")
             return not (of_room and self._is_link(self.peek(index), "prepositions", "at", "in"))
         whole = self._next_noun(index + 3)
-        return self._is_of(frame, whole) if whole is not None and whole.kind == "thing" else None
+        return self._is_of(frame, thing, whole) if whole is not None and whole.kind == "thing" else None
 
-    def _is_of(self, frame: Listed, noun: Noun) -> bool | None:
+    def _is_of(self, frame: Listed, thing: Mention, noun: Noun) -> bool | None:
         found = self.referents.named(noun)
+        if found in frame.members and self._lies_among(frame, thing):
+            return True
         if frame.head is not None and found in frame.head.things:
             return not (noun.ordinal or noun.degree)
         outside = found is not None and not found.many and found not in frame.members
@@ -229,6 +251,8 @@ class Ties(Relating):
 
     def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
+        if head.per and frame.kind == "with" and is_small(thing):
+            return True
         if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
             return False
         if frame.kind in ("hold", "carry"):
@@ -303,6 +327,7 @@ class Ties(Relating):
         """Whether it is small and ends a list of what lies there: "a counter with a till and a ticket dispenser"."""
         ends = self.separator == "and" and self._is_end(self.peek())
         low = max(kind_of(thing.noun).size) <= _SMALL or self.habits.is_in(thing.noun, "plants")
+        ends |= self._has_shelves(head) and kind_of(thing.noun).plain and self.separator in ("comma", "and")
         return ends and low and self._carries_before(thing, head, frame)
 
     def _carries_before(self, thing: Mention, head: Mention, frame: Listed) -> bool:
@@ -316,14 +341,6 @@ class Ties(Relating):
     def _stands_there(self, head: Mention) -> bool:
         """Whether it stands, or hangs at a wall, and carries what it is said to have: "a pedestal with a bust"."""
         return not (is_small(head) or self.habits.is_in(head.noun, *_CARRYING_NOTHING))
-
-    def _seated(self, head: Mention) -> str:
-        """How seats stand to what one sits at; "" where one does not."""
-        word = last_word(head)
-        if self.habits.is_in(head.noun, "tables") or word == "table":
-            return "around"
-        sat_at = self.habits.is_in(head.noun, "desks", "counters", "worktops") or word in grammar().lists["sat_at"]
-        return "at" if sat_at else ""
 
     def _has_shelves(self, head: Mention) -> bool:
         return self.habits.is_in(head.noun, *[g for g in ("shelves", "containers") if g in self.habits.groups])

@@ -117,7 +117,12 @@ def _animal(tokens: Sequence[Token], at: int, words: list[str]) -> int:
     if after >= len(tokens) or tokens[after].kind == "mark" or grammar().at(tokens, after, "joins"):
         return start + 1
     doing = grammar().at(tokens, after, "verbs", "participles", "prepositions", "states")
-    return _to_end(tokens, at, start + 1) if doing or tokens[after].text.endswith("ing") else 0
+    if doing is None and not tokens[after].text.endswith("ing"):
+        return 0
+    length = _to_end(tokens, at, start + 1)
+    links = ((n, grammar().at(tokens, n, "prepositions")) for n in range(after, at + length))
+    # Where it lies is a thing like others, and is asked for.
+    return next((n + link.length - at for n, link in links if link is not None), length)
 
 
 def _ends(words: list[str], at: int) -> bool:

@@ -39,7 +39,8 @@ class Verbs(Prepositions):
                 self.existential = True
             case _:
                 self._find_subject(link)
-                if self.subject is not None or link.value not in ("be", "stand", "hang", "serve"):
+                told = self.subject is not None or link.value not in ("be", "stand", "hang", "serve")
+                if told and not (link.value == "be" and self._is_what_each_is()):
                     self._predicate(link)
 
     def _do_something(self, link: Connector) -> None:
@@ -67,6 +68,17 @@ class Verbs(Prepositions):
             self.subject, self.relative = self.relative, None
         elif self.subject is None or (self.clause.members and not self.predicate):
             self.subject = self._one_subject(link)
+            self._take_all_parts(link)
+
+    def _take_all_parts(self, link: Connector) -> None:
+        """Let a plural verb after a comma be about all of those that were just told apart: "..., one red, lie ..."."""
+        thing = self.subject.thing if self.subject is not None else None
+        family = self.referents.family(thing) if thing is not None else []
+        parted = len(family) > 1 and self._is_link(self._before(), "mark", "comma")
+        plural = not link.text.lower().split()[0].endswith("s")
+        here = {t for chunk in self.chunks[self._clause_start() : self.at] for t in self.meant.get(chunk.start, ())}
+        if self.subject is not None and parted and plural and here & set(family):
+            self.subject = Node(family, self.subject.frame, known=self.subject.known)
 
     def _one_subject(self, link: Connector) -> Node | None:
         """What a verb is said of: of a thing alone where it is singular, though others are joined to what it has."""
@@ -82,11 +94,6 @@ class Verbs(Prepositions):
             return node
         self.clause.members = [first]
         return Node([first], node.frame, known=node.known)
-
-    def _clause_start(self) -> int:
-        """The chunk after the last mark that ended a sentence."""
-        ends = (n for n in range(self.at - 2, -1, -1) if self._is_link(self.chunks[n], "mark", "stop", "semicolon"))
-        return next(ends, -1) + 1
 
     def _predicate(self, link: Connector) -> None:
         self.predicate = True
@@ -142,6 +149,9 @@ class Verbs(Prepositions):
             self.at += 1
             return
         thing = self.subject.thing
+        if thing is not None and isinstance(following, Noun) and self._is_feature(following, thing):
+            self._features(self.subject, following)
+            return
         if thing is not None and thing in self.groups.values() and (kind == "consist" or self.subject.each):
             self._dissolve(thing)
             return
@@ -155,11 +165,15 @@ class Verbs(Prepositions):
         if every:
             frame.times = max(1, (self.subject.thing.count or every) // every)
             self.each_of = 0
+        elif self.per_group:
+            frame.times, frame.grouped, self.per_group = self.per_group, True, 0
         self.pending = frame
 
     def _participle(self, kind: str) -> None:
         match kind:
             case "hold" | "carry":
+                if not self.frontier and (anchors := self._hold_front()) is not None:
+                    self.frontier = [anchors]
                 carrier = self.frontier[-1].thing if self.frontier else None
                 which = self._before(0)
                 said = which.text.lower() if isinstance(which, Connector) else ""

@@ -1,0 +1,122 @@
+"""What belongs to what: lists in which things are told of, what lies with others, what is denied of what."""
+
+import pytest
+
+from tests.test_reading_turns import counted, related
+from thinkblox.reading import read_brief
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relations"),
+    [
+        (
+            "On the table is a mirror, a lamp to the left of the mirror and a measuring tape in front of it.",
+            "1 table_lamp on dining_table; 1 table_lamp left_of mirror; 1 measuring_tape on dining_table",
+        ),
+        (
+            "A steel table carries a tote, a scanner to the right of the tote and a label printer.",
+            "1 storage_bin on dining_table; 1 label_printer on dining_table",
+        ),
+        (
+            "In the middle a table with a vase, a book to the left of the vase, and a bowl with three lemons in it.",
+            "1 book on dining_table; 1 book left_of vase; 1 bowl on dining_table; 3 lemon inside bowl",
+        ),
+        (
+            "A desk with a monitor in the middle of it, a keyboard in front of the monitor and a mouse.",
+            "1 keyboard on desk; 1 keyboard in_front_of monitor; 1 mouse on desk",
+        ),
+        ("A table with a tray, a cup on the tray and a vase.", "1 cup on tray; 1 vase on dining_table"),
+        ("A desk without a chair stands against the wall.", "1 desk against_wall wall"),
+        (
+            "One table, six chairs on each long side. For each person: a plate with a napkin on it and two glasses.",
+            "12 plate on dining_table; 12 napkin on plate; 24 glass on dining_table",
+        ),
+        (
+            "A counter with nine stools in front of it. Per stool a plate, plus one teapot for every three stools.",
+            "9 plate on counter; 3 teapot on counter",
+        ),
+        ("Eight lockers along the wall, and one bench for every two lockers.", "4 bench near locker"),
+        ("A table with a turkey on it and three candles on either side of the turkey.", "6 candle on dining_table"),
+        ("A desk: a laptop, a lamp and a mug.", "1 laptop on desk; 1 desk_lamp on desk; 1 cup on desk"),
+        ("Workbench against the wall: a vise and a saw.", "1 vise on workbench; 1 saw on workbench"),
+        ("A big table covered in stuff: fifteen hats.", "15 hat on dining_table"),
+        ("Two shelving units: nine teapots. A sofa.", "9 teapot inside shelving_unit"),
+        ("A dining table: six plates and six chairs.", "6 plate on dining_table; 6 chair around dining_table"),
+        ("Two 3D printers on a desk.", "2 thing_3d_printer on desk"),
+        (
+            "A table with two cars, ten wagons and fifteen trees on it, surrounded by four stools.",
+            "10 wagon on dining_table; 15 potted_plant on dining_table; 4 stool around dining_table",
+        ),
+        ("Three rows of five desks. Each row shares a printer on a trolley.", "3 printer on serving_trolley"),
+        ("Four rows of chairs. Each row is facing the stage.", "12 chair facing stage"),
+        (
+            "Four workstations, all against the wall. Each is a desk with two monitors and a chair in front of it.",
+            "4 desk against_wall wall; 8 monitor on desk; 4 chair in_front_of desk",
+        ),
+        (
+            "Behind the counter, on which there are a cash register and a jar, stands a shelf.",
+            "1 cash_register on counter; 1 jar on counter; 1 shelving_unit behind counter",
+        ),
+        ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
+        (
+            "Two lab benches, each with a microscope and a rack with three test tubes in it.",
+            "2 test_tube_rack on lab_bench; 6 test_tube inside test_tube_rack",
+        ),
+        (
+            "A vocal booth, 2 x 3 m, with a mic on a mic stand right in the middle.",
+            "1 microphone_stand in_centre centre",
+        ),
+    ],
+)
+def test_so_things_are_related(prompt: str, relations: str) -> None:
+    found = related(read_brief(prompt, fill="named"))
+    assert set(relations.split("; ")) <= found
+
+
+def test_what_is_denied_of_two_places_is_denied_of_both() -> None:
+    brief = read_brief("The bed is neither in a corner nor next to the window.", fill="named")
+    assert {(r.kind, r.negated) for r in brief.relations} == {("in_corner", True), ("next_to", True)}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "size"),
+    [
+        ("Vocal booth 1.8 x 2.1 m, a stool in the corner.", (1.8, 2.1)),
+        ("Ticket booth at a fairground, 1.6 by 1.8 m: a counter.", (1.6, 1.8)),
+        ("A purifier near the bed, nothing closer than half a metre.", (None, None)),
+        ("Bed 2 m by 1.6 m, wardrobe.", (None, None)),
+    ],
+)
+def test_whose_a_size_is(prompt: str, size: tuple[float | None, float | None]) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert (brief.width, brief.depth) == size
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts", "excluded"),
+    [
+        (
+            "A bed, and instead of a nightstand a wooden chair with an alarm clock on it.",
+            "bed chair alarm_clock",
+            "nightstand",
+        ),
+        ("Instead of a bed or a sofa, a futon and a rug.", "futon rug", "bed sofa"),
+    ],
+)
+def test_only_what_is_replaced_is_excluded(prompt: str, counts: str, excluded: str) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert set(counted(brief)) == set(counts.split())
+    assert set(brief.excluded) == set(excluded.split())
+
+
+def test_what_an_animal_lies_on_is_asked_for() -> None:
+    brief = read_brief("A sofa and the cat asleep on the ironing board.", fill="named")
+    assert counted(brief) == {"sofa": 1, "ironing_board": 1}
+    assert any("cat" in unknown for unknown in brief.unknown)
+
+
+def test_what_lacks_something_is_still_spoken_of() -> None:
+    brief = read_brief("A large aquarium without any fish stands against the wall.", fill="named")
+    assert counted(brief) == {"aquarium": 1}
+    assert "fish" in brief.excluded
+    assert not brief.unknown

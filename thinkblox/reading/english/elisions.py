@@ -1,0 +1,74 @@
+"""Nouns that are left out before one of the same: "a green and a black chair", "two small and one large vase"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from thinkblox.assets.plurals import singular
+from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+
+_DETERMINED = ("a", "the", "another")
+_PAST = 2
+"""So many chunks further the noun is that a phrase borrows."""
+
+
+def with_nouns(chunks: Sequence[Chunk]) -> list[Chunk]:
+    """The chunks, where what has only a number or an article and an adjective borrows the noun that comes."""
+    whole = list(chunks)
+    for at in range(len(whole) - _PAST - 1, -1, -1):
+        said, link, other = whole[at : at + _PAST + 1]
+        if not (isinstance(said, Noun) and _lacks_noun(said) and isinstance(other, Noun) and _lends(other)):
+            continue
+        joined = isinstance(link, Connector) and (link.value == "comma" or (link.sort, link.value) == ("joins", "and"))
+        if joined and not _is_told_apart(whole[:at], other):
+            whole[at] = _borrowed(said, other)
+    return whole
+
+
+def _lacks_noun(said: Noun) -> bool:
+    """Whether it is "a green", or "two small" that are not of some that are known."""
+    if said.kind == "thing":
+        return bool(said.looks)
+    plain = not (said.of_known or said.ordinal or said.side or said.rows or said.share or said.every)
+    counted = said.kind == "number" and said.count is not None and plain and not said.least
+    return counted and bool(said.attributes or said.unshown) and said.word not in ("one", "ones")
+
+
+def _lends(other: Noun) -> bool:
+    """Whether it is a thing of which a look is told as well."""
+    told = other.attributes or other.unshown
+    return other.kind == "thing" and bool(told) and (other.det in _DETERMINED or other.count is not None)
+
+
+def _is_told_apart(before: Sequence[Chunk], other: Noun) -> bool:
+    """Whether several of the kind were named in the same sentence, of which these are told: "chairs, one red ..."."""
+    for chunk in reversed(before):
+        if isinstance(chunk, Connector) and chunk.value == "stop":
+            return False
+        if isinstance(chunk, Noun) and chunk.kind == "thing" and chunk.many and chunk.value == other.value:
+            return True
+    return False
+
+
+def _borrowed(said: Noun, other: Noun) -> Noun:
+    """The phrase with the noun of the other; what is told of the other is not told of it."""
+    words = other.text.split()
+    head = words[1 + len(other.attributes) + len(other.unshown) :] or words[-1:]
+    looks = said.looks or said.attributes
+    head = head if (said.count or 1) > 1 else [*head[:-1], singular(head[-1])]
+    text = f"{said.text} {' '.join(head)}"
+    return replace(
+        other,
+        start=said.start,
+        end=said.end,
+        text=text,
+        det=said.det,
+        count=said.count,
+        plural=(said.count or 1) > 1,
+        attributes=[*looks],
+        unshown=[*said.unshown],
+        states=[*said.states],
+        vague=said.vague,
+        size=None,
+        looks=[*looks, *said.unshown],
+        fates={**said.fates},
+    )
