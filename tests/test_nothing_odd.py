@@ -566,3 +566,14 @@ def test_chairs_that_are_named_are_for_the_table_that_is() -> None:
 
 def test_students_sit_at_the_tables_that_they_share() -> None:
     assert counts("An art classroom for 16 students with big tables, easels and a sink").get("chair") == 16
+
+
+def test_computers_along_the_walls_stand_on_desks() -> None:
+    brief = read_brief("A computer lab with ten computers along the walls and a teacher's desk")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    desks = {tie.anchors for n in range(1, 11) for tie in plan.target(f"computer_{n}").ties if tie.kind == "on"}
+    seen = {tie.anchors for target in plan.targets if target.category == "monitor" for tie in target.ties}
+    sat_at = {tie.anchors for target in plan.targets if target.category == "office_chair" for tie in target.ties}
+    assert len(desks) == 10
+    assert desks <= seen
+    assert desks <= sat_at

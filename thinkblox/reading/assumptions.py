@@ -53,6 +53,7 @@ def assume(draft: Draft, fill: Fill) -> None:
                 if not theme.unless:
                     _fill(draft, theme.expected(draft.room))
         _part_off(draft)
+        _set_down(draft)
         _staff(draft)
         _give_places(draft)
         _carry(draft, seated=True)
@@ -87,12 +88,20 @@ def complete_sets(draft: Draft) -> None:
     for thing in [t for t in draft.things if t.asked]:
         rest = rest_of_set(thing.noun)
         places = [b for b in draft.bonds_of(thing) if b.kind == "on" and not b.negated]
-        if rest is None or not places or _has(draft, rest.group):
+        if rest is None or not places:
+            continue
+        carriers = [id(anchor) for bond in places for anchor in bond.anchors]
+        there = [t for t in draft.things if t.asked or _stands_on(draft, t, carriers)]
+        if any(load_habits().is_in(t.noun, rest.group) for t in there):
             continue
         for category in rest.categories:
-            if category not in draft.excluded and not any(t.noun == category for t in draft.things):
+            if category not in draft.excluded and not any(t.noun == category for t in there):
                 part = _add(draft, category, thing.count or 1)
                 draft.bonds += [Bond("on", part, bond.anchors, each=bond.each, asked=False) for bond in places]
+
+
+def _stands_on(draft: Draft, thing: Mention, carriers: Collection[int]) -> bool:
+    return any(b.kind == "on" and id(anchor) in carriers for b in draft.bonds_of(thing) for anchor in b.anchors)
 
 
 def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
@@ -135,7 +144,8 @@ def pull_up(draft: Draft) -> None:
         if bond.kind in ("next_to", "near") and drawn and habits.is_in(anchor.noun, "counters"):
             bond.kind = "at"
         elif bond.kind == "in_front_of" and seen:
-            bond.subject, bond.anchors = anchor, (bond.subject,)
+            bond.anchors = (bond.subject,)
+            draft.hand_over(bond, anchor)
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:
@@ -450,6 +460,22 @@ def _staff(draft: Draft) -> None:
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+
+
+def _set_down(draft: Draft) -> None:
+    """A place with its seat for each of several things along the walls that people work with: "ten computers"."""
+    place = room_type(draft.room).place
+    seat = usual_seat(place) if place else None
+    if seat is None or not load_habits().is_in(place, "desks"):
+        return
+    for thing in [t for t in draft.things if t.asked and (t.count or 1) > 1 and rest_of_set(t.noun)]:
+        walled = [b for b in draft.bonds_of(thing) if b.kind == "against_wall" and b.asked and not b.negated]
+        if walled and len(walled) == len(draft.bonds_of(thing)):
+            desk, chair = _add(draft, place, thing.count or 1), _add(draft, seat.category, thing.count or 1)
+            for bond in walled:
+                draft.hand_over(bond, desk)
+            draft.bonds.append(Bond("on", thing, (desk,), asked=False))
+            draft.bonds.append(Bond(relation_kind(seat.relations[0][0]), chair, (desk,), each=True, asked=False))
 
 
 def _is_bar(thing: Mention) -> bool:
