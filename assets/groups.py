@@ -40,7 +40,7 @@ GROUPS: Mapping[str, str] = MappingProxyType(
         "sat_in": "a table with its own seats",
         "fills_shelves": "shelves full of it are described, not asked for",
         "takes_books": "can be full of books",
-        "takes_goods": "is full of goods where such are sold or stored",
+        "takes_goods": "can be full of goods",
         # What the planner speaks of.
         "long_sides": "several sit at its long side",
         "watched": "still looks for those who watch it where it is only said to be on the wall",

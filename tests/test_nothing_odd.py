@@ -431,8 +431,15 @@ def test_what_is_watched_stands_across_from_the_sofa():
     assert measure(made("A living room").scene, "opposite", "tv_stand_1", ["sofa_1"]).holds
 
 
-@pytest.mark.parametrize("prompt", ["A hardware shop", "A pharmacy with a counter and shelves of medicine"])
-def test_shelves_of_shops_are_full(prompt: str) -> None:
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A hardware shop",
+        "A pharmacy with a counter and shelves of medicine",
+        "A garage with a workbench and two storage shelves",
+    ],
+)
+def test_shelves_are_full(prompt: str) -> None:
     shelves = [r for r in read_brief(prompt).requests if r.category == "shelving_unit"]
     assert shelves
     assert all("filled" in request.attributes for request in shelves)
@@ -542,3 +549,31 @@ def test_between_tables_that_stand_in_rows_there_is_a_way(things: str, category:
 
 def test_an_aquarium_has_a_stand_of_its_own() -> None:
     assert counts("A living room with a sofa, a coffee table and an aquarium").get("aquarium_stand") == 1
+
+
+def test_a_computer_on_a_desk_has_a_screen_and_a_keyboard() -> None:
+    number = counts("A call centre with twelve desks in rows, each with a computer")
+    assert (number["monitor"], number["keyboard"]) == (12, 12)
+    assert "monitor" not in counts("A call centre with six desks, each with a laptop")
+    assert counts("A study with a computer and two monitors on the desk")["monitor"] == 2
+
+
+def test_chairs_that_are_named_are_for_the_table_that_is() -> None:
+    brief = read_brief("A radio studio with a round table, four microphones and four chairs")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    assert {plan.target(f"chair_{n}").ties[0].anchors for n in (1, 2, 3, 4)} == {("dining_table_1",)}
+
+
+def test_students_sit_at_the_tables_that_they_share() -> None:
+    assert counts("An art classroom for 16 students with big tables, easels and a sink").get("chair") == 16
+
+
+def test_computers_along_the_walls_stand_on_desks() -> None:
+    brief = read_brief("A computer lab with ten computers along the walls and a teacher's desk")
+    plan = plan_brief(brief, ExpertPlanner().room(brief, np.random.default_rng(0)))
+    desks = {tie.anchors for n in range(1, 11) for tie in plan.target(f"computer_{n}").ties if tie.kind == "on"}
+    seen = {tie.anchors for target in plan.targets if target.category == "monitor" for tie in target.ties}
+    sat_at = {tie.anchors for target in plan.targets if target.category == "office_chair" for tie in target.ties}
+    assert len(desks) == 10
+    assert desks <= seen
+    assert desks <= sat_at

@@ -41,7 +41,6 @@ class RoomType(Value, frozen=True, kw_only=True):
         place: what each of its people has one of; empty where nobody has a place of their own.
         sleeps: people sleep in it.
         narrow_beds: those who sleep there have single beds.
-        stocked: its shelves are full of what is sold or stored there.
         public: people eat, meet or read together: a large table suits it.
         like: a wider type that it is one of; words mean in it what they mean there.
         windowless: it has no window unless the prompt asks for one.
@@ -56,7 +55,6 @@ class RoomType(Value, frozen=True, kw_only=True):
     place: str = ""
     sleeps: bool = False
     narrow_beds: bool = False
-    stocked: bool = False
     public: bool = False
     like: str = ""
     windowless: bool = False

@@ -47,13 +47,23 @@ def imply(members: Members, windows: bool, free: Collection[str] = ()) -> None:
             waiting = _in_rows(waiting)
         if whole and _is_lined_up(waiting):
             waiting = _in_rows(waiting)
-        for habit in load_habits().of(request[0].category):
+        for habit in _habits_of(members, request[0]):
             if habit.kind == "against_wall" and len(waiting) >= _crowd(members, request[0]):
                 waiting = _in_rows(waiting)
             if waiting and not _is_forbidden(waiting[0], habit, free) and not _hems_in(members, waiting[0], habit):
                 waiting = _follow(members, waiting, habit, windows=windows)
         _look_ahead(members, request)
         _number(request)
+
+
+def _habits_of(members: Members, member: Member) -> tuple[Habit, ...]:
+    """Its habits; chairs that are asked for are for the tables that are, before those that are only assumed."""
+    habits = load_habits().of(member.category)
+    if not member.request.asked or not load_habits().is_in(member.category, "chairs"):
+        return habits
+    tables = {m.category for m in members.all if m.request.asked}
+    named = tuple(h for h in habits if h.kind in ("at", "around") and not tables.isdisjoint(h.anchors))
+    return (*named, *(habit for habit in habits if habit not in named))
 
 
 def _leave_walls(request: list[Member]) -> None:

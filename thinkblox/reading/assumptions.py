@@ -10,6 +10,7 @@ from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.seats import places_at, usual_seat
+from thinkblox.knowledge.sets import rest_of_set
 from thinkblox.knowledge.things import are_alike, counts_as, things
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Bond, Draft, Mention
@@ -52,6 +53,7 @@ def assume(draft: Draft, fill: Fill) -> None:
                 if not theme.unless:
                     _fill(draft, theme.expected(draft.room))
         _part_off(draft)
+        _set_down(draft)
         _staff(draft)
         _give_places(draft)
         _carry(draft, seated=True)
@@ -66,7 +68,7 @@ def anticipated(draft: Draft) -> frozenset[str]:
 
 
 def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
-    """Put books into bookcases, and goods onto the shelves of shops and stores, unless the prompt says what is there.
+    """Put books into bookcases, and goods onto the shelves of a room with a use, unless the prompt says what is there.
 
     Counts are settled by now.
 
@@ -76,9 +78,30 @@ def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
     """
     laid = [b for b in draft.bonds if b.kind in ("on", "inside")]
     _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid)
-    if any(room_type(name).stocked for name in kinds_of_room(draft.room)):
+    if draft.room not in ("", UNKNOWN_ROOM):
         told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
         _fill_shelves([t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], told)
+
+
+def complete_sets(draft: Draft) -> None:
+    """Add what comes with things that stand on others and are of no use alone; counts are settled by now."""
+    for thing in [t for t in draft.things if t.asked]:
+        rest = rest_of_set(thing.noun)
+        places = [b for b in draft.bonds_of(thing) if b.kind == "on" and not b.negated]
+        if rest is None or not places:
+            continue
+        carriers = [id(anchor) for bond in places for anchor in bond.anchors]
+        there = [t for t in draft.things if t.asked or _stands_on(draft, t, carriers)]
+        if any(load_habits().is_in(t.noun, rest.group) for t in there):
+            continue
+        for category in rest.categories:
+            if category not in draft.excluded and not any(t.noun == category for t in there):
+                part = _add(draft, category, thing.count or 1)
+                draft.bonds += [Bond("on", part, bond.anchors, each=bond.each, asked=False) for bond in places]
+
+
+def _stands_on(draft: Draft, thing: Mention, carriers: Collection[int]) -> bool:
+    return any(b.kind == "on" and id(anchor) in carriers for b in draft.bonds_of(thing) for anchor in b.anchors)
 
 
 def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
@@ -121,7 +144,8 @@ def pull_up(draft: Draft) -> None:
         if bond.kind in ("next_to", "near") and drawn and habits.is_in(anchor.noun, "counters"):
             bond.kind = "at"
         elif bond.kind == "in_front_of" and seen:
-            bond.subject, bond.anchors = anchor, (bond.subject,)
+            bond.anchors = (bond.subject,)
+            draft.hand_over(bond, anchor)
 
 
 def draw_up(draft: Draft, counted: Collection[str]) -> None:
@@ -412,8 +436,9 @@ def _seat(draft: Draft) -> None:
         tables = [b.anchors[0] for b in draft.bonds_of(seat) if b.kind == "around"]
         people = sum(t.seats * (t.count or 1) for t in tables if isinstance(t, Mention)) or draft.people
         seat.count = people if people and tables and room_type(draft.room).seats_at else seat.count
-    if draft.people and room_type(draft.room).seats_at and not _has(draft, "seats"):
-        table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
+    table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
+    shared = table is not None and room_type(draft.room).place and not _is_too_small(table, draft.people)
+    if draft.people and (room_type(draft.room).seats_at or shared) and not _has(draft, "seats"):
         _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 
 
@@ -435,6 +460,22 @@ def _staff(draft: Draft) -> None:
             table.count = table.count or facts_of(table.noun).plenty or _SEVERAL
             seat.count = table.seats or each
             draft.bonds.append(Bond(kind, seat, (table,), each=table.many, asked=False))
+
+
+def _set_down(draft: Draft) -> None:
+    """A place with its seat for each of several things along the walls that people work with: "ten computers"."""
+    place = room_type(draft.room).place
+    seat = usual_seat(place) if place else None
+    if seat is None or not load_habits().is_in(place, "desks"):
+        return
+    for thing in [t for t in draft.things if t.asked and (t.count or 1) > 1 and rest_of_set(t.noun)]:
+        walled = [b for b in draft.bonds_of(thing) if b.kind == "against_wall" and b.asked and not b.negated]
+        if walled and len(walled) == len(draft.bonds_of(thing)):
+            desk, chair = _add(draft, place, thing.count or 1), _add(draft, seat.category, thing.count or 1)
+            for bond in walled:
+                draft.hand_over(bond, desk)
+            draft.bonds.append(Bond("on", thing, (desk,), asked=False))
+            draft.bonds.append(Bond(relation_kind(seat.relations[0][0]), chair, (desk,), each=True, asked=False))
 
 
 def _is_bar(thing: Mention) -> bool:

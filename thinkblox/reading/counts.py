@@ -143,7 +143,7 @@ def _usual(draft: Draft, thing: Mention) -> int:
     furniture = (
         thing.plural
         and thing.asked
-        and load_habits().is_in(thing.noun, "storage", "shelves", "worked_at", "meal_tables")
+        and load_habits().is_in(thing.noun, "storage", "shelves", "worked_at", "meal_tables", "from_aisles")
     )
     return next(usual, 0) if furniture and draft.room not in ("", UNKNOWN_ROOM) else 0
 

@@ -10,7 +10,16 @@ from thinkblox.errors import InputError
 from thinkblox.fills import Fill
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike
-from thinkblox.reading.assumptions import anticipated, assume, bed_down, counted_seats, draw_up, pull_up, stock
+from thinkblox.reading.assumptions import (
+    anticipated,
+    assume,
+    bed_down,
+    complete_sets,
+    counted_seats,
+    draw_up,
+    pull_up,
+    stock,
+)
 from thinkblox.reading.carriers import share_carriers, too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
@@ -96,6 +105,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     if fill != "named":
         draw_up(draft, counted)
         bed_down(draft)
+        complete_sets(draft)
     if fill == "essentials":
         stock(draft, uncounted)
     _fit_tables(draft)
