@@ -10,11 +10,17 @@ from tests.test_editing_guard import classroom, done
 from thinkblox import edit_room
 from thinkblox.editing.reading import read_instruction
 from thinkblox.errors import InputError
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
 from thinkblox.scene.relations import measure
 from thinkblox.scene.room import rectangle, turn_between
 from thinkblox.scene.scene import Scene
 
 OFFICE = ("desk_1", "desk_2", "office_chair_1", "office_chair_2", "laptop_1", "whiteboard_1")
+
+
+def gap(scene: Scene, one: str, other: str) -> float:
+    return ground_gap(things(scene, one)[0], things(scene, other)[0])
 
 
 def test_seats_stay_at_a_table_that_is_turned_or_moved_with_them() -> None:
@@ -453,3 +459,158 @@ def test_the_lower_of_two_that_hang_is_told_by_how_high_it_hangs() -> None:
 def test_the_left_of_those_at_one_wall_is_that_seen_by_who_looks_at_it() -> None:
     before = built(room(), ("bookcase_1", 2.0, 0.2, 90.0, "floor"), ("bookcase_2", 4.0, 0.2, 90.0, "floor"))
     assert "bookcase_2" not in done(before, "Remove the left bookcase").scene
+
+
+@pytest.mark.parametrize("said", ["Clear the sideboard except the vase", "Clear the sideboard apart from the vase"])
+def test_what_is_excepted_stays_on_what_is_cleared(said: str) -> None:
+    after = done(_with_lamps("sideboard_1", "desk_1"), said).scene
+    assert [p.id for p in after.placements] == ["desk_1", "sideboard_1", "table_lamp_2", "vase_1"]
+
+
+def test_one_of_several_that_are_cleared_is_excepted() -> None:
+    before = built(room(), ("desk_1", 0.5, 2.2, 0.0, "floor"), ("desk_2", 0.5, 4.0, 0.0, "floor"),
+                   ("table_lamp_1", 0.5, 2.2, 0.0, "desk_1"), ("table_lamp_2", 0.5, 4.0, 0.0, "desk_2"))  # fmt: skip
+    assert "table_lamp_2" in done(before, "Clear all desks except desk 2").scene
+
+
+def test_where_things_go_is_not_what_is_excepted() -> None:
+    order = read_instruction("Move everything on the desk except the lamp onto the shelf").orders[0]
+    assert [(w.word, w.noun.word) for w in order.places if w.noun] == [("on", "desk"), ("on", "shelf")]
+    assert [phrase.places for phrase in order.spared] == [[]]
+
+
+def test_within_a_length_of_a_thing_and_facing_it() -> None:
+    before = built(room(), ("armchair_1", 1.0, 4.3, 0.0, "floor"), ("coffee_table_1", 3.0, 2.0, 90.0, "floor"))
+    after = done(before, "Bring the armchair within half a metre of the coffee table, facing it").scene
+    assert gap(after, "armchair_1", "coffee_table_1") <= 0.52
+    assert measure(after, "facing", "armchair_1", ("coffee_table_1",)).holds
+
+
+def test_two_that_are_added_both_face_what_is_said() -> None:
+    after = done(built(room(), ("desk_1", 0.4, 2.5, 0.0, "floor")), "Add two chairs, both facing the desk").scene
+    assert all(measure(after, "facing", id, ("desk_1",)).holds for id in ("chair_1", "chair_2"))
+
+
+def test_its_company_may_come_behind_a_comma() -> None:
+    order = read_instruction("Move the desk to the middle of the room, its chair with it").orders[0]
+    assert [phrase.noun.word for phrase in order.company] == ["chair"]
+    assert [w.word for w in order.things[0].places] == ["to"]
+
+
+def test_a_round_one_is_another_of_what_was_taken_away() -> None:
+    after = done(living(), "Take the rug away and put a round one under the coffee table").scene
+    assert [p.id for p in after.placements if p.category == "rug"] == ["rug_2"]
+    assert "round" in after.asset_of(after["rug_2"]).attributes
+
+
+def test_every_other_chair_is_counted_around_the_table() -> None:
+    seats = ((2.6, 1.7, 90.0), (3.4, 1.7, 90.0), (2.6, 3.3, 270.0), (3.4, 3.3, 270.0))
+    rows = [(f"chair_{n + 1}", x, y, yaw, "floor") for n, (x, y, yaw) in enumerate(seats)]
+    after = done(built(room(), ("dining_table_1", 3.0, 2.5, 90.0, "floor"), *rows), "Remove every other chair").scene
+    left = [after[id].position[:2] for id in ("chair_1", "chair_2", "chair_3", "chair_4") if id in after]
+    assert len({y for _, y in left}) == len({x for x, _ in left}) == 2
+
+
+def test_of_two_that_are_as_near_none_is_taken() -> None:
+    before = built(room(), ("bookcase_1", 0.2, 1.0, 0.0, "floor"), ("armchair_1", 3.0, 1.5, 0.0, "floor"),
+                   ("armchair_2", 3.0, 0.5, 0.0, "floor"))  # fmt: skip
+    with pytest.raises(InputError, match="as near as each other"):
+        edit_room(before, "Remove the armchair nearest the bookcase")
+
+
+def test_to_its_left_is_beside_what_was_named_before() -> None:
+    before = built(room(), ("tv_stand_1", 3.0, 0.3, 90.0, "floor"), ("plant_1", 5.0, 4.0, 90.0, "floor"))
+    after = done(before, "Move the TV stand 20 cm forward and put the plant to its left").scene
+    assert measure(after, "left_of", "plant_1", ("tv_stand_1",)).holds
+    order = read_instruction("Move the plant 20 cm to its left").orders[0]
+    assert (order.direction, order.lengths) == ("left", [(0.2, "")])
+
+
+def test_so_many_at_each_place_are_so_many_at_each() -> None:
+    before = dining(4)
+    table = before["dining_table_1"]
+    after = done(before, "Put two of the chairs on each side of the table").scene
+    sides = [table.to_local(after[f"chair_{n + 1}"].position[:2])[0] > 0 for n in range(4)]
+    assert sorted(sides) == [False, False, True, True]
+
+
+def test_several_that_turn_to_face_something_are_one_order() -> None:
+    read = read_instruction("Turn chair 1 and chair 2 to face the wall", ["chair_1", "chair_2"])
+    assert [[phrase.id for phrase in order.things] for order in read.orders] == [["chair_1", "chair_2"]]
+
+
+def test_an_order_may_begin_with_an_id_behind_and() -> None:
+    read = read_instruction("Move plant 1 to where plant 2 is and remove plant 2", ["plant_1", "plant_2"])
+    assert [order.doing for order in read.orders] == ["move", "remove"]
+    assert not read.unknown
+
+
+def test_chairs_too_go_along() -> None:
+    assert read_instruction("Turn the table by 90 degrees, chairs too").orders[0].company
+
+
+def test_a_range_of_numbers_is_all_of_them() -> None:
+    ids = [f"chair_{n}" for n in range(1, 5)]
+    for said in ("Remove chairs 1 to 4", "Remove chairs 1-4", "Replace chairs 1 through 4 with stools"):
+        assert [phrase.id for phrase in read_instruction(said, ids).orders[0].things] == ids, said
+
+
+@pytest.mark.parametrize("verb", ["put", "place", "hang", "push"])
+def test_what_is_put_in_place_of_what_goes_does_not_go_itself(verb: str) -> None:
+    read = read_instruction(f"Remove plant 1 and {verb} plant 2 there", ["plant_1", "plant_2"])
+    assert [[phrase.id for phrase in order.things] for order in read.orders] == [["plant_1"], ["plant_2"]]
+
+
+def test_a_verb_that_is_passed_over_is_told() -> None:
+    read = read_instruction("Remove plant 1 and stand plant 2 there", ["plant_1", "plant_2"])
+    assert len(read.orders) == 2 or read.unknown
+
+
+def test_a_chair_stays_at_its_side_of_a_desk_that_is_turned_with_it() -> None:
+    before = built(room(), ("desk_1", 5.6, 2.5, 180.0, "floor"), ("chair_1", 5.1, 2.5, 0.0, "floor"))
+    edit = edit_room(before, "Turn the desk and its chair by 180 degrees")
+    turned = edit.scene["desk_1"].to_local(edit.scene["chair_1"].position[:2])
+    assert edit.failed or turned[0] > abs(turned[1])
+
+
+def test_the_middle_row_is_that_of_an_odd_number() -> None:
+    with pytest.raises(InputError, match="none is in the middle"):
+        edit_room(classroom(), "Turn the desks in the middle row around")
+
+
+@pytest.mark.parametrize(
+    ("said", "says"),
+    [
+        ("Move the last school desk on the left by 20 cm to the north", "counted in several ways"),
+        ("Move desk 1 to the front", "how far"),
+        ("Put a lamp on each desk, in the back left corner", "could be a corner of the room"),
+    ],
+)
+def test_what_can_be_meant_in_several_ways_is_asked(said: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        edit_room(classroom(), said)
+
+
+def test_a_number_before_a_length_that_says_by_how_much_is_of_the_thing() -> None:
+    ids = ["bookcase_1", "bookcase_2", "desk_1"]
+    order = read_instruction("Move the desk away from bookcase 1 by 15 cm", ids).orders[0]
+    assert ([phrase.id for _, phrase in order.closer], order.lengths) == (["bookcase_1"], [(0.15, "")])
+    assert read_instruction("Add a desk 2 by 1 m", ["desk_2"]).orders[0].things[0].id == ""
+
+
+def test_what_stands_side_by_side_somewhere_is_all_there() -> None:
+    before = built(room(), ("bench_1", 1.0, 0.5, 90.0, "floor"), ("bench_2", 3.0, 0.5, 90.0, "floor"))
+    edit = edit_room(before, "Put bench 1 and bench 2 side by side against the east wall")
+    at = [measure(edit.scene, "against_wall", id, ("east_wall",)).holds for id in ("bench_1", "bench_2")]
+    assert edit.failed or all(at)
+
+
+def test_the_head_of_a_bed_is_at_the_wall_that_is_said() -> None:
+    before = built(rectangle(6.0, 6.0, openings=OPENINGS[:1]), ("bed_1", 3.0, 3.0, 0.0, "floor"))
+    after = done(before, "Turn the bed so that the head is at the north wall").scene
+    assert turn_between(after["bed_1"].yaw, 270.0) < 2.0
+
+
+def test_it_is_what_was_cleared_of_everything_else() -> None:
+    after = done(_with_lamps("desk_1"), "Remove everything from the desk and put a bowl on it").scene
+    assert [p.support for p in after.placements if p.category == "bowl"] == ["desk_1"]

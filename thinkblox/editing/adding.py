@@ -131,12 +131,21 @@ def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[
 
 
 def _of_those(finder: Finder, places: list[Where], slots: list[list[Bound]]) -> tuple[list[Where], list[list[Bound]]]:
-    """Of each of several things those that are where it is said behind them: "to every table near the window"."""
+    """Of each of several things those that are where it is said behind them: "to every table near the window".
+
+    Raises:
+        InputError: it is a corner, which things have as well.
+    """
     for at, (where, told) in enumerate(pairwise(places)):
         noun, place = where.noun, told.noun
         each = noun is not None and noun.kind == "thing" and noun.each and not where.negated
         if not each or noun is None or place is None or place.kind != "place" or told.negated:
             continue
+        if place.value.split()[0] == "corner":
+            raise InputError(
+                f"'{told.text} {place.text}' could be a corner of the room or of what carries it; say 'on the left side"
+                " of'"
+            )
         meant = named(finder, NounPhrase(replace(noun, det="all", plural=True)), [told])
         slots[at] = [slot for slot in slots[at] if set(slot.anchors) & set(meant)]
         return [*places[: at + 1], *places[at + 2 :]], [*slots[: at + 1], *slots[at + 2 :]]

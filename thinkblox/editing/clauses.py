@@ -475,6 +475,7 @@ def _verb(tokens: Sequence[Token], at: int, *, first: bool) -> tuple[str, str, i
     pointed = after is not None and (after.text in _POINTERS or after.kind == "number" or found[1] > 1)
     pointed |= after is not None and grammar().at([after], 0, "count") is not None
     pointed |= at > 0 and tokens[at - 1].text == "then"
+    pointed |= at > 0 and tokens[at - 1].text in _LINKS and bool(means("plain_verbs", tokens[at].text))
     if not first and not pointed:
         return None
     return found[0], change[0] if change else "", found[1]
@@ -497,7 +498,11 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
         found = longest("wishes", tokens, index)
         if tokens[index].text in _RELATIVE or (found is None and _verb(tokens, index, first=False) is not None):
             return None
-        if found is None or tokens[index].text == "to" or (found[0] == "block" and tokens[at].text not in _NOTHING):
+        if (
+            found is None
+            or "to" in (tokens[index].text, tokens[index - 1].text)
+            or (found[0] == "block" and tokens[at].text not in _NOTHING)
+        ):
             continue
         return _wished(tokens, at, index, *found)
     return None

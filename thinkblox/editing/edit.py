@@ -505,6 +505,8 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
             order.doing, order.instead, order.things, order.there = "replace", order.things, last.things, False
             joined[-1] = order
             continue
+        if last is not None and order.doing in ("put", "add"):
+            _name_one(last, order)
         same = order.things and all(phrase.noun.kind == "pronoun" for phrase in order.things)
         if joined and same and _only_faces(order) and joined[-1].doing in _ONTO_KNOWN[:3]:
             facing = [w.noun for p in order.things for w in p.places if w.word == "facing" and w.noun is not None]
@@ -515,6 +517,16 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _name_one(last: Order, order: Order) -> None:
+    """Let "a round one" that is put somewhere be a new one of what was just taken away."""
+    noun, known = (o.things[-1].noun if o.things else None for o in (order, last))
+    if last.doing != "remove" or noun is None or known is None or len(order.things) != 1:
+        return
+    if noun.kind == "number" and noun.det in ("a", "another") and known.kind == "thing" and not noun.degree:
+        named = dataclasses.replace(noun, kind="thing", value=known.value, named=known.named)
+        order.things[-1] = dataclasses.replace(order.things[-1], noun=named)
 
 
 def _comes_there(order: Order) -> bool:

@@ -117,7 +117,7 @@ class Finder:
         if noun.every:
             if noun.counted:
                 raise InputError(f"'{noun.text}' does not say which; say 'every second', or how many")
-            kept = ids[noun.every - 1 :: noun.every]
+            kept = _around(self.scene, ids)[noun.every - 1 :: noun.every]
         elif phrase.left:
             if phrase.left >= len(ids):
                 raise InputError(
@@ -386,6 +386,16 @@ class Finder:
             if len(fewer) >= least:
                 found = fewer
         return found
+
+
+def _around(scene: Scene, ids: Sequence[str]) -> list[str]:
+    """Seats at one table as one counts them going around it; anything else as its ids are numbered."""
+    tables = [p for p in scene.placements if facts_of(p.category).is_in("tables")]
+    table = next((t for t in tables if all(measure(scene, "at", id, (t.id,)).holds for id in ids)), None)
+    if table is None or not all(facts_of(scene[id].category).is_in("seating") for id in ids):
+        return list(ids)
+    local = {id: table.to_local(scene[id].position[:2]) for id in ids}
+    return sorted(ids, key=lambda id: math.atan2(local[id][1], local[id][0]))
 
 
 def usual_anchor(category: str) -> Picks:

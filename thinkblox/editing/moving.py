@@ -97,6 +97,8 @@ SLIGHT_STEPS = (0.15, 0.1, 0.2, 0.05, 0.25)
 SHARES = (0.5, 0.65, 0.35, 0.8, 0.2, 0.95)
 """Which share of a gap is closed where nobody says it."""
 _LOOKS = ("facing", "opposite")
+_FAR_OFF = ("to the front", "to the back")
+"""What is no step, but the other end of the room, which nothing says of which."""
 _TO_FRONT = ("forward", "back")
 _SIDES = ("north", "south", "east", "west")
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
@@ -204,8 +206,9 @@ def _by_slots(work: Work, finder: Finder, ids: Sequence[str], places: Sequence[W
     finder.about = ids[0]
     category = work.scene[ids[0]].category
     slots = slots_of(places[0], category, finder)
-    if len(slots) != len(ids):
+    if len(ids) % len(slots):
         return tuple(ids)
+    slots *= len(ids) // len(slots)
     goals = [related(slot, category) for slot in slots]
     held = {(id, n): goal.check(work.scene, work.scene, id)[0] for id in ids for n, goal in enumerate(goals)}
     return max(permutations(ids), key=lambda ordered: sum(held[id, n] for n, id in enumerate(ordered)))
@@ -285,10 +288,22 @@ def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str
             raise InputError(f"'{phrase.noun.text}' is no thing that can be moved; there {finder.listed()}")
         qualifiers, destination = _split(finder, order, phrase, places)
         destination = anchored(finder, destination)
+        phrase = _for_each(finder, phrase, destination)
         ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
         leaves = any(w.word == "from" and w.noun is not None and w.noun.kind == "place" for w in qualifiers)
         order.leaves |= leaves and bool(destination)
         yield work.touched(ids), destination
+
+
+def _for_each(finder: Finder, phrase: NounPhrase, places: Sequence[Where]) -> NounPhrase:
+    """As many as all places hold, where so many are to be at each: "two of the chairs on each side of the table"."""
+    noun = phrase.noun
+    each = places[0].noun if len(places) == 1 else None
+    if each is None or not each.each or not noun.of_known or (noun.count or 0) < 2 or noun.kind != "thing":
+        return phrase
+    found = finder.matching(dataclasses.replace(noun, count=None, plural=True))
+    slots = slots_of(places[0], found[0].category, finder) if found else []
+    return dataclasses.replace(phrase, noun=dataclasses.replace(noun, count=(noun.count or 1) * max(len(slots), 1)))
 
 
 def _all_on(work: Work, finder: Finder, order: Order) -> tuple[tuple[str, ...], list[Where]] | None:
@@ -640,6 +655,8 @@ def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[P
         raise InputError(
             f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"
         )
+    if not (order.lengths or order.slight) and any(words in order.text.lower() for words in _FAR_OFF):
+        raise InputError(f"'{order.text}': how far, or to which wall? Say '30 cm forward', or 'to the north wall'")
     if not order.lengths:
         return iter(
             [(shifted(placement, _scaled(way, s)), placement.yaw) for s in (SLIGHT_STEPS if order.slight else STEPS)]
@@ -674,9 +691,15 @@ def _together(work: Work, finder: Finder, order: Order) -> None:
         beside = order.mutual == "next_to"
         next_to = Abreast("next_to", (placed[-1],)) if order.abreast else Related("next_to", (fixed,))
         goal = next_to if beside else Nearing((fixed,), order.together, by, order.slight)
-        move_one(work, order, id, [goal, *looks])
+        there = _also(work, finder, order, id) if also and not _cornered(also) else looks
+        move_one(work, order, id, [goal, *there])
         placed.append(id)
     finder.recent = ids
+
+
+def _cornered(goals: Sequence[Goal]) -> bool:
+    """Whether there is room for one thing alone: in a corner, or where another stood."""
+    return any(isinstance(goal, At) or (isinstance(goal, Related) and goal.kind == "in_corner") for goal in goals)
 
 
 def _placed(order: Order) -> bool:

@@ -16,6 +16,7 @@ from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
 from thinkblox.editing.rewording import reworded, uncontracted, with_ids
+from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
@@ -58,6 +59,8 @@ _OF_THOSE = ("remove", "replace", "make")
 """Orders whose places say which things are meant."""
 _SIDED = ("end", "side", "long_side", "short_side")
 """Parts that a thing has two of."""
+_IT = ("it", "them", "this", "that", "these", "those")
+_INTO = ("to", "onto", "into")
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
@@ -158,13 +161,18 @@ def _is_of_adjectives(tokens: Sequence[Token], at: int) -> bool:
 def _included(tokens: list[Token]) -> list[Token]:
     """The tokens, where "turn the table, chairs included" says that it is turned with its chairs."""
     read = list(tokens)
-    for at in reversed([n for n, token in enumerate(tokens) if means("included", token.text)]):
+    for at in reversed([n for n, token in enumerate(tokens) if means("included", token.text) or _is_too(tokens, n)]):
         comma = next((n for n in range(at - 1, max(at - 4, 0), -1) if read[n].text == ","), None)
         if comma is not None and comma < at - 1:
             own = () if read[comma + 1].text in ("the", "its", "their") else tokenise("its")
             said = [replace(token, start=-1) for token in (*tokenise("with"), *own)]
             read[comma : at + 1] = [*said, *read[comma + 1 : at]]
     return read
+
+
+def _is_too(tokens: Sequence[Token], at: int) -> bool:
+    """Whether it is that of ", chairs too": a bare word between a comma and it."""
+    return tokens[at].text == "too" and at > 1 and tokens[at - 2].text == "," and tokens[at - 1].text not in _IT
 
 
 def _with_rows(tokens: list[Token]) -> list[Token]:
@@ -451,7 +459,7 @@ class _OrderReader:
             case "clear":
                 self._adjective(Adjective(0, 0, "free"))
             case "rows":
-                self._row(int(mark.key))
+                self._row(MIDDLE_ROW if mark.key == "middle" else int(mark.key))
             case "comparatives" | "absolutes":
                 self._change(mark)
             case _:
@@ -477,6 +485,9 @@ class _OrderReader:
         anchors = self._anchors or ([] if self._places_of_last() else self._former)
         if anchors and self.order.things:
             self.order.things[-1].places.append(Where(f"{side}_of", anchors[-1], text=f"to the {side} of"))
+        elif self.order.doing == "put" and self.order.things and not self.order.lengths and not self._places_of_last():
+            it = Noun("pronoun", "it", 0, 0, "it")
+            self.order.things[-1].places.append(Where(f"{side}_of", it, text=f"to the {side} of"))
         else:
             self.order.direction = self.order.direction or side
 
@@ -566,7 +577,7 @@ class _OrderReader:
     def _in_mode(self, phrase: NounPhrase) -> bool:
         """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
         order, noun = self.order, phrase.noun
-        if self._is_back(noun) and (behind := self._behind()) is not None:
+        if (self._is_back(noun) or self._is_head(noun)) and (behind := self._behind()) is not None:
             if behind.text == "against" and behind.noun is not None and order.doing in ("put", "move") and order.things:
                 order.things[-1].places.append(behind)
             elif behind.noun is not None:
@@ -587,6 +598,12 @@ class _OrderReader:
         """Whether it is the back of what is spoken of."""
         named = isinstance(item, Noun) and item.det == "my" and item.value in ("back", "head")
         return named and isinstance(item, Noun) and item.kind in ("part", "thing")
+
+    def _is_head(self, noun: Noun) -> bool:
+        """Whether it is the head or the back of what is turned: "so that the head is at the wall"."""
+        return (
+            self._mode == "so" and self.order.doing == "turn" and noun.det == "the" and noun.value in ("back", "head")
+        )
 
     def _behind(self) -> Where | None:
         """Read "(its back) is to the window", "against the wall"."""
@@ -650,6 +667,11 @@ class _OrderReader:
             order.rest = True
         elif order.things and _is_theirs(noun) and order.doing in _WITH_ALONG:
             order.company.append(phrase)
+        elif self._is_within(noun):
+            order.apart.append((order.lengths.pop()[0], phrase))
+            self._distance, self._anchors = False, [noun]
+        elif order.doing == "add" and order.things and noun.kind == "pronoun" and noun.det in ("both", "all", "each"):
+            pass
         elif self._shares_out(noun):
             self._shared = True
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
@@ -661,6 +683,13 @@ class _OrderReader:
             self._anchors, self._former = [], self._anchors
         else:
             self._lose(noun)
+
+    def _is_within(self, noun: Noun) -> bool:
+        """Whether a noun is that of which something is to be within a length."""
+        order, before = self.order, self._items[self._at - 2] if self._at > 1 else None
+        measured = isinstance(before, OrderMark) and before.sort == "lengths" and order.bound == "le"
+        known = noun.kind in ("thing", "place") and bool(order.things) and len(order.lengths) == 1
+        return measured and known and self._distance and order.doing in ("move", "put", "add")
 
     def _at_another(self, phrase: NounPhrase) -> NounPhrase:
         """Read "the monitors on desk 2 and desk 3" as those on either, where both are of one kind."""
@@ -832,6 +861,14 @@ class _OrderReader:
             self._face()
         elif self._mode == "so" and self._is_free_next():
             self.order.free += [phrase.noun for phrase in self._so]
+        elif self._is_other_order(link):
+            self.order.lost.append(link.text)
+
+    def _is_other_order(self, link: Connector) -> bool:
+        """Whether a verb behind "and" would begin an order of another kind: "remove this and stand that there"."""
+        before = self._items[self._at - 2] if self._at > 1 else None
+        joined = isinstance(before, Connector) and before.text.lower() in ("and", "then")
+        return joined and self.order.doing in _OF_THOSE and means("verbs", link.text.lower()) == "put"
 
     def _join(self, link: Connector) -> None:
         """Read "all of the chairs but one"; "or" and reasons are not followed."""
@@ -1080,6 +1117,8 @@ class _OrderReader:
         if _is_it(noun) and len(order.things) > 1:
             order.company.append(order.things.pop())
             return True
+        if _is_it(noun) and order.company and _is_theirs(order.company[-1].noun):
+            return True
         if noun.kind == "thing":
             order.company.append(NounPhrase(noun, id=noun.id))
             return True
@@ -1209,7 +1248,7 @@ class _OrderReader:
             where.noun = replace(where.noun, det="all", plural=True)
         if self._mode == "so":
             self._of_result(where)
-        elif self._excepted is not None:
+        elif self._excepted is not None and not (where.text.lower() in _INTO and self.order.doing in ("move", "put")):
             self._excepted.places.append(where)
         elif self._is_laden(where):
             self.order.things[-1].laden, self.order.rest = True, False

@@ -20,6 +20,8 @@ def remove(work: Work, finder: Finder, order: Order) -> None:
     """Take things away; what rested on them is placed anew."""
     if order.rest and not order.things:
         take_away(work, left_over(work, finder, order))
+        on = [w.noun for w in order.places if w.word in _RESTS and w.noun is not None and w.noun.kind == "thing"]
+        finder.recent = [id for noun in on for id in finder.ids(NounPhrase(noun)) if id in work.scene] or finder.recent
         return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what; there {finder.listed()}")
@@ -119,9 +121,12 @@ def clear(work: Work, finder: Finder, order: Order) -> None:
         return
     if not order.things:
         raise InputError(f"'{order.text}' does not say what is to be cleared; say a thing, or a part of the room")
-    cleared = list(dict.fromkeys(id for phrase in order.things for id in named(finder, phrase, phrase.places)))
-    for id in cleared:
-        riders = tuple(rider.id for rider in work.scene.riders(id) if rider.id not in work.kept)
+    cleared: dict[str, tuple[str, ...]] = {}
+    for phrase in order.things:
+        ids, spared = _cleared(work, finder, phrase)
+        cleared |= dict.fromkeys(ids, spared)
+    for id, stays in cleared.items():
+        riders = tuple(r.id for r in work.scene.riders(id) if r.id not in work.kept and r.id not in stays)
         take_away(work, riders)
         if riders:
             continue
@@ -130,6 +135,19 @@ def clear(work: Work, finder: Finder, order: Order) -> None:
         else:
             take_away(work, work.touched((id,)))
     finder.recent = [id for id in cleared if id in work.scene]
+
+
+def _cleared(work: Work, finder: Finder, phrase: NounPhrase) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The things that a phrase says are to be cleared, and what stays on them: "the table except the lamp"."""
+    ids = named(finder, dataclasses.replace(phrase, spared=[]), phrase.places)
+    riders = [rider.id for id in ids for rider in work.scene.riders(id)]
+    alike = {p.id: p.category for p in finder.matching(phrase.noun)} if phrase.noun.kind == "thing" else {}
+    of_these = [
+        s for s in phrase.spared if s.noun.kind != "thing" or {p.id for p in finder.matching(s.noun)} & {*alike}
+    ]
+    resting = [s for s in phrase.spared if s not in of_these]
+    left = spare(finder, riders, resting)
+    return spare(finder, ids, of_these, phrase.noun), tuple(id for id in riders if id not in left)
 
 
 def take_away(work: Work, ids: Sequence[str]) -> None:

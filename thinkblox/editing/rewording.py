@@ -16,9 +16,12 @@ _NUMBERED = re.compile(
 )
 _NUMBER = re.compile(r" (?:no|nr|number)$", re.I)
 _SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
+_RANGE = re.compile(r"\b([a-z]+s) ([0-9]{1,3}) ?(?:to|through|-|–) ?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
 _SHARES = (*DEGREES, "%", "percent", "times", "x")
 """After a number that is an angle or a share."""
+_DETERMINERS = ("a", "an", "the", "another", "some", "my", "our", "is", "it")
+"""Before a thing of which a size follows: "the table 2 by 1 m", where "from table 2 by 1 m" is by how much."""
 _INTO = ("the", "a", "front", "its", "their")
 """After "in" where that is no unit."""
 
@@ -53,10 +56,14 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
         text: the instruction.
         ids: of the objects that are there.
     """
+    text = _RANGE.sub(lambda found: _series(lexicon, found, ids), text)
     text = _SERIES.sub(lambda found: _each_numbered(lexicon, found, ids), text)
     written, end = "", 0
     for match in _NUMBERED.finditer(text):
-        if match.start() < end or _is_amount(lexicon, tokenise(text[match.start(2) :])):
+        after = tokenise(text[match.start(2) :])
+        pointed = bool({*text[: match.end(1)].lower().split()[-3:]} & {*_DETERMINERS})
+        by_much = not pointed and [token.text for token in after[1:2]] == ["by"]
+        if match.start() < end or (not by_much and _is_amount(lexicon, after)):
             continue
         words = re.split(r"[ -]", _NUMBER.sub("", match[1]))
         for count in range(len(words)):
@@ -68,6 +75,14 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
                 end = match.end()
                 break
     return written + text[end:]
+
+
+def _series(lexicon: Lexicon, found: re.Match[str], ids: Collection[str]) -> str:
+    """What "desks 1 to 4" are as "desks 1, 2, 3 and 4"; as it was where one of them is not there."""
+    kinds = [*_kinds(lexicon, singular(found[1].lower())), singular(found[1].lower())]
+    numbers = [str(number) for number in range(int(found[2]), int(found[3]) + 1)]
+    there = len(numbers) > 1 and all(_id(kinds, number, ids) for number in numbers)
+    return f"{found[1]} {', '.join(numbers[:-1])} and {numbers[-1]}" if there else found[0]
 
 
 def _each_numbered(lexicon: Lexicon, found: re.Match[str], ids: Collection[str]) -> str:

@@ -13,6 +13,8 @@ from thinkblox.scene.relations import measure
 from thinkblox.scene.room import turn_between
 from thinkblox.scene.scene import Scene
 
+MIDDLE_ROW = 1000
+"""The number of the middle row, of which there is one where the rows are an odd number."""
 STEP = 0.35
 """Least distance between two rows, from middle to middle [m]."""
 STRAY = 1.25
@@ -96,7 +98,10 @@ def row_of(scene: Scene, found: Sequence[Placement], noun: Noun, member: int = 0
         raise InputError(f"'{noun.text}': {names} not stand in rows")
     if not noun.ordinal:
         raise InputError(f"'{noun.text}': there are {len(rows)} rows; say which, such as 'the first row of'")
+    if noun.ordinal == MIDDLE_ROW and len(rows) % 2 == 0:
+        raise InputError(f"'{noun.text}': there are {len(rows)} rows; none is in the middle")
     number = noun.ordinal - 1 if noun.ordinal > 0 else len(rows) - 1
+    number = len(rows) // 2 if noun.ordinal == MIDDLE_ROW else number
     if number >= len(rows):
         raise InputError(f"'{noun.text}': there are only {len(rows)} rows")
     several = max(noun.count or 1, noun.rows)

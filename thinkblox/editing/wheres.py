@@ -714,6 +714,8 @@ NEARNESS = (
 """Relations by which the nearest of several is meant, where none has them by measure."""
 CLOSE = 2.0
 """How far the nearest may be then [m]."""
+TIE = 0.01
+"""Two distances that differ by less are the same [m]."""
 AS_NEAR = 0.3
 """How much further than the nearest of several another may be that is one of the nearest [m]."""
 CROWDED = 1.7
@@ -788,13 +790,23 @@ def spare(finder: Finder, ids: Sequence[str], spared: Sequence[NounPhrase], of: 
             if phrase.noun.kind == "number" and of is not None:
                 noun = dataclasses.replace(of, det="the", count=phrase.noun.count, plural=(phrase.noun.count or 1) > 1)
                 phrase = dataclasses.replace(phrase, noun=noun)
-            out = _named(finder, phrase, phrase.places, ())
+            out = _spoken_of(finder, phrase, ids) or _named(finder, phrase, phrase.places, ())
             ids = [id for id in ids if id not in out]
     return tuple(ids)
 
 
+def _spoken_of(finder: Finder, phrase: NounPhrase, ids: Sequence[str]) -> tuple[str, ...]:
+    """What a bare phrase excepts of some objects, where it fits one of them, and none of the others that are there."""
+    noun = phrase.noun
+    bare = noun.kind == "thing" and noun.definite and not (phrase.places or phrase.id or noun.id or noun.many)
+    among = [p for p in finder.matching(noun) if p.id in ids] if bare else []
+    return (among[0].id,) if len(among) == 1 else ()
+
+
 def _named(finder: Finder, phrase: NounPhrase, said: Sequence[Where], picks: Sequence[Picks]) -> tuple[str, ...]:
     if (sided := next((w for w in said if _is_of_side(w)), None)) is not None and sided.noun is not None:
+        if phrase.noun.ordinal and sided.word in ("on", "at"):
+            raise InputError(f"'{phrase.text}' can be counted in several ways; say which by its id or its place")
         phrase = dataclasses.replace(phrase, noun=dataclasses.replace(phrase.noun, side=sided.noun.value))
         said = [where for where in said if where is not sided]
     if not said or phrase.id or phrase.noun.kind == "pronoun":
@@ -889,9 +901,14 @@ def _by_distance(
         raise InputError(f"the room has no {noun.value.replace('_', ' ')}")
     away = {p.id: min(ground_gap(things(finder.scene, p.id)[0], mark) for mark in marks) for p in found}
     ordered = sorted((p for p in found if p.id not in names), key=lambda p: -away[p.id] if far else away[p.id])
-    if phrase.noun.plural and not phrase.noun.count and phrase.noun.det != "both":
+    count = 2 if phrase.noun.det == "both" else phrase.noun.count or 1
+    alike = phrase.noun.plural and not phrase.noun.count and phrase.noun.det != "both"
+    if not alike and len(ordered) > count and abs(away[ordered[count].id] - away[ordered[count - 1].id]) < TIE:
+        near = [p.id for p in ordered if abs(away[p.id] - away[ordered[count].id]) < TIE]
+        raise InputError(f"'{phrase.text}': {', '.join(near)} are as near as each other; say which by its id")
+    if alike:
         return [p for n, p in enumerate(ordered) if n < 2 or abs(away[p.id] - away[ordered[0].id]) <= AS_NEAR]
-    return ordered[: 2 if phrase.noun.det == "both" else phrase.noun.count or 1]
+    return ordered[:count]
 
 
 def _nearly(scene: Scene, noun: Noun, found: Sequence[Placement], there: Bound) -> list[Placement]:
