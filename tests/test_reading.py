@@ -54,7 +54,7 @@ SHARED = {
     ),
     "A classroom with twelve school desks in three rows facing a whiteboard, a teacher's desk with a chair and a "
     "computer, a bookshelf and a globe on it.": (
-        "12 school_desk, 1 whiteboard, 1 desk, 13 chair, 1 computer, 1 bookcase, 1 globe",
+        "12 school_desk, 1 whiteboard, 1 desk, 13 chair, 1 computer, 1 monitor, 1 keyboard, 1 bookcase, 1 globe",
         "school_desk in_rows, school_desk facing whiteboard, chair at desk, computer on desk, globe on bookcase",
     ),
     "A computer room: four desks along the walls, each with a monitor, a keyboard, a mouse and an office chair; a "
