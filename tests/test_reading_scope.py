@@ -82,6 +82,11 @@ from thinkblox.reading import read_brief
             "6 bouquet inside bucket; 6 bouquet-2 inside bucket",
         ),
         ("On the desk a lamp and, behind it, a plant.", "1 desk_lamp on desk; 1 potted_plant on desk"),
+        (
+            "Two round tables, on each of these one plate and two glasses.",
+            "2 plate on dining_table; 4 glass on dining_table",
+        ),
+        ("A TV on the wall. The screen faces the sofa.", "1 wall_tv facing sofa"),
         ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
         (
             "Two lab benches, each with a microscope and a rack with three test tubes in it.",
@@ -96,6 +101,11 @@ from thinkblox.reading import read_brief
 def test_so_things_are_related(prompt: str, relations: str) -> None:
     found = related(read_brief(prompt, fill="named"))
     assert set(relations.split("; ")) <= found
+
+
+def test_a_whiteboard_is_not_the_screen_that_was_named() -> None:
+    brief = read_brief("A screen on the wall. The whiteboard should not be on the wall.", fill="named")
+    assert counted(brief) == {"wall_tv": 1, "whiteboard": 1}
 
 
 def test_what_is_denied_of_two_places_is_denied_of_both() -> None:

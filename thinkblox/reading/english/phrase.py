@@ -34,6 +34,8 @@ class PhraseReader(Heads):
         if pronoun is not None and pronoun.value == "each" and self._ends_with_them(start, start + pronoun.length):
             noun.kind, noun.value, noun.end = "pronoun", pronoun.value, start + pronoun.length
             return self._finished(noun)
+        if pronoun is not None and pronoun.value == "each" and self._counts_after(start, pronoun.length):
+            return self._finished(Noun("pronoun", "each", start, start + pronoun.length, "each"))
         if pronoun is not None and self._text(start, start + pronoun.length).lower() == "the rest":
             after = self._known(start + pronoun.length, "attribute", "style")
             if after is not None and not self._starts_noun(start + pronoun.length + after.length):
@@ -56,6 +58,11 @@ class PhraseReader(Heads):
         """Whether "each of them" ends, and a phrase of its own comes: "on each of them five pots"."""
         ends = self._text(start, end).lower().endswith((" them", " which"))
         return ends and grammar().at(self.tokens, end, "determiners", "count", "vague") is not None
+
+    def _counts_after(self, start: int, length: int) -> bool:
+        """Whether a number of something new follows: "on each of these | one plate and two glasses"."""
+        pointed = self.tokens[start + length - 1].text in ("these", "those", "them")
+        return pointed and self._number(start + length) is not None
 
     def _named_at(self, noun: Noun, at: int, *, after_preposition: bool) -> Noun | None:
         """What the words after determiner and quantity make of the phrase."""
