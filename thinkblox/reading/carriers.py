@@ -28,7 +28,8 @@ def share_carriers(draft: Draft) -> None:
             return
         for bond, carrier in found:
             if not _is_placed(draft, bond.subject):
-                draft.bonds.append(replace(carrier, subject=bond.subject))
+                at = draft.bonds.index(bond)
+                draft.bonds = [*draft.bonds[:at], replace(carrier, subject=bond.subject), *draft.bonds[at:]]
         ahead = [bond for bond in ahead if all(bond is not done for done, _ in found)]
 
 
