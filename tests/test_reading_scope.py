@@ -87,6 +87,15 @@ from thinkblox.reading import read_brief
             "2 plate on dining_table; 4 glass on dining_table",
         ),
         ("A TV on the wall. The screen faces the sofa.", "1 wall_tv facing sofa"),
+        ("Two armchairs, one green and one blue, facing the sofa.", "1 armchair facing sofa; 1 armchair-2 facing sofa"),
+        (
+            "Three armchairs: one is red, the others are grey. A low table stands in front of the red one.",
+            "1 coffee_table in_front_of armchair",
+        ),
+        (
+            "Three armchairs, one orange and two grey. A low table stands in front of the orange one.",
+            "1 coffee_table in_front_of armchair",
+        ),
         ("Three umbrellas in the stand by the door.", "3 umbrella inside umbrella_stand"),
         (
             "Two lab benches, each with a microscope and a rack with three test tubes in it.",
@@ -106,6 +115,18 @@ def test_so_things_are_related(prompt: str, relations: str) -> None:
 def test_a_whiteboard_is_not_the_screen_that_was_named() -> None:
     brief = read_brief("A screen on the wall. The whiteboard should not be on the wall.", fill="named")
     assert counted(brief) == {"wall_tv": 1, "whiteboard": 1}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "counts"),
+    [
+        ("Three armchairs: one is orange, the others are grey.", {"armchair": 3}),
+        ("The chair is orange, the table is glass.", {"chair": 1, "dining_table": 1}),
+        ("Two bowls and one orange.", {"bowl": 2, "orange": 1}),
+    ],
+)
+def test_a_colour_that_is_a_fruit_is_one_where_it_describes(prompt: str, counts: dict[str, int]) -> None:
+    assert counted(read_brief(prompt, fill="named")) == counts
 
 
 def test_what_is_denied_of_two_places_is_denied_of_both() -> None:

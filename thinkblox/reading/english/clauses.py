@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
 from thinkblox.reading.draft import Draft
 from thinkblox.reading.english.audit import Audit
@@ -115,6 +116,7 @@ class Clauses(Audit):
 
     def _noun(self, noun: Noun) -> None:
         self._as_seat(noun)
+        self._as_shade(noun)
         self.draft.style += noun.styles if not self.excluding else []
         if noun.kind == "thing" and self._is_label(noun):
             self._spend(noun)
@@ -198,6 +200,16 @@ class Clauses(Audit):
             self.negating = noun.det == "none" or (self.negating and put)
             return
         self._take_new(noun)
+
+    def _as_shade(self, noun: Noun) -> None:
+        """Take a colour that is a fruit too for one where it parts several: "three chairs, one orange and two grey"."""
+        coloured = noun.kind == "thing" and noun.value == noun.material and noun.value in COLOURS
+        several = self.frontier[-1].thing if self.frontier else None
+        if several is None or not coloured or noun.det or noun.count is None:
+            return
+        other = self._next_noun(1)
+        if other is not None and other.kind in ("number", "pronoun") and noun.count < self.referents.total(several):
+            noun.kind, noun.value, noun.attributes = "number", "", [noun.material]
 
     def _take_new(self, noun: Noun) -> None:
         """Ask for a thing that was not named before; a share of nothing is not understood."""

@@ -80,6 +80,15 @@ class PhraseReader(Heads):
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
+        if (
+            noun.kind == "thing"
+            and noun.material
+            and noun.count
+            and self._text(noun.end - 2, noun.end - 1) in ("is", "are")
+        ):
+            # "One is orange" says which colour it has, and asks for no fruit.
+            look = Noun("number", "", noun.start, noun.end, det=noun.det, count=noun.count, attributes=[noun.material])
+            return self._finished(look)
         return self._finished(noun)
 
     def _part(self, noun: Noun, at: int, *, after_preposition: bool) -> bool:

@@ -48,7 +48,8 @@ class Several(Boundaries):
         """The part of some known things that a number, "the left one" or "the other" means."""
         self._spend(noun)
         whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._one_left(noun, besides)
-        if noun.kind == "number" and (those := self._those(noun, besides)) is not None:
+        those = (self._those(noun, besides) or self._by_looks(noun, whole)) if noun.kind == "number" else None
+        if those is not None:
             return those
         if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
             told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
@@ -75,6 +76,14 @@ class Several(Boundaries):
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
+
+    def _by_looks(self, noun: Noun, whole: Mention | None) -> Mention | None:
+        """The one of several that was told to look so: "the red one"."""
+        if whole is None or noun.det != "the" or not noun.attributes:
+            return None
+        alike = [t for t in self.referents.clan(whole) if set(noun.attributes) <= set(t.attributes)]
+        fitting = (t for t in alike if noun.plural or not t.many)
+        return next(fitting, None) if len(alike) < len(self.referents.clan(whole)) else None
 
     def _those(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The ones of "two of them have cushions; between those two ...", that were told apart last."""

@@ -62,6 +62,8 @@ class Subjects(Having):
             if len(every) > 1 and not rows:
                 return Node(list(dict.fromkeys(every)), self.clause)
         inner = nodes[0]
+        if (alike := self._told_apart_by_looks(inner)) is not None:
+            return alike
         if inner.frame is None:
             return self._past_anchor(nodes, where)
         head = inner.frame.head
@@ -70,6 +72,16 @@ class Subjects(Having):
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
             return head
         return self._joined(inner, where)
+
+    def _told_apart_by_looks(self, node: Node) -> Node | None:
+        """All of "two armchairs, one green and one blue, facing the sofa"."""
+        comma = self._is_link(self.chunks[self._began - 1] if self._began else None, "mark", "comma")
+        family = self.referents.family(node.things[-1])
+        parted = comma and len(family) > 1 and len(node.things) == 1
+        if not parted or any(not b.implied for t in family for b in self.draft.bonds_of(t)):
+            return None
+        looks = [tuple(t.attributes) for t in family]
+        return Node(list(family), node.frame) if len(set(looks)) == len(looks) else None
 
     def _lie_together(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether both lie there: "a pitcher with glasses on a side table"."""
