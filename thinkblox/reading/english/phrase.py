@@ -14,6 +14,7 @@ _NAMES = 5
 _ENDINGS = ("ed", "ing", "en", "ous", "ful", "ic", "less", "ish", "ive", "ly")
 """Endings of words that may be adjectives."""
 
+_PAIR = 2
 _BUILT = ("floor", "wall", "ceiling", "window", "door")
 """Places that a noun before them can describe: "a checkerboard floor"."""
 
@@ -280,12 +281,16 @@ class PhraseReader(Heads):
 
     def _lies_on_named(self, noun: Noun, at: int, last: Known) -> bool:
         """Whether other things are said to lie on what was named before: "on the changing table | diapers and ..."."""
+        if noun.det != "the" or last.length < _PAIR or last.entry.sort != "object":
+            return False
+        things = self._known(at, "object")
+        if things is None or not things.entry.plural:
+            return False
+        if grammar().at(self.tokens, noun.start - 1, "prepositions") is None:
+            return False
         name = [token.text for token in self.tokens[at - last.length : at]]
         before = [token.text for token in self.tokens[: noun.start]]
-        placed = grammar().at(self.tokens, noun.start - 1, "prepositions") is not None and noun.det == "the"
-        things = self._known(at, "object") if placed and last.length > 1 and last.entry.sort == "object" else None
-        named = any(before[n : n + len(name)] == name for n in range(len(before) - len(name) + 1))
-        return named and things is not None and things.entry.plural
+        return any(before[n : n + len(name)] == name for n in range(len(before) - len(name) + 1))
 
     def _is_state_at_end(self, at: int) -> bool:
         """Whether only how the thing is to be found comes: "Curtains closed."."""
