@@ -23,7 +23,7 @@ from thinkblox.sim.settings import Physics
 
 MAX_BYTES = 512_000_000
 """Largest file that is opened."""
-LISTED = 5
+_LISTED = 5
 """So many faults of a stage are told."""
 EARTH = -Physics().gravity[2]
 """Gravity where a stage says none [m/s2]."""
@@ -60,8 +60,8 @@ def _faults(stage: Any) -> tuple[str, ...]:
     found = usd_faults(stage)
     if not found:
         return ()
-    more = f" And {len(found) - LISTED} more." if len(found) > LISTED else ""
-    return (f"Other programs may stumble over {len(found)} faults: {' '.join(found[:LISTED])}{more}",)
+    more = f" And {len(found) - _LISTED} more." if len(found) > _LISTED else ""
+    return (f"Other programs may stumble over {len(found)} faults: {' '.join(found[:_LISTED])}{more}",)
 
 
 def _told(error: Exception) -> str:

@@ -5,13 +5,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
-from thinkblox.brief import RelationKind
 from thinkblox.editing.carrying import place_anew, put_back, take
 from thinkblox.editing.finding import Finder, nearest_to
 from thinkblox.editing.goals import EXACT, At, DrawnUp, Goal, Related
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
-from thinkblox.editing.spots import Pose
+from thinkblox.editing.spots import BESIDE, Pose
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.plan import Tie
@@ -25,7 +24,6 @@ ASIDE = 0.3
 """How far it may then stand from where it stood to that thing, at most half as far as it has come [m]."""
 SAME_GAP = 0.05
 """By how much further than from another of its kind something may stand from what it belongs to [m]."""
-_SIDES: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
 REACH = 0.8
 """How far from a thing its company stands at most [m]."""
 
@@ -131,7 +129,7 @@ def _bring(work: Work, before: Scene, taken: list[Placement], id: str, mate: str
     kind = "at" if seated else "near"
     pose = _along(old, before[id], work.scene[id])
     moved = math.dist(old.position[:2], pose[0][:2])
-    sides = [side for side in _SIDES if seated and measure(before, side, mate, (id,)).holds]
+    sides = [side for side in BESIDE if seated and measure(before, side, mate, (id,)).holds]
     drawn = DrawnUp("at", (id,), side=sides[0]) if sides else Related("at", (id,))
     goals: list[Goal] = [drawn if kind == "at" else At(pose[0][:2], min(ASIDE, max(moved / 2, EXACT)))]
     ties = (Tie(kind="around" if kind == "at" else "near", anchors=(id,)),)

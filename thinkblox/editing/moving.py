@@ -65,6 +65,7 @@ from thinkblox.errors import InputError
 from thinkblox.plan import Tie
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.english.rooms import COMPASS
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things, walls
 from thinkblox.scene.placement import Placement
@@ -100,7 +101,6 @@ _LOOKS = ("facing", "opposite")
 _FAR_OFF = ("to the front", "to the back")
 """What is no step, but the other end of the room, which nothing says of which."""
 _TO_FRONT = ("forward", "back")
-_SIDES = ("north", "south", "east", "west")
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
 """The same for "a bit"."""
 
@@ -152,7 +152,7 @@ def _by_rows(work: Work, order: Order, ids: Sequence[str]) -> Order:
         return order
     gaze = things(work.scene, rows[0][0].id)[0].gaze + (0.0 if order.direction == "forward" else 180.0)
     sides = {name: math.degrees(math.atan2(y, x)) for name, (x, y, _) in ways_of(work.scene[ids[0]]).items()
-             if name in _SIDES}  # fmt: skip
+             if name in COMPASS}  # fmt: skip
     side = min(sides, key=lambda name: turn_between(sides[name], gaze))
     return dataclasses.replace(order, direction=side) if turn_between(sides[side], gaze) <= SAME_WAY else order
 

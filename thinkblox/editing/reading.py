@@ -22,6 +22,7 @@ from thinkblox.reading.english.chunker import cut
 from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Measured, Noun, SaidSurface
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Where
+from thinkblox.reading.english.rooms import COMPASS
 from thinkblox.reading.english.slips import meant_by
 from thinkblox.reading.lexicon import Lexicon, load
 from thinkblox.reading.sizes import Length, Size
@@ -42,7 +43,6 @@ _ROW = "row_of_"
 """How things begin that are one thing in the catalogue, and a row where it is said which."""
 _SPOT = ("where", "to where")
 """Words before what stood at a place: "where the wardrobe was"."""
-_COMPASS = ("north", "south", "east", "west")
 _IN_ROW = ("middle", "left", "right")
 _LESS = ("smaller", "shorter", "narrower", "lower")
 _SHAPES = ("round",)
@@ -928,7 +928,7 @@ class _OrderReader:
 
     def _faces_by_compass(self, following: Item | None) -> bool:
         """Take "(facing) north" as the wall that is there; whether it is that."""
-        if not isinstance(following, OrderMark) or following.key not in _COMPASS:
+        if not isinstance(following, OrderMark) or following.key not in COMPASS:
             return False
         self._at += 1
         self.order.facing.append(Noun("place", f"{following.key}_wall", 0, 0, following.key))
@@ -1240,7 +1240,7 @@ class _OrderReader:
     def _attach(self, where: Where) -> None:
         noun = where.noun
         if self.order.room and self.order.doing == "make" and noun is not None and where.whole is None:
-            side = next((side for side in _COMPASS if noun.value in (side, f"{side}_wall")), "")
+            side = next((side for side in COMPASS if noun.value in (side, f"{side}_wall")), "")
             if side and not self.order.direction:
                 self.order.direction = side
                 return

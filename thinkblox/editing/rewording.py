@@ -1,7 +1,7 @@
 """What an instruction says in other words, put into those that are read; "desk 2" as the object of that number."""
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 
 from thinkblox.assets.plurals import singular
@@ -56,8 +56,8 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
         text: the instruction.
         ids: of the objects that are there.
     """
-    text = _RANGE.sub(lambda found: _series(lexicon, found, ids), text)
-    text = _SERIES.sub(lambda found: _each_numbered(lexicon, found, ids), text)
+    text = _RANGE.sub(lambda found: _each_numbered(lexicon, found, range(int(found[2]), int(found[3]) + 1), ids), text)
+    text = _SERIES.sub(lambda found: _each_numbered(lexicon, found, re.findall(r"[0-9]+", found[2]), ids), text)
     written, end = "", 0
     for match in _NUMBERED.finditer(text):
         after = tokenise(text[match.start(2) :])
@@ -77,19 +77,11 @@ def with_ids(lexicon: Lexicon, text: str, ids: Collection[str]) -> str:
     return written + text[end:]
 
 
-def _series(lexicon: Lexicon, found: re.Match[str], ids: Collection[str]) -> str:
-    """What "desks 1 to 4" are as "desks 1, 2, 3 and 4"; as it was where one of them is not there."""
+def _each_numbered(lexicon: Lexicon, found: re.Match[str], numbers: Iterable[int | str], ids: Collection[str]) -> str:
+    """What "desks 1, 2 and 3", "desks 1 to 3" are as the ids of these; as it was where one of them is not there."""
     kinds = [*_kinds(lexicon, singular(found[1].lower())), singular(found[1].lower())]
-    numbers = [str(number) for number in range(int(found[2]), int(found[3]) + 1)]
-    there = len(numbers) > 1 and all(_id(kinds, number, ids) for number in numbers)
-    return f"{found[1]} {', '.join(numbers[:-1])} and {numbers[-1]}" if there else found[0]
-
-
-def _each_numbered(lexicon: Lexicon, found: re.Match[str], ids: Collection[str]) -> str:
-    """What "desks 1, 2 and 3" are as the ids of these; as it was where one of them is not there."""
-    kinds = [*_kinds(lexicon, singular(found[1].lower())), singular(found[1].lower())]
-    named = [_id(kinds, number, ids) for number in re.findall(r"[0-9]+", found[2])]
-    return f"{', '.join(named[:-1])} and {named[-1]}" if all(named) else found[0]
+    named = [_id(kinds, str(number), ids) for number in numbers]
+    return f"{', '.join(named[:-1])} and {named[-1]}" if len(named) > 1 and all(named) else found[0]
 
 
 def _is_amount(lexicon: Lexicon, tokens: Sequence[Token]) -> bool:

@@ -8,6 +8,7 @@ import numpy as np
 from shapely import Polygon
 from shapely.ops import nearest_points
 
+from thinkblox.brief import RelationKind
 from thinkblox.editing.goals import BEFORE_SEAT, Abreast, Goal, Laid, OnWall, Related
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
@@ -32,7 +33,7 @@ GRID = 0.2
 """Between places on the whole floor [m]."""
 BACK = (0.02, 0.1, 0.25)
 """Gaps to the wall of what stands before a window [m]."""
-_BESIDE = ("in_front_of", "behind", "left_of", "right_of")
+BESIDE: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
 SHARES = (0.5, 0.35, 0.65, 0.2, 0.8)
 """Where along an opening it is tried."""
 
@@ -79,7 +80,7 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
         yield from _at_part(scene, asset, goal) if asset.mount == "floor" else ()
     elif goal.kind in ("on", "in_centre") and asset.mount == "surface":
         yield from _on_top(scene, asset, scene[name])
-    elif goal.kind in _BESIDE and asset.mount == "floor":
+    elif goal.kind in BESIDE and asset.mount == "floor":
         yield from _beside(asset, scene[name], goal.kind)
 
 

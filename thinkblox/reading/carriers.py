@@ -21,16 +21,12 @@ _PLACING = ("on", "inside", "above", "under", "in_corner", "against_wall", "in_c
 
 def share_carriers(draft: Draft) -> None:
     """Put what is beside something on a table on that table: "on it a laptop, and a lamp to the left of the laptop"."""
-    ahead = [bond for bond in draft.bonds if bond.kind in _BESIDE and not bond.negated]
-    while ahead:
-        found = [(bond, carrier) for bond in ahead if (carrier := _carrier_of_neighbour(draft, bond)) is not None]
-        if not found:
-            return
+    beside = [bond for bond in draft.bonds if bond.kind in _BESIDE and not bond.negated]
+    while found := [(bond, lies) for bond in beside if (lies := _carrier_of_neighbour(draft, bond)) is not None]:
         for bond, carrier in found:
             if not _is_placed(draft, bond.subject):
                 at = draft.bonds.index(bond)
                 draft.bonds = [*draft.bonds[:at], replace(carrier, subject=bond.subject), *draft.bonds[at:]]
-        ahead = [bond for bond in ahead if all(bond is not done for done, _ in found)]
 
 
 def _carrier_of_neighbour(draft: Draft, bond: Bond) -> Bond | None:

@@ -143,8 +143,8 @@ class Boundaries(State):
             case "stop":
                 self._end("stop")
             case "which":
-                self.relative = next((n for n in reversed(self.frontier) if n.things), None)
-                self.relative = self.relative or self._hold_front()
+                named = next((n for n in reversed(self.frontier) if n.things), None)
+                self.relative = named or self._hold_front()
                 self.separator = ""
 
     def _hold_front(self) -> Node | None:

@@ -10,6 +10,7 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Nou
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import LOOKAHEAD
+from thinkblox.reading.english.subjects import FURNITURE
 
 
 def _sorts(text: str) -> list[tuple[str, str]]:
@@ -17,8 +18,6 @@ def _sorts(text: str) -> list[tuple[str, str]]:
     return [(sort, text) for sort, _ in grammar().phrases.get(tuple(text.split()[-1:]), ())]
 
 
-_STANDING = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
-"""What no container holds."""
 _TURNING = ("against", "facing", "to")
 """Prepositions that say how a thing stands by one of its sides."""
 
@@ -240,7 +239,7 @@ class Clauses(Audit):
             return False
         listed = self._is_link(self.peek(), "mark", "comma") or self._is_link(self.peek(), "joins", "and")
         bare = more.kind == "thing" and not more.det and more.count is None
-        return listed and bare and not self.habits.is_in(more.value, *_STANDING)
+        return listed and bare and not self.habits.is_in(more.value, *FURNITURE)
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""

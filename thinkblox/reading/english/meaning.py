@@ -393,8 +393,7 @@ class Meanings:
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
-        owner = subjects[-1].owner if subjects else None
-        if said.value == "middle" and owner is not None and owner in likely and self._is_top(owner):
+        if said.value == "middle" and (owner := self._top_of_owner(subjects, likely)) is not None:
             return self._middle_of_top([owner])
         if said.value == "middle" and said.det == "the" and alone and likely and not self._is_top(likely[0]):
             return Meaning("on", self._middle_of_top(likely).anchors, told=True)
@@ -447,8 +446,7 @@ class Meanings:
         if said.det == "the" and ({said.value, self.room_side} == {"left", "right"} or walls):
             return True
         alone = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
-        owner = subjects[-1].owner if subjects else None
-        alone |= owner is not None and owner in likely and self._is_top(owner)
+        alone |= self._top_of_owner(subjects, likely) is not None
         if said.value == "middle" and said.det != "my" and not (alone and likely):
             return True
         if said.value == "side" and said.det in ("each", "either", "both") and self._is_beside_something(subjects):
@@ -525,9 +523,8 @@ class Meanings:
                 return Meaning(where.word, meaning.anchors, each=meaning.each, told=meaning.told, loose=True)
             if meaning is not None and isinstance(meaning.anchors[0], Mention):
                 return Meaning("in_centre", meaning.anchors, each=meaning.each, told=meaning.told)
-        owner = subjects[-1].owner if subjects else None
         small = bool(subjects) and is_small(subjects[-1]) and not subjects[-1].many
-        small |= owner is not None and owner in likely and self._is_top(owner)
+        small |= self._top_of_owner(subjects, likely) is not None
         if small and likely and where.whole is None and said.text.lower().endswith(("middle", "centre", "center")):
             return self._middle_of_top(likely)
         return Meaning("in_centre", ("centre",))
@@ -569,6 +566,11 @@ class Meanings:
         self.anchor, self.place = (kind, anchors[0]), None
         meaning = Meaning(kind, anchors, each=each, told=told)
         return self._fitting(meaning, subjects, word=where.word)
+
+    def _top_of_owner(self, subjects: list[Mention], likely: list[Mention]) -> Mention | None:
+        """What the subject belongs to, where that is likely meant and carries things on top."""
+        owner = subjects[-1].owner if subjects else None
+        return owner if owner is not None and owner in likely and self._is_top(owner) else None
 
     def _kind(self, word: str) -> str:
         return _NAMED.get(word, word)

@@ -75,9 +75,7 @@ class Positions(Subjects):
 
     def _are_many_named(self, noun: Noun) -> bool:
         """Whether several were named of which "every three seats" are some."""
-        whole = self.referents.named(noun)
-        if whole is None and noun.word in grammar().lists["seats"]:
-            whole = next(iter(self._seats()), None)
+        whole = self._named_or_seats(noun)
         return whole is not None and whole.many
 
     def _is_within_owner(self, noun: Noun) -> bool:

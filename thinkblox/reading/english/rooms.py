@@ -20,7 +20,7 @@ _THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
 """What rooms are called that are for children."""
 _PARTS = ("wall", "floor", "corner", "ceiling")
 """Parts of a room that words before them tell apart."""
-_COMPASS = ("north", "south", "east", "west")
+COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
 
 
@@ -291,7 +291,7 @@ class Rooms(Memberships):
 
     def _note_side(self, noun: Noun) -> None:
         """Ask for the window of "under the east window" in that wall."""
-        wall = next((f"{word}_wall" for word in noun.text.lower().split() if word in _COMPASS), "")
+        wall = next((f"{word}_wall" for word in noun.text.lower().split() if word in COMPASS), "")
         same = [gap for gap in self.draft.openings if gap.kind == noun.value and gap.count]
         if not wall or any(gap.wall == wall for gap in same):
             return

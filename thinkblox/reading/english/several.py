@@ -182,11 +182,16 @@ class Several(Boundaries):
         """The seats that were named."""
         raise NotImplementedError
 
-    def _every(self, noun: Noun) -> list[Mention]:
-        """Read "every second chair", "every two loungers": so many of them, or groups of so many."""
+    def _named_or_seats(self, noun: Noun) -> Mention | None:
+        """What was named so; for "place", "seat" also the seats that were named by another word."""
         whole = self.referents.named(noun)
         if whole is None and noun.word in grammar().lists["seats"]:
             whole = next(iter(self._seats()), None)
+        return whole
+
+    def _every(self, noun: Noun) -> list[Mention]:
+        """Read "every second chair", "every two loungers": so many of them, or groups of so many."""
+        whole = self._named_or_seats(noun)
         if whole is None or not whole.count:
             return []
         self.referents.settle(whole)

@@ -21,7 +21,7 @@ _BY_OWNER = (
     "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
 )  # fmt: skip
 """Relations that are rather about what has a thing than about the thing."""
-_FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
+FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
 """What stands on the floor rather than on what is named after it."""
 _STANDING = ("along", "against")
 """Prepositions before a wall that say where things stand rather than hang."""
@@ -470,7 +470,7 @@ class Subjects(Having):
 
     def _is_furniture(self, thing: Mention) -> bool:
         """Whether it stands on the floor."""
-        return self.habits.is_in(thing.noun, *_FURNITURE)
+        return self.habits.is_in(thing.noun, *FURNITURE)
 
     def _is_leaning(self) -> bool:
         """Whether they lean where they are: "two brooms and a mop leaning against the wall"."""
