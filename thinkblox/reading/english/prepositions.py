@@ -57,6 +57,9 @@ class Prepositions(Negation):
         """The preposition as it is meant; None where "a locker for each person" was read with it."""
         if self._gives_one_for_every(link):
             return None
+        noun = self.peek()
+        if link.value == "per" and isinstance(noun, Noun) and noun.kind == "thing" and not (noun.det or noun.many):
+            noun.det = "each"
         thing = self._is_for_everyone(link)
         if thing is not None and not self._read_as_place(thing):
             self._one_for_each(thing, link)

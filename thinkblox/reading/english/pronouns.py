@@ -64,7 +64,9 @@ class Pronouns(Numbers):
             self.negating = True
             return
         following = self.peek()
-        if noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":
+        if noun.text.lower() == "neither" and self.frontier and self._is_link(following, "prepositions"):
+            self.negating, self.separator = True, ""
+        elif noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":
             self.excluding = not following.definite
         elif noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)

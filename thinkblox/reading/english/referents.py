@@ -19,6 +19,8 @@ _STANDING = ("behind", "in_front_of", "left_of", "right_of", "next_to", "opposit
 """Relations of furniture that are to furniture rather than to what lies on it."""
 _AROUND = (*_STANDING, "near", "far", "above", "under", "")
 """Relations, and sides, of what a clause was about rather than of what was said to be there."""
+FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
+"""What stands on the floor rather than on what is named after it."""
 NESTED = 8
 """How deep shares of shares are multiplied out."""
 _BY_HABIT = ("on", "above", "under", "at", "around", "opposite")

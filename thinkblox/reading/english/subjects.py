@@ -10,7 +10,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
 from thinkblox.reading.english.parts import SIDES
-from thinkblox.reading.english.referents import is_small, last_word
+from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
 
 _PAIR = 2
 _SLIM = 0.3
@@ -21,8 +21,6 @@ _BY_OWNER = (
     "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
 )  # fmt: skip
 """Relations that are rather about what has a thing than about the thing."""
-FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
-"""What stands on the floor rather than on what is named after it."""
 _STANDING = ("along", "against")
 """Prepositions before a wall that say where things stand rather than hang."""
 _SHARED = (
