@@ -310,7 +310,9 @@ class Cutter:
         return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
 
     def _infinitive(self) -> Connector | None:
-        """Read the "to" of "a place to eat", which is beside nothing."""
+        """Read the "to" of "a place to eat", "waiting to be cleared", which is beside nothing."""
+        if self._text_at(self.at) == "to" and self._text_at(self.at + 1) == "be":
+            return Connector("fillers", "words", self.at, self.at + 2, "to be")
         wished = self.at > 0 and self._text_at(self.at - 1) in grammar().lists["wishes"]
         if not wished or self._text_at(self.at) != "to" or self.at + 1 >= len(self.tokens):
             return None

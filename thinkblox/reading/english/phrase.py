@@ -387,7 +387,8 @@ class PhraseReader(Heads):
         if token.owner:
             units.nouns.append(Unit(token.shown, None, True))
             return 1
-        if token.text.endswith("ly") and len(token.text) > 4 and self._known(at + 1, "object") is None:
+        adverb = token.text.endswith("ly") and len(token.text) > 4 and not grammar().knows(token.text, "people")
+        if adverb and self._known(at + 1, "object") is None:
             return 1 if self._starts_noun(at + 1) and not units.nouns else 0
         if not units.nouns and token.text in grammar().lists["shades"] and self._is_colour(at + 1):
             self._idle(noun, at, at + 1)

@@ -97,7 +97,9 @@ class Pronouns(Numbers):
                 self._resume(self._others(whole), noun)
                 self._again(said)
             case "half":
-                self._part_of(whole, max(1, (whole.count or 2) // 2))
+                parts = self.referents.parts.get(whole, ()) if whole is self.referents.parted else ()
+                total = (whole.count or 2) + sum(part.count or 0 for part in parts)
+                self._part_of(whole, max(1, min(total // 2, whole.count or total)), noun)
             case _:
                 self._part_of(whole, noun.count or 1)
 
