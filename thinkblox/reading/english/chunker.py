@@ -312,7 +312,8 @@ class Cutter:
     def _infinitive(self) -> Connector | None:
         """Read the "to" of "a place to eat", "waiting to be cleared", which is beside nothing."""
         if self._text_at(self.at) == "to" and self._text_at(self.at + 1) == "be":
-            return Connector("fillers", "words", self.at, self.at + 2, "to be")
+            done = self._text_at(self.at + 2).endswith("ed") and grammar().at(self.tokens, self.at + 2, *_LINKS) is None
+            return Connector("fillers", "words", self.at, self.at + 2 + done, "to be")
         wished = self.at > 0 and self._text_at(self.at - 1) in grammar().lists["wishes"]
         if not wished or self._text_at(self.at) != "to" or self.at + 1 >= len(self.tokens):
             return None

@@ -189,7 +189,7 @@ class PhraseReader(Heads):
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
         stop = grammar().at(self.tokens, at, *STOPS)
-        if known is not None and not units.nouns and self._is_one(at + known.length):
+        if known is not None and not units.nouns and self._is_one_alone(at + known.length):
             return self._kind_of_one(noun, at, units, known)
         if known is not None and not units.nouns and self._is_shade(at, known.length):
             known = None
@@ -226,6 +226,11 @@ class PhraseReader(Heads):
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
         follows = self._starts_noun(at + 1) or (self._is_one(at + 1) and self._text(at - 1, at).lower() in ("a", "the"))
         return at < len(self.tokens) and self.tokens[at].text == "round" and bare and follows
+
+    def _is_one_alone(self, at: int) -> bool:
+        """Whether "one" stands for a noun, rather than before one: "under the bench | one basket"."""
+        doing = grammar().at(self.tokens, at + 1, "verbs", "participles") is not None
+        return self._is_one(at) and (doing or not self._starts_noun(at + 1))
 
     def _kind_of_one(self, noun: Noun, at: int, units: Units, known: Known) -> int:
         """Take the iron of "a black iron one" for what that is like."""

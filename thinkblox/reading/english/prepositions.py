@@ -150,6 +150,8 @@ class Prepositions(Negation):
             return False
         if small:
             places = self._seats()
+            told = sum(self.referents.total(place) for place in places)
+            places = [] if self.draft.people and told != self.draft.people else places
         else:
             seat = self.habits.is_in(thing.noun, "chairs")
             places = [t for t in self.draft.things if seat and self.habits.is_in(t.noun, "desks") and t.many]
@@ -356,8 +358,8 @@ class Prepositions(Negation):
                 self._serve(thing, noun.count)
             self._go_past(noun)
         elif noun.kind in ("people", "number") and (noun.count or noun.kind == "people") and not self.draft.things:
-            self._for_people(noun)
             self._go_past(noun)
+            self._for_people(noun)
         elif noun.kind == "thing" and noun.word in grammar().lists["animals"]:
             self._spend(noun)
             self._go_past(noun)

@@ -202,7 +202,11 @@ class Rooms(Memberships):
             self.crowd = noun.count
 
     def _for_people(self, noun: Noun) -> None:
-        """The room is for so many, or for some; children have one of their own."""
+        """The room is for so many, or for some; children have one of their own, and a family of six is six."""
+        several = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if noun.count is None and several is not None and several.kind == "number" and several.count:
+            self._go_past(several)
+            noun.count = several.count
         self.draft.people = noun.count or self.draft.people
         children = noun.text.lower().split()[-1] in grammar().lists["children"]
         if children and self.draft.room in _THEIRS:

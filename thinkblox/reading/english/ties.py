@@ -253,7 +253,9 @@ class Ties(Relating):
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""
         link = self.peek()
-        return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", "with", "of", "for", "per")
+        return self._is_link(link, "prepositions") and not self._is_link(
+            link, "prepositions", "with", "of", "for", "per"
+        )
 
     def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
