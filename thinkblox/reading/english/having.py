@@ -12,6 +12,8 @@ from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import last_word
 
 _PAIR = 2
+_MADE_OF = ("consist", "made up", "composed", "compris")
+"""How words begin that tell what something is made up of."""
 
 
 class Having(Groups):
@@ -47,7 +49,11 @@ class Having(Groups):
             self._turn_by_part(noun)
             return
         thing = head.thing
-        group = thing is not None and thing in self.groups.values() and (self.each or head.each)
+        told = self._before(0)
+        made = isinstance(told, Connector) and told.text.lower().startswith(_MADE_OF)
+        group = (
+            thing is not None and (thing in self.groups.values() or (made and thing.many)) and (self.each or head.each)
+        )
         if kind == "with" and thing is not None and group and self._is_told_of_parts(thing):
             self._dissolve(thing)
             return

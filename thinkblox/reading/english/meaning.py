@@ -395,7 +395,7 @@ class Meanings:
         if plural:
             sides = said.value in ("left", "right", "front", "back")
             return Meaning("on", plural[:1], each=plural[0].many and not sides, told=True)
-        if (other := self._other_side(said, subjects)) is not None:
+        if (other := self._other_side(where, said, subjects)) is not None:
             return Meaning("on", (other,), told=True)
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
@@ -417,9 +417,9 @@ class Meanings:
             "on", (found,), each=found.many and found.count is not None and carried and found in likely, told=True
         )
 
-    def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
+    def _other_side(self, where: Where, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        again = said.det == "my" and (bool(subjects) or self._sides_told > 0)
+        again = said.det == "my" and (bool(subjects) or self._sides_told > 0) and not where.paired
         if self.sided is None or again or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None

@@ -404,21 +404,20 @@ class PhraseReader(Heads):
             return self._degree(noun, at, units)
         if units.nouns and self._ends_before(at, units):
             return 0
-        adjective = token.text.endswith(_ENDINGS) or token.text in grammar().lists["turned"]
-        adjective |= bool({"size", "build"} & adjective_kinds(token.text))
-        if not units.nouns and adjective and self._goes_on_to_noun(at + 1):
+        if not units.nouns and self._may_describe(noun, at):
             noun.unshown += [] if is_purpose(token.text) else [token.shown.lower()]
-            units.adjectives += 1
-            return 1
-        if not units.nouns and self._stands_before_look(noun, at):
-            noun.unshown.append(token.shown.lower())
             units.adjectives += 1
             return 1
         units.nouns.append(Unit(token.shown))
         return 1
 
-    def _stands_before_look(self, noun: Noun, at: int) -> bool:
-        """Whether a word can only be an adjective: "a fluffy white rug", "a Persian one"."""
+    def _may_describe(self, noun: Noun, at: int) -> bool:
+        """Whether a word that no list has is an adjective: "a worn bench", "a fluffy white rug", "a Persian one"."""
+        word = self.tokens[at].text
+        adjective = word.endswith(_ENDINGS) or word in grammar().lists["turned"]
+        adjective |= bool({"size", "build"} & adjective_kinds(word))
+        if adjective and self._goes_on_to_noun(at + 1):
+            return True
         if not (noun.det or noun.count is not None):
             return False
         coloured = self._is_colour(at + 1) and self.thing_at(at + 1) is None and self._goes_on_to_noun(at + 2)

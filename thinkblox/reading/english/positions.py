@@ -186,6 +186,7 @@ class Positions(Subjects):
         if where.noun is None and (where.text.lower() in ("in", "into") or self._is_one_of_two_places(where)):
             return
         self._reword(where)
+        where.paired = self._is_joined_before(self._began)
         if self._is_side_of_wall(where):
             return
         if where.word == "turned":
@@ -196,8 +197,14 @@ class Positions(Subjects):
         if self._is_side_of_owner(where):
             self._lose_where(where)
             return
-        if (where.noun is not None and self._is_elsewhere(where, where.noun)) or self._is_of_opening(where):
+        noun = where.noun
+        if noun is not None and (self._is_inside_label(where, noun) or self._is_elsewhere(where, noun)):
             return
+        if not self._is_of_opening(where):
+            self._place_there(where)
+
+    def _place_there(self, where: Where) -> None:
+        """Say where what was named is, or what comes."""
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
             self.front[-1].used = True
@@ -335,20 +342,21 @@ class Positions(Subjects):
                 self._room(noun)
                 self._go_on_with_room()
             return True
-        if where.word == "in" and noun.kind == "thing" and self._is_inside_label(noun):
-            self._spend(noun)
-            self._room(replace(noun, kind="room", value="room"))
-            return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
             self._spend(noun)
             self.draft.excluded.add(noun.value)
             return True
         return False
 
-    def _is_inside_label(self, noun: Noun) -> bool:
-        """Whether a text begins with what the room is: "Inside of a photo booth, 1.1 m x 1.7 m: ..."."""
-        begins = not (self.draft.things or self.draft.room or self.front or noun.many)
-        return begins and self._is_link(self.peek(), "mark") and isinstance(self.peek(1), Measured)
+    def _is_inside_label(self, where: Where, noun: Noun) -> bool:
+        """Take what a text begins with for the room: "Inside of a photo booth, 1.1 m x 1.7 m: ..."."""
+        begins = where.word == "in" and noun.kind == "thing" and not (noun.many or self.draft.things or self.draft.room)
+        sized = self._is_link(self.peek(), "mark") and isinstance(self.peek(1), Measured)
+        if not (begins and sized) or self.front:
+            return False
+        self._spend(noun)
+        self._room(replace(noun, kind="room", value="room"))
+        return True
 
     def _is_of_opening(self, where: Where) -> bool:
         """Take where a door or window is, when it was named last."""

@@ -358,7 +358,7 @@ def _is_many(chunk: Chunk) -> bool:
 def _is_side_of_either(place: SaidPosition) -> bool:
     """Whether a side may be the room's, and several that something has there: "a bar with six stools on the left"."""
     part = place.to if place.to is not None and place.to.kind == "part" and place.whole is None else None
-    if part is None or part.det != "the":
+    if part is None or part.det != "the" or part.owner:
         return False
     loose = part.value == "side" and place.link.value in ("along", "at")
     return loose or (part.value in ("left", "right") and place.held and place.of[0].many)

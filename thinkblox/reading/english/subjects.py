@@ -72,7 +72,7 @@ class Subjects(Having):
         return self._joined(inner, where)
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
-        """All of "two armchairs, one green and one blue, facing the sofa", "two boxes, one on the other, by the door"."""
+        """All of "two armchairs, one green and one blue, facing it", "two boxes, one on the other, by the door"."""
         comma = self._is_link(self.chunks[self._began - 1] if self._began else None, "mark", "comma")
         family = self.referents.family(node.things[-1])
         parted = comma and len(family) > 1 and len(node.things) == 1
@@ -190,6 +190,8 @@ class Subjects(Having):
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
         whole = where.whole
+        if whole is None and where.noun is not None and where.noun.owner:
+            whole = Noun("thing", where.noun.owner, where.noun.start, where.noun.end, where.noun.owner, det="the")
         if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
         if where.noun.value in ("middle", "top", "inside", "in_shelf"):
@@ -287,7 +289,9 @@ class Subjects(Having):
         if noun.kind == "pronoun":
             return True
         if noun.kind == "part":
-            return where.whole is None or where.whole.kind == "pronoun"
+            return (where.whole is None and not noun.owner) or (
+                where.whole is not None and where.whole.kind == "pronoun"
+            )
         return False
 
     def _is_first_named(self, anchor: Node, where: Where) -> bool:

@@ -11,6 +11,8 @@ from thinkblox.reading.english.relating import Relating
 _ON_IT = ("prepositions", "on", "in", "inside", "on_top")
 """How a list ends of which all lies on, or in, what has it."""
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+_TELLING_NO_PLACE = ("with", "of", "for", "per")
+"""Prepositions that say nothing of where a thing is."""
 _BY_THEM = ("next_to", "near", "by", "between", "behind", "in_front_of", "opposite", "around")
 """Prepositions after which "them" are several together."""
 _CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
@@ -253,9 +255,7 @@ class Ties(Relating):
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""
         link = self.peek()
-        return self._is_link(link, "prepositions") and not self._is_link(
-            link, "prepositions", "with", "of", "for", "per"
-        )
+        return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", *_TELLING_NO_PLACE)
 
     def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
@@ -312,7 +312,7 @@ class Ties(Relating):
         return frame.kind
 
     def _ends_held_list(self, thing: Mention, frame: Listed) -> bool:
-        """Whether it ends a list of what something holds, and nothing else is said of it: "holds a dish and a sabre"."""
+        """Whether it ends a list of what something holds, and nothing else is said of it: "a dish and a sabre"."""
         last = self.separator == "and" and len(frame.members) > 0 and self._is_end(self.peek())
         return last and not self.habits.is_in(thing.noun, *FURNITURE)
 
