@@ -565,6 +565,7 @@ class Meanings:
             anchors = (*anchors, *second)
         each = said.each or where.word == "per" or (kind == "between" and said.plural and are_neighbours(said))
         each |= kind in _APART and said.det in ("all", "both") and said.plural and bool(subjects)
+        each |= kind in _APART and said.of_known and (said.count or 0) > 1 and bool(subjects)
         each &= kind not in _APART or said.each or all(s.count in (None, 1) for s in subjects)
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])
