@@ -305,6 +305,28 @@ from thinkblox.reading import read_brief
         ("Mudroom for a family of five: a bench, and under the bench one basket per person.", ["5 basket under bench"]),
         ("The vanity unit by the door. A cabinet to the left of the vanity.", ["1 cabinet left_of vanity"]),
         ("Three tables, two of which wait to be cleared.", ["2 dining_table", "1 dining_table-2"]),
+        ("Twelve desks. Nothing on the desks apart from one sheet of paper and one pencil apiece.",
+         ["12 paper on desk", "12 pencil on desk"]),
+        ("Three low tables. An iron kettle on two of the tables.", ["2 kettle on coffee_table"]),
+        ("Three couches. Two are blue, the last one is black. On the black one lies a towel.",
+         ["2 sofa", "1 towels on sofa-2"]),
+        ("A stool. Two softboxes: a large one to the left of the stool, a small one to the right of it.",
+         ["1 softbox left_of stool", "1 softbox-2 right_of stool"]),
+        ("Four tables with five chairs at each. Twenty hooks on the wall, one per chair.", ["20 coat_hooks on wall"]),
+        ("Two booths, each consisting of a table with two chairs.", ["2 dining_table", "4 chair around dining_table"]),
+        # Sides of what is named, and "that" of what lies beside it.
+        ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
+         ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),
+        ("A piano. Put a metronome on it and, to the left of that, a bust.", ["1 bust left_of metronome"]),
+        ("Start with the piano: an upright one, against the wall.", ["1 piano against_wall wall"]),
+        # What is said aside, what hangs there, what is stacked on one thing, and what a shelf is for.
+        ("Two guitars - one of them electric - next to the bookcase.",
+         ["1 guitar next_to bookcase", "1 guitar-2 next_to bookcase"]),
+        ("A full-length mirror and three hooks on the walls.", ["1 standing_mirror on wall", "3 coat_hooks on wall"]),
+        ("A washing machine with a dryer stacked on top of it.", ["1 dryer on washing_machine"]),
+        ("An open shelf rather than a cabinet for his paint pots - there are six of them.",
+         ["6 paint_can inside shelving_unit"]),
+        ("A ball of dough on the counter and a rolling pin to the left of the dough.", ["1 rolling_pin left_of dough"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
@@ -498,6 +520,9 @@ def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost
         ("An armchair with a reading lamp beside it.", {"armchair": 1, "floor_lamp": 1}),
         ("A safety light pole and a sofa.", {"safety_light_pole": 1, "sofa": 1}),
         ("A fluffy white rug, a Persian one.", {"rug": 1}),
+        ("A wood-burner and a wooden bench.", {"wood_burner": 1, "bench": 1}),
+        ("A living room that hasn't changed since the 70s, with the kind of sofa we like.", {"sofa": 1}),
+        ("A bed, mountains of books.", {"bed": 1, "book": 3}),
     ],
 )
 def test_plain_words_name_what_they_should(prompt: str, things: dict[str, int]) -> None:

@@ -178,7 +178,9 @@ class Meanings:
                 return Meaning(kind, self._several(kind, subjects, noun), told=True)
             if said.value == "one":
                 return self._one_of(kind, subjects, noun)
-            last = self.referents.last(subjects) if said.text.lower() in ("that", "all this", "all that") else None
+            small = is_small(subjects[-1]) if subjects else noun != "" and is_small_name(noun)
+            those = said.text.lower() in ("that", "all this", "all that")
+            last = self.referents.last(subjects, lying=small and kind in _TOWARDS) if those else None
             found = last or self._single(kind, subjects, likely, noun, one=said.value == "it")
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None

@@ -177,6 +177,12 @@ class PhraseReader(Heads):
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
+        if self._is_figure(noun, at, units):
+            units.nouns.append(Unit(self.tokens[at].shown))
+            return 1
+        return self._word(noun, at, units)
+
+    def _word(self, noun: Noun, at: int, units: Units) -> int:
         if self._ends_early(noun, at, units):
             return 0
         if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
@@ -226,6 +232,12 @@ class PhraseReader(Heads):
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
         follows = self._starts_noun(at + 1) or (self._is_one(at + 1) and self._text(at - 1, at).lower() in ("a", "the"))
         return at < len(self.tokens) and self.tokens[at].text == "round" and bare and follows
+
+    def _is_figure(self, noun: Noun, at: int, units: Units) -> bool:
+        """Whether several of a singular noun have to be of a word for people: "seven tin | soldiers"."""
+        several = noun.count is not None and noun.count > 1 and len(units.nouns) == 1 and not units.nouns[0].owner
+        people = several and self.tokens[at].text.endswith("s") and grammar().knows(self.tokens[at].text, "people")
+        return people and singular(units.nouns[0].text.lower()) == units.nouns[0].text.lower()
 
     def _is_one_alone(self, at: int) -> bool:
         """Whether "one" stands for a noun, rather than before one: "under the bench | one basket"."""

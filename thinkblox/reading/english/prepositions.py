@@ -409,7 +409,8 @@ class Prepositions(Negation):
     def _is_contents(self, noun: Noun) -> bool:
         """Whether it is what something is for and holds: "a mug for pens"."""
         several = noun.count or noun.plural or (not noun.det and noun.text.lower().endswith("s"))
-        return not noun.definite and bool(several)
+        own = noun.det == "my" and self.referents.named(noun) is None
+        return (own or not noun.definite) and bool(several)
 
     def _as(self) -> None:
         noun = self._next_noun()

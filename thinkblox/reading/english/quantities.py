@@ -10,7 +10,7 @@ _STACKS = ("stack", "pile", "heap")
 """Measures that say how the things lie, besides how many they are."""
 _OF_MATTER = ("sheet", "ball", "cube", "lump", "slice", "mountain")
 """Measures of things that we know; of others they are things themselves: "a ball of fire"."""
-_WHOLES = ("roll", "string", "bundle", "piece", "sheet", "ball", "cube", "lump", "slice", "loaf", "kind", "type", "sort")
+_WHOLES = ("roll", "string", "bundle", "piece", *_OF_MATTER[:-1], "loaf", "kind", "type", "sort")
 """Measures of which one is one thing: "a roll of paper", "the kind of sofa"."""
 
 
