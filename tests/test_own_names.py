@@ -45,3 +45,12 @@ def test_rooms_and_edits_carry_the_words_of_the_prompt() -> None:
     described = {p.category: done.scene.asset_of(p).description for p in done.scene.placements}
     assert described["massage_table"] == "blue treatment table"
     assert described["storage_bin"] == "tote"
+
+
+def test_an_edit_finds_a_thing_by_the_name_it_came_with() -> None:
+    scene = generate_room("A 4 by 4 m room with two chairs and a garden chair.", fill="named", seed=1).scene
+    named = {p.id: scene.asset_of(p).name for p in scene.placements if p.category == "chair"}
+    assert sorted(named.values()) == ["chair", "chair", "garden chair"]
+    done = edit_room(scene, "Remove the garden chair.")
+    gone = {*named} - {p.id for p in done.scene.placements}
+    assert [named[id] for id in gone] == ["garden chair"]
