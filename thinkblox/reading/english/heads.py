@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import noun_of
-from thinkblox.knowledge.vocabulary import is_abstract, is_person
+from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.chunks import Noun, NounKind
 from thinkblox.reading.english.grammar import grammar
@@ -151,7 +151,7 @@ class Heads(Modifiers):
         if words[-1] in ("rows", "row", "lines", "columns") and len(words) == 1:
             noun.kind, noun.rows, noun.count = "number", noun.count or -1, None
             return True
-        for key in (tuple(words), (words[-1],), (words[0],)):
+        for key in (tuple(words), (words[-1],), *(((words[0],),) if self._trails(noun, words[-1]) else ())):
             found = dict(grammar().phrases.get(key, ()))
             if "people" in found and (key != (words[0],) or len(words) == 1):
                 noun.kind, noun.value = "people", "people"
@@ -167,6 +167,11 @@ class Heads(Modifiers):
             noun.kind, noun.value = "abstract", " ".join(words)
             return True
         return False
+
+    def _trails(self, noun: Noun, word: str) -> bool:
+        """Whether the last word of a name only goes on about the first: "sunlight streaming", not "a safety pole"."""
+        named = noun.det in ("a", "another", "each") or noun.count is not None
+        return word.endswith(("ing", "ed")) or not (named or name_of([word]) or word in grammar().lists["heads"])
 
     def _size_after(self, noun: Noun) -> None:
         """Read the count of "armchair x2"."""

@@ -97,7 +97,9 @@ class Naming(Several):
             return []
         if noun.plural and noun.definite:
             every = self.referents.every(noun)
-            total = sum(t.count or 1 for t in every)
+            total = sum(self.referents.total(t) for t in every)
+            if total == 1 and noun.det == "the" and noun.states and not any(t.many for t in every):
+                return []
             if noun.count is None or noun.count == total:
                 return every
             return [first] if noun.count < total else []
