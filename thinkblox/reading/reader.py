@@ -31,6 +31,7 @@ from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
 from thinkblox.reading.moods import emphasise, read_moods
+from thinkblox.reading.own_names import own_name
 from thinkblox.reading.room_looks import surface_of_room
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
@@ -260,6 +261,7 @@ def _request(thing: Mention, keys: dict[int, str]) -> Request:
         asked=thing.asked,
         attributes=tuple(dict.fromkeys(thing.attributes)),
         phrase=thing.text,
+        called=own_name(thing.called, thing.noun),
         size=object_size(thing.noun, thing.size),
         least=thing.least if thing.least is None else min(thing.least, thing.count or 1),
         most=thing.most if thing.most is None else max(thing.most, thing.count or 1),

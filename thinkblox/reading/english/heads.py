@@ -75,6 +75,15 @@ class Heads(Modifiers):
         noun.plural |= singular(words[-1]) != words[-1]
         noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
 
+    def _called(self, noun: Noun, units: Units) -> str:
+        """What the phrase calls one of them: "treatment table" of "two white treatment tables"."""
+        looks = (*noun.attributes, *noun.unshown, *noun.states, *noun.styles)
+        told = {word for look in looks for word in look.replace("-", " ").split()}
+        words = [word for unit in units.nouns for word in unit.text.lower().split()]
+        head = words.index("of") - 1 if "of" in words[1:] else len(words) - 1
+        words[head] = singular(words[head]) if noun.plural else words[head]
+        return " ".join(word for at, word in enumerate(words) if at >= head or not told.issuperset(word.split("-")))
+
     def _no_hallway(self, noun: Noun, nouns: list[Unit]) -> None:
         """Take a hall of some kind that we do not know for a room: a village hall is no hallway."""
         if noun.kind == "room" and nouns[-1].text.lower() == "hall" and len(nouns) > 1:

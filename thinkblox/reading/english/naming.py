@@ -243,6 +243,7 @@ class Naming(Several):
         thing.unshown, thing.states = [*noun.unshown], [*noun.states]
         thing.seats, thing.size = noun.seats, noun.size
         thing.groups, thing.group = noun.groups, noun.group
+        thing.called = noun.called
         self.draft.things.append(thing)
         self.named_by[thing] = noun
         word = noun.word
@@ -290,7 +291,7 @@ class Naming(Several):
     def _copy_of(self, thing: Mention) -> Mention:
         """Another of the same kind."""
         copy = Mention(thing.noun, 1, attributes=[*thing.attributes], unshown=[*thing.unshown], text=thing.text)
-        copy.states, copy.size = [*thing.states], thing.size
+        copy.states, copy.size, copy.called = [*thing.states], thing.size, thing.called
         self.draft.things.append(copy)
         self.referents.speak(copy)
         return copy
