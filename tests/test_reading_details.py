@@ -314,6 +314,17 @@ from thinkblox.reading import read_brief
          ["1 softbox left_of stool", "1 softbox-2 right_of stool"]),
         ("Four tables with five chairs at each. Twenty hooks on the wall, one per chair.", ["20 coat_hooks on wall"]),
         ("Two booths, each consisting of a table with two chairs.", ["2 dining_table", "4 chair around dining_table"]),
+        ("Six bins in two colours, three red and three blue.", ["3 waste_bin", "3 waste_bin-2"]),
+        ("A bedsit with everything in one room: a bed in the corner.", ["1 bed in_corner corner"]),
+        # What lies between two, what a small thing holds, and where the list of it ends.
+        ("A desk with a cart next to it, two sofas facing each other with a low table in between.",
+         ["1 coffee_table between sofa"]),
+        ("A cabinet with gloves and masks along the wall.", ["1 cabinet against_wall wall", "2 mask inside cabinet"]),
+        ("A fridge covered with postcards, a sink full of plates.", ["3 plate inside sink"]),
+        ("Living room for watching football: a low table with a bowl of crisps and six beer bottles.",
+         ["6 beer_bottle on coffee_table"]),
+        ("Two beds. The larger one has a pink blanket, the smaller one a yellow one.",
+         ["1 blanket on bed", "1 blanket-2 on bed-2"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),

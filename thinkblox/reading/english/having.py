@@ -261,10 +261,23 @@ class Having(Groups):
             self.pending.grouped = True
         self.each = False
 
+    def _as_had_before(self, noun: Noun, index: int) -> Noun:
+        """Take "a yellow one" for another of what one has: "one has a pink blanket, the other a yellow one"."""
+        kin = [t for node in self.frontier[:1] for thing in node.things for t in self.referents.family(thing)]
+        had = (b.subject for b in reversed(self.draft.bonds) if b.implied and any(a in kin for a in b.anchors))
+        last = next(had, None)
+        if last is None or noun.det != "a" or noun.word != "one" or not (noun.attributes or noun.unshown):
+            return noun
+        text = f"{noun.text.rpartition(' ')[0]} {last_word(last)}"
+        self.chunks[index] = named = replace(noun, kind="thing", value=last.noun, text=text)
+        return named
+
     def _again(self, verb: str) -> None:
         """Let the verb before stand for one left out: "one holds a bust, another a horse"."""
         comma = self._is_link(self.peek(), "mark", "comma")
         after = self.peek(1) if comma else self.peek()
+        if isinstance(after, Noun) and after.kind == "number":
+            after = self._as_had_before(after, self.at + comma)
         if verb in ("hold", "carry", "have") and isinstance(after, Noun) and after.kind == "thing":
             self.at += comma
             self.subject = self.frontier[0]

@@ -139,6 +139,7 @@ class Meanings:
         if kind == "between":
             last = next((t for t in likely if t not in subjects), None)
             two = self._two_sides([last]) if last is not None else ()
+            two = two or ((last,) if last is not None and self.referents.total(last) == _SIDES else ())
             return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None

@@ -240,7 +240,7 @@ class Numbers(Verbs):
         elif noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
             self.referents.settle(whole)
             self._part_of(whole, max(1, (whole.count or 0) // noun.ordinal), noun)
-        elif noun.side or noun.ordinal:
+        elif noun.side or noun.ordinal or (noun.degree and noun.det == "the" and noun.count == 1):
             self._the_one(noun)
         else:
             self._part_of(whole, self._how_many(noun, whole), noun)

@@ -21,6 +21,8 @@ _FRONTS = 20
 """Most relations that wait for their subject."""
 _AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
 """Prepositions before a pronoun for what the clause before was about."""
+_COLOURS = {"colour", "color"}
+"""What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
@@ -335,7 +337,7 @@ class Positions(Subjects):
             self._lose(where.start, noun.end)
             return True
         if noun.kind == "room":
-            if noun.count or noun.each or where.word not in _WITHIN:
+            if (noun.count or 1) > 1 or noun.each or where.word not in _WITHIN:
                 self._lose(where.start, noun.end)
             elif where.word == "in" and (not self.draft.room or (self.draft.room == "room" and not self.draft.things)):
                 self.draft.room = ""
@@ -397,6 +399,9 @@ class Positions(Subjects):
     def _is_telling(self, noun: Noun) -> bool:
         """Whether a noun that is no thing says how something is to stand: "at right angles", "in three colours"."""
         words = {noun.text.rpartition(" ")[2].lower(), noun.word}
+        parts = self._next_noun(1) if self._is_link(self.peek(), "mark", "comma", "colon", "open", "dash") else None
+        if words & _COLOURS and parts is not None and parts.kind == "number" and parts.attributes:
+            return False
         return noun.kind == "abstract" and not words.isdisjoint(grammar().lists["telling"])
 
     def _place_node(self, node: Node, where: Where) -> None:
