@@ -325,6 +325,16 @@ from thinkblox.reading import read_brief
          ["6 beer_bottle on coffee_table"]),
         ("Two beds. The larger one has a pink blanket, the smaller one a yellow one.",
          ["1 blanket on bed", "1 blanket-2 on bed-2"]),
+        ("A bookcase holding thirty books, a basket of toys at the foot of the bed.", ["1 basket at_foot_of bed"]),
+        ("Three racks with 48 bottles each along the right wall, and a table.",
+         ["3 shelving_unit against_wall right_wall", "144 bottle inside shelving_unit"]),
+        ("A booth with a laptop and a lamp, speakers on both sides of the booth.", ["1 laptop on booth"]),
+        # People sit where no thing is said to be; what something is for; of what the last of a list is told.
+        ("The doctor sits behind the desk, two armchairs are in front of it.", ["2 armchair in_front_of desk"]),
+        ("A mirror on the wall to check posture.", ["1 mirror on wall"]),
+        ("A fridge and a sink by the wall. High table with four stools opposite.", ["4 bar_stool around high_table"]),
+        ("Two washbasins with mirrors at the back.", ["2 washbasin against_wall far_wall"]),
+        ("A couch with a lamp at its head.", ["1 floor_lamp next_to sofa"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),

@@ -159,7 +159,7 @@ class Referents:
         found = [t for t in found if t not in others and t in kept]
         if subject is not None and kind in _STANDING and not is_small(subject):
             carried = self._carried(subject)
-            found = [t for t in found if t not in carried] or found
+            found = [t for t in found if t not in carried and t.owner is not subject] or found
         return [t for t in found if self._may_be_one(t, subject)] or found if one else found
 
     def _carried(self, thing: Mention | None) -> list[Mention]:

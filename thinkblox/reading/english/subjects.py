@@ -96,7 +96,8 @@ class Subjects(Having):
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
-        if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
+        held = self._is_held(thing, frame) or frame.kind == "with"
+        if self._is_at_room_part(where) and held and not frame.each:
             return True
         if frame.contents and (len(frame.members) == 1 or frame.closing):
             return True
@@ -277,7 +278,8 @@ class Subjects(Having):
         if where.word in ("above", "under"):
             held = self.habits.is_in(head.things[-1].noun, "wallpieces", "shelves")
             return bool(before) and held and where.noun is not None and where.noun.value == "it"
-        return where.word in ("behind", "in_front_of", "opposite") and bool(before)
+        counter = self.habits.is_in(head.things[-1].noun, "counters", "desks", "tables")
+        return where.word in ("behind", "in_front_of", "opposite") and bool(before) and not counter
 
     def _is_head(self, noun: Noun, head: Node) -> bool:
         found = self.referents.named(noun) if noun.definite or noun.each else None
@@ -353,7 +355,8 @@ class Subjects(Having):
             return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
-        if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
+        middle = where.noun is not None and where.noun.value in ("middle", "centre")
+        if (len(frame.members) > _PAIR and middle) or not self._ends_list(node):
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
@@ -382,6 +385,14 @@ class Subjects(Having):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _ends_list(self, node: Node) -> bool:
+        """Whether it was named right after an "and", which others are joined by to it."""
+        named = self.named_by.get(node.things[-1])
+        for at in range(self._began - 1, 0, -1):
+            if self.chunks[at] is named:
+                return self._is_link(self.chunks[at - 1], "joins") or self._is_link(self.chunks[at - 1], "mark", "and")
+        return True
 
     def _may_lie_there(self, thing: Mention) -> bool:
         """Whether it can stand or lie where other small things do."""
