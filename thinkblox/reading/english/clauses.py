@@ -9,8 +9,8 @@ from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
-from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.english.referents import FURNITURE
+from thinkblox.reading.english.state import LOOKAHEAD
 
 
 def _sorts(text: str) -> list[tuple[str, str]]:
