@@ -93,6 +93,10 @@ class Clauses(Audit):
         named = self.frontier or self.subject is not None or self.clause.members
         if said is None or not named:
             return
+        node = self.frontier[-1] if self.frontier else self.subject
+        on = self._is_link(self.peek(), "prepositions", "on", "on_top")
+        if words[said] == "stacked" and on and node is not None and not any(thing.many for thing in node.things):
+            return
         if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
             return
         before, start = self._before(), link.start

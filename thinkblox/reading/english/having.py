@@ -13,6 +13,8 @@ from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import last_word
 
 _PAIR = 2
+_MADE_OF = ("consist", "made up", "composed", "compris")
+"""How words begin that tell what something is made up of."""
 
 
 class Having(Groups):
@@ -48,7 +50,11 @@ class Having(Groups):
             self._turn_by_part(noun)
             return
         thing = head.thing
-        group = thing is not None and thing in self.groups.values() and (self.each or head.each)
+        told = self._before(0)
+        made = isinstance(told, Connector) and told.text.lower().startswith(_MADE_OF)
+        group = (
+            thing is not None and (thing in self.groups.values() or (made and thing.many)) and (self.each or head.each)
+        )
         if kind == "with" and thing is not None and group and self._is_told_of_parts(thing):
             self._dissolve(thing)
             return
@@ -265,10 +271,23 @@ class Having(Groups):
             self.pending.grouped = True
         self.each = False
 
+    def _as_had_before(self, noun: Noun, index: int) -> Noun:
+        """Take "a yellow one" for another of what one has: "one has a pink blanket, the other a yellow one"."""
+        kin = [t for node in self.frontier[:1] for thing in node.things for t in self.referents.family(thing)]
+        had = (b.subject for b in reversed(self.draft.bonds) if b.implied and any(a in kin for a in b.anchors))
+        last = next(had, None)
+        if last is None or noun.det != "a" or noun.word != "one" or not (noun.attributes or noun.unshown):
+            return noun
+        text = f"{noun.text.rpartition(' ')[0]} {last_word(last)}"
+        self.chunks[index] = named = replace(noun, kind="thing", value=last.noun, text=text)
+        return named
+
     def _again(self, verb: str) -> None:
         """Let the verb before stand for one left out: "one holds a bust, another a horse"."""
         comma = self._is_link(self.peek(), "mark", "comma")
         after = self.peek(1) if comma else self.peek()
+        if isinstance(after, Noun) and after.kind == "number":
+            after = self._as_had_before(after, self.at + comma)
         if verb in ("hold", "carry", "have") and isinstance(after, Noun) and after.kind == "thing":
             self.at += comma
             self.subject = self.frontier[0]

@@ -215,9 +215,11 @@ class Referents:
         found = [t for t in self.draft.things if t.asked and t not in besides][-number:]
         return tuple(found) if len(found) == number and not any(t.many for t in found) else ()
 
-    def last(self, subject: Sequence[Mention]) -> Mention | None:
-        """What was spoken of last, furniture before what lies on it."""
+    def last(self, subject: Sequence[Mention], *, lying: bool = False) -> Mention | None:
+        """What was spoken of last, furniture before what lies on it unless that is beside something `lying` there."""
         recent = [t for t in self._recent() if t not in subject]
+        if lying and recent:
+            return recent[0]
         return next((t for t in recent if not is_small(t)), recent[0] if recent else None)
 
     def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:

@@ -123,6 +123,8 @@ class Several(Boundaries):
     def _ordinal(self, noun: Noun, whole: Mention) -> Mention | None:
         """The first, second, ... of several; None for one past the last."""
         family = self.referents.family(whole)
+        if noun.ordinal < 0 and self.referents.parted is whole and whole.count == 1:
+            return whole
         if noun.ordinal > sum(self.referents.total(t) for t in family) > 1:
             return None
         taken = [t for known in self.ordinals.values() for t in known.values()]
