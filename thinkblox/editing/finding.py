@@ -77,7 +77,7 @@ class Finder:
         noun = phrase.noun
         if phrase.id or noun.id:
             return (phrase.id or noun.id,)
-        if noun.kind == "pronoun":
+        if noun.kind == "pronoun" or self._is_of_others(noun):
             return self._part(phrase, self._spoken_of(noun))
         if noun.rows and noun.kind == "number":
             return tuple(p.id for p in row_of(self.scene, (), noun, phrase.member))
@@ -110,6 +110,10 @@ class Finder:
         if self.vacated is None:
             raise InputError(f"'{text}': nothing was taken away before, whose place that could be; say a place")
         return self.vacated
+
+    def _is_of_others(self, noun: Noun) -> bool:
+        """Whether it is "the remaining ones" of what was spoken of."""
+        return noun.kind == "number" and noun.det == "other" and not noun.ordinal and bool(self.recent)
 
     def _part(self, phrase: NounPhrase, ids: Sequence[str]) -> tuple[str, ...]:
         """So many of these as a phrase says, where it does not say which; that is said."""
@@ -275,7 +279,8 @@ class Finder:
         """
         kinds = {id.rpartition("_")[0] for id in self.recent}
         left = [p.id for p in self.scene.placements if p.id.rpartition("_")[0] in kinds and p.id not in self.recent]
-        if len(left) != (noun.count or 1):
+        all_of_them = not noun.count and noun.text.lower().endswith(("others", "ones"))
+        if not left or (len(left) != (noun.count or 1) and not all_of_them):
             raise InputError(f"'{noun.text}' could be {_listed(left)}; say which, by its place or its id")
         return tuple(left)
 
