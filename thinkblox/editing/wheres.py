@@ -4,7 +4,6 @@ import dataclasses
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
 from typing import Literal, cast, get_args
 
 from shapely import Point
@@ -244,15 +243,17 @@ def _farthest_corners(scene: Scene, found: Sequence[tuple[str, ...]], *, besides
     """
     spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
     standing = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < OVER_HEAD]
-    taken = [p.footprint for p in standing if p.category != besides]
-    taken += [door.footprint for door in things(scene, "door")]
+    taken = [*(p.footprint for p in standing if p.category != besides), *(d.footprint for d in things(scene, "door"))]
     free = {walls: min((outline.distance(Point(spots[walls])) for outline in taken), default=EMPTY) for walls in found}
+
+    pairs = [(one, other) for one in found for other in found if one < other]
 
     def far_and_free(pair: tuple[tuple[str, ...], tuple[str, ...]]) -> tuple[float, float]:
         one, other = pair
         return round(math.dist(spots[one], spots[other]), 1), min(free[one], EMPTY) + min(free[other], EMPTY)
 
-    return list(max(combinations(found, 2), key=far_and_free))
+    best = max(pairs, key=far_and_free)
+    return list(best)
 
 
 def _speaks_of_each(where: Where, noun: Noun) -> bool:
