@@ -195,13 +195,16 @@ class Finder:
         return ordered[:1] if means("nearest", noun.degree) == "nearest" else ordered[-1:]
 
     def _of_somebody(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
-        """The teacher's desk: the one that is turned to all others of its kind.
+        """The teacher's desk, the one that is turned to all others of its kind; the pupils' desks, which are the others.
 
         Raises:
             InputError: none is, or several are.
         """
         gazes = {p.id: things(self.scene, p.id)[0].gaze for p in found}
         facing = [p for p in found if sum(turn_between(gazes[p.id], gaze) > ACROSS for gaze in gazes.values()) > 1]
+        owner = singular(whose(noun.text).removesuffix("'s").removesuffix("'"))
+        if means("audience", owner) and len(facing) <= 1 and (noun.many or noun.each or noun.det == "all"):
+            return [p for p in found if p not in facing]
         if len(facing) != 1 or len(found) < 3:
             raise InputError(
                 f"'{noun.text}': which of {_ids(found)} is {whose(noun.text)} is not known; name it by its id"
