@@ -67,7 +67,7 @@ def fit_asset(asset: Asset, size: Vec3) -> Asset:
         raise InputError(f"asset {asset.id} cannot be made at another size: its provenance is {asset.provenance!r}")
     words = tuple(w for w in (made["words"] or "").split(",") if w)
     make = make_asset if made["how"] == "procedural" else make_thing
-    return make(made["category"], seed=int(made["seed"]), attributes=words, size=size)
+    return make(made["category"], seed=int(made["seed"]), attributes=words, size=size).described(asset.description)
 
 
 def seed_of(asset: Asset) -> int | None:

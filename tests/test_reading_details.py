@@ -264,6 +264,47 @@ from thinkblox.reading import read_brief
         ("A pool table with two cues and a triangle on it.", ["2 cue on pool_table", "1 triangle on pool_table"]),
         ("Five washers along the left wall, five dryers along the right wall, and a folding table between them.",
          ["1 folding_table between washing_machine dryer"]),
+        # What a text begins with says which room it is, and what a room belongs to is no thing in it.
+        ("Inside of a photo booth, 1.1 m x 1.7 m: one stool.", ["1 stool"]),
+        ("The kitchen of a food truck, 2 by 4.2 metres. A grill by the window.", ["1 grill next_to window"]),
+        ("A partner's office at a law firm. A desk in the corner.", ["1 desk in_corner corner"]),
+        ("Goal: the tray on the desk.", ["1 tray on desk"]),
+        ("Pool table dead centre with three balls on it.", ["1 pool_table in_centre centre", "3 ball on pool_table"]),
+        ("The table, a round one, is in the corner.", ["1 dining_table in_corner corner"]),
+        ("The hamper is next to the wardrobe and it is still empty.", ["1 laundry_basket next_to wardrobe"]),
+        ("Two stools by the door. Oh, and no chairs at all!", ["2 stool next_to door"]),
+        ("Everything in this kitchen revolves around the range. It stands against the wall.",
+         ["1 stove against_wall wall"]),
+        # Lists: what ends one that is held, what is joined on something, and what two have that are one on the other.
+        ("The cabinet contains five figurines and a sabre.", ["5 figurine inside cabinet", "1 sabre inside cabinet"]),
+        ("On the desk an iron, a magnifying lamp and two paint pots.",
+         ["1 magnifying_lamp on desk", "2 paint_can on desk"]),
+        ("Two boxes, one on the other, by the door.", ["1 box next_to door", "1 box-2 next_to door", "1 box on box-2"]),
+        ("A sofa with a magazine rack holding seven magazines next to it.",
+         ["1 magazine_rack next_to sofa", "7 magazine inside magazine_rack"]),
+        ("Three buckets near the door with a watering can beside them.", ["1 watering_can next_to bucket"]),
+        # Parts of several: the last that were told apart, the next that is counted, the left of the last two.
+        ("Five low tables. Two of the tables are set: a sign stands on each of those.", ["2 sign on coffee_table"]),
+        ("Two sideboards. The first has a basket with eight apples. On the second there is a cake.",
+         ["1 cake on sideboard-2"]),
+        ("A mirror flanked by two sconces. Two baskets by the door. The left one has three umbrellas in it.",
+         ["3 umbrella inside basket"]),
+        ("Eight buckets - half of the buckets are blue and half grey.", ["4 bucket", "4 bucket-2"]),
+        ("A bench, on it an unfinished violin. The finished violins, four of them, hang on the wall.",
+         ["1 violin on bench", "4 violin-2 on wall"]),
+        # So many as there are of others, wherever they are.
+        ("Seven stools in front of the counter, and on the counter a bowl and a napkin per stool.",
+         ["7 bowl on counter", "7 napkin on counter"]),
+        ("Eight potter's wheels, and one apron per wheel hanging on the wall.", ["8 apron on wall"]),
+        ("Eight wheels. The drying rack holds two bowls for each wheel.", ["16 bowl inside drying_rack"]),
+        ("Six chairs around a table. Each place is laid with a plate and a cracker.",
+         ["6 plate on dining_table", "6 cracker on dining_table"]),
+        ("Twelve desks with a chair at each desk and nothing on any of them except one exam paper.",
+         ["12 exam_paper on desk"]),
+        ("A nightstand with nothing on it but a lamp.", ["1 table_lamp on nightstand"]),
+        ("Mudroom for a family of five: a bench, and under the bench one basket per person.", ["5 basket under bench"]),
+        ("The vanity unit by the door. A cabinet to the left of the vanity.", ["1 cabinet left_of vanity"]),
+        ("Three tables, two of which wait to be cleared.", ["2 dining_table", "1 dining_table-2"]),
     ],
 )  # fmt: skip
 def test_details_are_read(prompt: str, relations: list[str]) -> None:
@@ -316,6 +357,8 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("Two desks and a receptionist.", "a receptionist"),
         ("An island with three bar stools on one side.", "on one side"),
         ("A waiting room with eight chairs: four along the walls and four back to back in the middle.", "back to back"),
+        ("Six desks, each with a chair. The table has a jug on it but no chair.", "no chair"),
+        ("Homework nook under the stairs (150 cm by 210 cm): a desk.", "under the stairs"),
     ],
 )
 def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:
@@ -329,6 +372,9 @@ def test_what_is_not_done_is_said(prompt: str, doubt: str) -> None:
         ("A gym room with two treadmills.", "gym"),
         ("A judge's chambers with a desk.", "office"),
         ("A bedroom for twins.", "kids_room"),
+        ("Front room of a pizzeria: a brick oven by the door.", "pizzeria"),
+        ("Fetch-and-carry scene in a studio kitchen: a mug on the counter.", "kitchen"),
+        ("The geography classroom measures 7.5 by 9 metres.", "classroom"),
     ],
 )
 def test_the_room_is_named_in_passing(prompt: str, room: str) -> None:
@@ -450,6 +496,8 @@ def test_rows_and_colours_of_nothing_single_are_not_understood(prompt: str, lost
         ("A bed and a nightstand holding reading glasses.", {"bed": 1, "nightstand": 1, "reading_glasses": 1}),
         ("Two nightstands with reading lamps.", {"nightstand": 2, "table_lamp": 2}),
         ("An armchair with a reading lamp beside it.", {"armchair": 1, "floor_lamp": 1}),
+        ("A safety light pole and a sofa.", {"safety_light_pole": 1, "sofa": 1}),
+        ("A fluffy white rug, a Persian one.", {"rug": 1}),
     ],
 )
 def test_plain_words_name_what_they_should(prompt: str, things: dict[str, int]) -> None:

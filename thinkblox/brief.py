@@ -77,6 +77,7 @@ class Request(CheckedValue, frozen=True, kw_only=True):
         asked: named in the prompt; False when assumed from what such a room usually holds.
         attributes: what the prompt says of it, in the catalogue's words ("round", "double", "low").
         phrase: the words it was read from; empty when assumed.
+        called: what the prompt calls one of them, where that is not our own word for it ("tote", "teacher's desk").
         size: what the prompt says of its size.
         drawn: how large it is where the prompt leaves that open, as the seed has it.
         least, most: how many there may be, where the prompt leaves that open ("at least three"); `count` lies within.
@@ -90,6 +91,7 @@ class Request(CheckedValue, frozen=True, kw_only=True):
     asked: bool = True
     attributes: tuple[str, ...] = ()
     phrase: str = ""
+    called: Annotated[str, Meta(max_length=200)] = ""
     size: Measures = (None, None, None)
     drawn: Measures = (None, None, None)
     least: Annotated[int, Meta(ge=0, le=200)] | None = None

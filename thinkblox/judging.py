@@ -216,7 +216,7 @@ def asset_for(target: Target, scene: Scene, source: AssetSource | None = None) -
     """
     source = source or ProceduralAssets()
     asset = source.make(target.category, seed=style_seed(scene), attributes=target.attributes)
-    return _sized(asset, target.size, source, slack=0.0)
+    return _sized(asset.called(target.called) if target.called else asset, target.size, source, slack=0.0)
 
 
 def size_range(asset: Asset, source: AssetSource) -> tuple[Vec3, Vec3] | None:

@@ -63,6 +63,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
         denied: relations that it must not have.
         due: relations asked for of others that can be measured once it stands, as the last of those concerned.
         size: what its asset must measure, where that is not left open.
+        called: as its request is called.
     """
 
     id: ObjectId
@@ -76,6 +77,7 @@ class Target(CheckedValue, frozen=True, kw_only=True):
     denied: tuple[Tie, ...] = ()
     due: tuple[Due, ...] = ()
     size: Measures = (None, None, None)
+    called: Annotated[str, Meta(max_length=200)] = ""
 
     @property
     def depends_on(self) -> tuple[str, ...]:

@@ -26,6 +26,7 @@ from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.measures import object_size
+from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import BACK_GAP, EYE
@@ -242,7 +243,11 @@ def add_one(work: Work, category: str, noun: Noun, goals: Sequence[Goal], *, ass
     attributes, ties = tuple(noun.attributes), ties_of(goals)
     if all(tie.kind in ("facing", "opposite") for tie in ties):
         ties = (*usual_ties(work.scene, category), *ties)
-    target = structs.replace(work.target(id, category, ties, attributes), size=object_size(category, noun.size))
+    target = structs.replace(
+        work.target(id, category, ties, attributes),
+        size=object_size(category, noun.size),
+        called=own_name(noun.called, category),
+    )
     asset = asset or _asset(work, target)
     seated = any(isinstance(goal, Related) and goal.measured == "at" for goal in goals)
     direct = chain(_between(work.scene, asset, goals), spots(work.scene, asset, goals) if seated else ())
@@ -297,7 +302,8 @@ def _asset(work: Work, target: Target) -> Asset:
     """What is added: another one like those that are there, unless something else is said of it."""
     alike = [p for p in work.scene.placements if p.category == target.category]
     if alike and not target.attributes and target.size == (None, None, None):
-        return work.scene.asset_of(alike[-1])
+        asset = work.scene.asset_of(alike[-1])
+        return asset.called(target.called) if target.called else asset
     return of_size(asset_for(target, work.scene, work.source), target.size)
 
 

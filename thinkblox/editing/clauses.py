@@ -19,10 +19,12 @@ _RELATIVE = ("so", "that", "which", "who")
 _GONE = ("go", "leave", "disappear")
 _WANTS = ("want",)
 _BRINGS = ("add", "want", "ensure")
+_NEWS = ("add", "put", "want")
 _NOT = Token("not", "not", "word", start=-1)
 _TO = Token("to", "to", "word", start=-1)
 _NOTHING = ("nothing",)
 _WITH = Token("with", "with", "word", start=-1)
+_THE = Token("the", "the", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
 _TOGETHER = Token("together", "together", "word", start=-1)
 _APART = Token("apart", "apart", "word", start=-1)
@@ -73,12 +75,12 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     Raises:
         InputError: it depends on a condition, asks for an edit to be taken back, or says only what is not to be done.
     """
-    tokens = _gathered(_without_courtesy(tokens))
+    tokens = _pointed(_gathered(_without_courtesy(tokens)), named)
     _check(tokens, named)
     tokens = _led(tokens)
     starts = list(_starts(tokens)) or _asked_for(tokens)
     lead = tokens[: starts[0].begin] if starts else tokens
-    about, blocked, disliked = _about(lead), _blocked(lead), _disliked(lead)
+    told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
     lead = [] if about or disliked else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
     made = []
@@ -86,8 +88,8 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
         end = starts[number + 1].begin if number + 1 < len(starts) else len(tokens)
         text = spoken(tokens[start.begin : end], named)
         body = (*start.before, *tokens[start.body : end])
-        if not number and about and (near := _too_near(lead)) and any(t.text == "away" for t in body[-1:]):
-            body = (*body, _FROM, *near)
+        if not number and about:
+            body = _compared_with(told, body)
         if not number and (about or disliked) and body[:1] and body[0].text in ("it", "them"):
             alone = _ends(body, 1) and start.doing in ("move", "put")
             body = (
@@ -96,8 +98,8 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
                 *(blocked if alone else ()),
                 *body[1:],
             )
-        elif not number and disliked and start.doing in ("add", "put", *_WANTS):
-            body = (*disliked, _WITH, *(token for token in body if token.text != "instead"))
+        elif not number and ((disliked and start.doing in _NEWS) or (about and _is_of_other(start, body))):
+            body = (*(about or disliked), _WITH, *(token for token in body if token.text != "instead"))
             start = replace(start, doing="replace")
         if start.whose:
             body = _had(body, start.whose)
@@ -108,6 +110,17 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
     return made
+
+
+def _pointed(tokens: Sequence[Token], named: Mapping[int, str]) -> list[Token]:
+    """The tokens with "the" before an id that a verb stands before, by which that is told from a noun: "stand it_2"."""
+    left: list[Token] = []
+    for index, token in enumerate(tokens):
+        verb = longest("verbs", tokens, index - 1) if index else None
+        if token.start in named and verb is not None and verb[1] == 1:
+            left.append(_THE)
+        left.append(token)
+    return left
 
 
 def _about(lead: Sequence[Token]) -> tuple[Token, ...]:
@@ -126,12 +139,28 @@ def _blocked(lead: Sequence[Token]) -> tuple[Token, ...]:
     return ()
 
 
-def _too_near(lead: Sequence[Token]) -> tuple[Token, ...]:
-    """What a thing is said to be too close to: "the bed is too close to the wall"."""
-    for at in range(len(lead) - 3):
-        if lead[at].text == "too" and lead[at + 1].text in ("close", "near") and lead[at + 2].text == "to":
-            return tuple(token for token in lead[at + 3 :] if token.text not in (*ENDS, *_LINKS))
-    return ()
+def _compared_with(told: Sequence[Token], body: Sequence[Token]) -> tuple[Token, ...]:
+    """An order with from what, or to what, a thing goes that is too close to it, or too far from it: "move it away"."""
+    for last, token in enumerate(body):
+        way, end = means("ways_off", token.text), last + 1
+        few = longest("few", body, end)
+        end += few[1] if few is not None else 0
+        if not way or not all(t.text in (*ENDS, *_LINKS) for t in body[end:]):
+            continue
+        for at in range(len(told)):
+            found = longest("too_far" if way == "nearer" else "too_near", told, at)
+            if found is not None:
+                known = (token for token in told[at + found[1] :] if token.text not in (*ENDS, *_LINKS))
+                link = _TO if way == "nearer" else _FROM
+                return (*body[: last + 1], link, *known, *body[last + 1 : end])
+    return tuple(body)
+
+
+def _is_of_other(start: _Start, body: Sequence[Token]) -> bool:
+    """Whether another one of what was told of is asked for: "the rug is too small, get a bigger one"."""
+    new = bool(body) and body[0].text in ("a", "an", "another")
+    one = any(token.text == "one" for token in body) and not any(token.text in _LINKS for token in body)
+    return new and one and start.doing in (*_NEWS, "move")
 
 
 def _disliked(lead: Sequence[Token]) -> tuple[Token, ...]:
@@ -404,7 +433,7 @@ def _starts(tokens: Sequence[Token]) -> list[_Start]:
         filler = longest("fillers", tokens, index) if fresh else None
         if tokens[index].text in ENDS:
             fresh = first = True
-        elif tokens[index].text in _LINKS:
+        elif tokens[index].text in _LINKS or (tokens[index].text == "so" and fresh and _begins(tokens, index + 1)):
             fresh = True
         elif filler is not None:
             index += filler[1]
@@ -413,6 +442,11 @@ def _starts(tokens: Sequence[Token]) -> list[_Start]:
             fresh = first = False
         index += 1
     return starts
+
+
+def _begins(tokens: Sequence[Token], at: int) -> bool:
+    """Whether an order begins with a verb there: "(it is too close, so) move it"."""
+    return at < len(tokens) and tokens[at].text not in _POINTERS and _verb(tokens, at, first=True) is not None
 
 
 def _coordinated(tokens: Sequence[Token], start: _Start) -> int:

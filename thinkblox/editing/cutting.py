@@ -100,6 +100,8 @@ class ClauseCutter:
         after = at + 1
         if not rank or self._doing == "add" or after >= len(tokens) or tokens[after].kind != "word":
             return 0
+        if tokens[after].text in ("one", "ones"):
+            return 0
         if tokens[after].text == "of":
             after += 1
             after += sum(t.text in ("the", "these", "those") for t in tokens[after : after + 1])
@@ -175,7 +177,7 @@ class ClauseCutter:
         times = longest("multiples", tokens, at) if self._doing == "make" else None
         if times is not None:
             return OrderMark("multiples", times[0], float(times[0])), times[1]
-        if self._doing in ("make", "put") and not (at and tokens[at - 1].text in _NEW):
+        if self._doing in ("make", "put") and not (at and tokens[at - 1].text in (*_NEW, "the")):
             for sort in ("comparatives", "absolutes"):
                 found = longest(sort, tokens, at)
                 if found is not None and (self._doing == "make" or self._ends(tokens, at + found[1])):

@@ -15,6 +15,7 @@ from thinkblox.errors import InputError
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.reading.english.chunks import Noun
+from thinkblox.reading.own_names import own_name
 from thinkblox.scene.bearings import ground_gap
 from thinkblox.scene.landmarks import things
 from thinkblox.scene.placement import Placement, apart
@@ -215,6 +216,7 @@ class Finder:
         if (group := means("collectives", singular(noun.word.lower()))) and (noun.many or noun.det in ("all", "each")):
             return [p for p in self.scene.placements if facts_of(p.category).is_in(group)]
         same = [p for p in self.scene.placements if self._is_called(p, noun)]
+        same = [p for p in same or self.scene.placements if self._has_name(p, noun.called)] or same
         alike = same or [p for p in self.scene.placements if are_alike(p.category, noun.value)]
         told = [word for word in noun.unshown if word != noun.degree] if not noun.named else []
         wanted = [word.lower() for word in (*noun.attributes, *told)]
@@ -285,6 +287,10 @@ class Finder:
             return True
         words = noun.value.split("_")
         return not noun.named and words[-1:] == [singular(category.rpartition("_")[2])] and len(words) == 1
+
+    def _has_name(self, placement: Placement, name: str) -> bool:
+        """Whether it was named so when it came: one of the desks is "the teacher's desk"."""
+        return bool(own_name(name, placement.category)) and self.scene.asset_of(placement).name == name
 
     def _has(self, placement: Placement, word: str) -> bool:
         asset = self.scene.asset_of(placement)

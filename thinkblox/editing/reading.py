@@ -178,6 +178,7 @@ def _is_too(tokens: Sequence[Token], at: int) -> bool:
 def _with_rows(tokens: list[Token]) -> list[Token]:
     """Read "the front row" and "the back row" as the first and the last, and "a round one" as no preposition."""
     words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
+    tokens = _each_row(tokens)
     read = list(tokens)
     for index, token in enumerate(tokens[:-1]):
         rows = tokens[index + 2].text == "rows" if index + 2 < len(tokens) and is_number(tokens[index + 1]) else False
@@ -189,6 +190,25 @@ def _with_rows(tokens: list[Token]) -> list[Token]:
         if tokens[index].text in ("a", "an", "another") and tokens[index + 1].text == "lower":
             read[index + 1] = replace(tokens[index + 1], text="lowest")
     return read
+
+
+def _each_row(tokens: list[Token]) -> list[Token]:
+    """The tokens with "row" behind each of two numbers: "the first and the last row", "the front and back rows"."""
+    read = list(tokens)
+    for at in range(len(tokens) - 4, -1, -1):
+        second = at + 2 + (tokens[at + 2].text == "the")
+        row = tokens[second + 1] if second + 1 < len(tokens) else None
+        if row is None or row.text not in ("row", "rows") or tokens[at + 1].text != "and":
+            continue
+        if _is_ordinal(tokens[at]) and _is_ordinal(tokens[second]):
+            the = Token("the", "the", "word", start=-1)
+            read[second + 1] = replace(row, text="row")
+            read[at + 1 : second] = [replace(row, text="row", start=-1), tokens[at + 1], the]
+    return read
+
+
+def _is_ordinal(token: Token) -> bool:
+    return token.text in ("front", "back", "rear") or grammar().at([token], 0, "ordinal") is not None
 
 
 def _corrected(lexicon: Lexicon, token: Token) -> Token:
@@ -234,6 +254,7 @@ class _OrderReader:
         self._distance = False
         self._around = False
         self._shared = False
+        self._whole: Noun | None = None
         self._more = False
         self._up_to = False
         self._only = False
@@ -851,7 +872,7 @@ class _OrderReader:
         told = (
             isinstance(verb, Connector) and verb.sort in ("verbs", "participles") and verb.value in (*_BEING, "stand")
         )
-        if not isinstance(noun, Noun) or noun.kind not in ("thing", "pronoun") or not told:
+        if not isinstance(noun, Noun) or noun.kind not in ("thing", "pronoun", "number") or not told:
             return None
         self._at += 2
         return self._merged(noun) if noun.kind == "thing" else noun
@@ -862,7 +883,7 @@ class _OrderReader:
         elif self._mode == "so" and self._is_free_next():
             self.order.free += [phrase.noun for phrase in self._so]
         elif self._is_other_order(link):
-            self.order.lost.append(link.text)
+            raise InputError(f"'{self.order.text}': '{link.text}' begins another order; give each as a sentence")
 
     def _is_other_order(self, link: Connector) -> bool:
         """Whether a verb behind "and" would begin an order of another kind: "remove this and stand that there"."""
@@ -925,6 +946,7 @@ class _OrderReader:
             self.order.mutual = "facing"
         else:
             self.order.facing.append(self._merged(noun))
+            self._anchors = self.order.facing[-1:]
 
     def _faces_by_compass(self, following: Item | None) -> bool:
         """Take "(facing) north" as the wall that is there; whether it is that."""
@@ -1036,6 +1058,9 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
+        if self._is_on_new(where):
+            return
+        order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
         on_it = where.noun is not None and _is_it(where.noun)
         self._refer(where)
         if self._goes_along(where) or (on_it and self._rides(where)):
@@ -1048,6 +1073,15 @@ class _OrderReader:
             if where.word in ("from", "far", "near", "next_to", "by"):
                 return
         self._attach(where)
+
+    def _is_on_new(self, where: Where) -> bool:
+        """Whether what comes along with a new thing is said to be on that: "two tables with a lamp on each"."""
+        order, noun = self.order, where.noun
+        said = order.things[-1].places[-1:] if order.things and not order.company else []
+        along = bool(order.company) or (bool(said) and said[0].word == "with")
+        new = order.doing in ("add", "put", "ensure") and along and bool(order.things)
+        it = noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them", "each")
+        return new and it and where.word in ("on", "on_top") and not order.things[-1].noun.definite
 
     def _narrowed(self) -> None:
         """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
@@ -1132,7 +1166,8 @@ class _OrderReader:
                 where.noun = self._anchors[-1]
             elif len(things) > 1 and self.order.doing in _ON_KNOWN and things[-2].noun.kind == "thing":
                 where.noun = things[-2].noun
-        self._anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
+        if where.word != "with" or self.order.doing not in ("add", "put"):
+            self._anchors += [n for n in (where.noun, where.whole, where.second) if n and n.kind in ("thing", "place")]
 
     def _comes_instead(self, link: Connector, following: Noun) -> bool:
         """Whether what follows comes in place of the thing: "replace A with a B", "swap A for a B"."""
@@ -1164,10 +1199,21 @@ class _OrderReader:
             where.whole = self._next_noun()
         elif self._is_side_of_it(where.noun):
             where.whole = Noun("pronoun", "it", 0, 0, "it")
+        elif self._is_other_part(where.noun):
+            where.whole = self._whole
+        self._whole = where.whole or self._whole
         if link.value == "between" and self._is_and():
             self._at += 1
             where.second = self._next_noun()
         return self._cornered(where)
+
+    def _is_other_part(self, noun: Noun | None) -> bool:
+        """Whether it is a part of what another thing goes to a part of: "to the left end of it, the lamp to the right".
+
+        What is said of one thing alone is a part of the room.
+        """
+        part = noun is not None and noun.kind == "part" and noun.value in (*_IN_ROW, *_SIDED) and not noun.owner
+        return part and self._whole is not None and len(self.order.things) > 1
 
     def _is_side_of_it(self, noun: Noun | None) -> bool:
         """Whether an order to add names sides or ends, and not of what: "add two chairs at the ends"."""

@@ -60,7 +60,7 @@ def looking(work: Work, old: Asset, looks: Sequence[str]) -> Asset:
     kept = [word for word in old.attributes if not any(_are_alike(word, look) for look in looks)]
     kept = [word for word in kept if not (shaped and means("proportions", word))]
     for words in ((*looks, *kept), tuple(looks)):
-        made = work.source.make(old.category, seed=style_seed(work.scene), attributes=words)
+        made = work.source.make(old.category, seed=style_seed(work.scene), attributes=words).called(old.name)
         if set(looks) <= set(made.attributes):
             return made
     raise InputError(f"no {old.category.replace('_', ' ')} is made {' and '.join(looks)}")

@@ -24,6 +24,7 @@ from thinkblox.plan import Target
 from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.nodes import Where
 from thinkblox.reading.measures import object_size
+from thinkblox.reading.own_names import own_name
 from thinkblox.scene.actions import Replace, outcome
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import nearest_poses
@@ -170,11 +171,13 @@ def _successor(work: Work, id: str, new: Noun, factor: float) -> Asset:
         request=category,
         attributes=tuple(new.attributes),
         size=object_size(category, new.size),
+        called=own_name(new.called, category),
     )
     made = of_size(asset_for(target, work.scene, work.source), target.size)
-    if made.id == old.id and not (new.attributes or new.size):
+    if made.links == old.links and not (new.attributes or new.size):
         made = work.source.make(category, seed=style_seed(work.scene) + 1, attributes=target.attributes)
-    if made.id == old.id:
+        made = made.called(target.called) if target.called else made
+    if made.links == old.links:
         raise InputError(
             f"{id}: there is no other {category.replace('_', ' ')} to come in its place; say what it is to be"
         )

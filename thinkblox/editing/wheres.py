@@ -347,7 +347,9 @@ def _other_side(finder: Finder, where: Where, anchor: str) -> RelationKind:
 def _part_of_top(where: Where, noun: Noun, category: str, finder: Finder, anchor: str) -> PartOfTop | Literal[""]:
     """Which part of a thing's top something small is to stand on: "on the left side of the desk"."""
     thing = finder.scene[anchor]
-    on_top = where.word in ("on", "at") and facts_of(category).is_in("small") and finder.scene.asset_of(thing).surfaces
+    bare = noun.word.lower() not in ("end", "side", "edge", "corner", "half")
+    there = where.word in ("on", "at") or (where.word == "to" and not bare)
+    on_top = there and facts_of(category).is_in("small") and finder.scene.asset_of(thing).surfaces
     if not on_top or noun.value not in (*get_args(PartOfTop), "side"):
         return ""
     sided = cast(PartOfTop, noun.value)
@@ -877,7 +879,7 @@ def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Pl
 
 def _by_what(where: Where) -> str:
     """Whether it says which of several by their distance: "nearest" or "farthest"; empty where it does not."""
-    return next((means("nearest", word) for word in where.text.lower().split()[:1]), "")
+    return next((found for word in where.text.lower().split() if (found := means("nearest", word))), "")
 
 
 def _is_of_side(where: Where) -> bool:

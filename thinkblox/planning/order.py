@@ -116,6 +116,7 @@ def _target(member: Member, members: Members, room_height: float, due: Sequence[
         denied=tuple(dict.fromkeys(member.denied)),
         due=tuple(due),
         size=size_of(member, members, room_height),
+        called=request.called,
     )
 
 

@@ -16,6 +16,7 @@ class Mention:
 
     Attributes:
         noun: a category, or a generic noun ("any_table") until its sense is chosen.
+        called: what the prompt calls one of them, without its looks; empty where nobody knows.
         count: as said; None for a bare plural.
         owner: what it was said to belong to ("a desk with a chair"), if anything.
         host: the thing whose list it heads, related or not ("a sink with a mirror above it").
@@ -49,6 +50,7 @@ class Mention:
     per: "list[Mention]" = field(default_factory=list)
     groups: int = 0
     group: str = ""
+    called: str = ""
 
     @property
     def many(self) -> bool:

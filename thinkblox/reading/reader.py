@@ -31,6 +31,7 @@ from thinkblox.reading.language import lexicon_of
 from thinkblox.reading.lexicon import ENGLISH
 from thinkblox.reading.measures import object_size
 from thinkblox.reading.moods import emphasise, read_moods
+from thinkblox.reading.own_names import own_name
 from thinkblox.reading.room_looks import surface_of_room
 from thinkblox.reading.senses import choose_senses
 from thinkblox.reading.sizes import Size, check_area, check_side
@@ -189,10 +190,16 @@ def _drop_impossible_sizes(draft: Draft) -> None:
 def _fit_tables(draft: Draft) -> None:
     """Say of every table that comes for more or fewer for how many it is, so that one of that size is made."""
     for table in draft.things:
-        seats = sum(b.subject.count or 1 for b in draft.bonds if b.kind == "around" and table in b.anchors)
+        around = (b for b in draft.bonds if b.kind == "around" and table in b.anchors)
+        seats = sum((b.subject.count or 1) * (table.count or 1) // _anchored(b) for b in around)
         named = any(attribute.startswith("for-") for attribute in table.attributes)
         if seats and table.count and not named and kind_of(table.noun).seats:
             table.attributes.append(f"for-{table.seats or max(1, seats // table.count)}")
+
+
+def _anchored(bond: Bond) -> int:
+    """How many things a bond is to, all together."""
+    return sum(anchor.count or 1 for anchor in bond.anchors if isinstance(anchor, Mention)) or 1
 
 
 def _drop_general(draft: Draft) -> None:
@@ -254,6 +261,7 @@ def _request(thing: Mention, keys: dict[int, str]) -> Request:
         asked=thing.asked,
         attributes=tuple(dict.fromkeys(thing.attributes)),
         phrase=thing.text,
+        called=own_name(thing.called, thing.noun),
         size=object_size(thing.noun, thing.size),
         least=thing.least if thing.least is None else min(thing.least, thing.count or 1),
         most=thing.most if thing.most is None else max(thing.most, thing.count or 1),

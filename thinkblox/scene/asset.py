@@ -1,11 +1,12 @@
 """What can be placed. Asset frame: origin at the centre of the footprint at the base, x to the front, y left, z up."""
 
 import math
-from functools import cached_property
+from functools import cached_property, lru_cache
+from hashlib import sha256
 from typing import Annotated, Literal
 
 import numpy as np
-from msgspec import Meta
+from msgspec import Meta, structs
 
 from thinkblox.checked import AboveZero, CheckedValue, Coordinate, Extent, NotNegative, Number, Share, is_unit
 from thinkblox.scene.blobs import BlobKind
@@ -255,6 +256,19 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
         return (len(self.links), sum(len(link.shapes) for link in self.links), joints)
 
     @property
+    def name(self) -> str:
+        """What it is called: its description without the attributes before it."""
+        return self.description.removeprefix(" ".join(self.attributes)).strip()
+
+    def called(self, name: str) -> "Asset":
+        """The same thing by another name, the end of its description: a "white massage table" as "treatment table"."""
+        return self.described(" ".join([*self.attributes, name]))
+
+    def described(self, description: str) -> "Asset":
+        """The same thing with another description, and an id of its own."""
+        return self if description == self.description else _described(self, description)
+
+    @property
     def card(self) -> AssetCard:
         """What a policy may know of it."""
         return AssetCard(
@@ -295,3 +309,9 @@ class Asset(CheckedValue, frozen=True, kw_only=True, omit_defaults=True, cache_h
             if visual.look.texture is not None:
                 found[(visual.look.texture, "png")] = None
         return tuple(found)
+
+
+@lru_cache(maxsize=512)
+def _described(asset: Asset, description: str) -> Asset:
+    digest = sha256(f"{asset.id} {description}".encode()).hexdigest()[:8]
+    return structs.replace(asset, id=f"{asset.category}-{digest}", description=description)

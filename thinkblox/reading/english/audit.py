@@ -29,6 +29,7 @@ class Audit(Doubts):
                 continue
             if not self.account.is_lost(chunk.start, chunk.end):
                 self._lose(chunk.start, chunk.end)
+        self._allow_asked()
         settle_opposite_walls(self.draft)
         self._doubts()
         self._ask_again()
@@ -38,6 +39,14 @@ class Audit(Doubts):
             noun = self.named_by.get(thing)
             if noun is not None and not _is_known(thing):
                 self._doubt(thing, noun)
+
+    def _allow_asked(self) -> None:
+        """Say of what is both asked for and not to be there that nobody knows where it is not to be."""
+        asked = {thing.noun for thing in self.draft.things if thing.asked}
+        for name, noun in self.excluded_by.items():
+            if name in asked and name in self.draft.excluded:
+                self.draft.excluded.discard(name)
+                self._lose(max(noun.start - (noun.det != "no"), 0), noun.end)
 
     def _ask_again(self) -> None:
         """Say where a second look at the words disagrees with what was read, unless these are said already."""

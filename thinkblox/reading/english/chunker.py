@@ -106,7 +106,8 @@ class Cutter:
     def _is_bare_side(self, noun: Noun) -> bool:
         """Whether a noun says where something is without a preposition: "nightstands each side of the bed"."""
         ends = noun.end >= len(self.tokens) or self.tokens[noun.end].kind == "mark"
-        if noun.kind == "place" and noun.value == "centre" and ends:
+        goes_on = noun.text.lower().startswith("dead ") or self._text_at(noun.end) == "with"
+        if noun.kind == "place" and noun.value == "centre" and (ends or goes_on):
             return self._after_noun() and not noun.det and self._text_at(noun.end) != ":"
         if noun.kind != "part" or noun.det not in ("each", "either", "both") or not self.made:
             return False
@@ -309,7 +310,10 @@ class Cutter:
         return Connector("fillers", "doing" if people else "words", self.at, self.at + 1, token.shown)
 
     def _infinitive(self) -> Connector | None:
-        """Read the "to" of "a place to eat", which is beside nothing."""
+        """Read the "to" of "a place to eat", "waiting to be cleared", which is beside nothing."""
+        if self._text_at(self.at) == "to" and self._text_at(self.at + 1) == "be":
+            done = self._text_at(self.at + 2).endswith("ed") and grammar().at(self.tokens, self.at + 2, *_LINKS) is None
+            return Connector("fillers", "words", self.at, self.at + 2 + done, "to be")
         wished = self.at > 0 and self._text_at(self.at - 1) in grammar().lists["wishes"]
         if not wished or self._text_at(self.at) != "to" or self.at + 1 >= len(self.tokens):
             return None
@@ -386,7 +390,8 @@ class Cutter:
         if link.sort == "prepositions" and link.value in ("around",):
             return noun.kind == "thing" and noun.end - noun.start > 1 and not self._after_noun()
         if link.sort in ("fillers", "joins"):
-            return noun.kind in ("thing", "place", "room") and first is not None
+            told = isinstance(last, Connector) and last.sort == "verbs" and last.value == "be"
+            return noun.kind in ("thing", "place", "room") and first is not None and not told
         return False
 
     def _is_name_of_verb(self, noun: Noun, link: Function) -> bool:

@@ -20,6 +20,7 @@ class Noun:
         value: category or name, place, type of room, part or pronoun, according to `kind`.
         start, end: tokens that it covers.
         text: as it was written.
+        called: what it calls one of them, without what it tells of its looks ("treatment table"); empty without a head.
         det: its determiner, a key of the grammar's; empty where it has none.
         count: as said; None for a bare noun. `vague` when it is only a guess ("several").
         least, most: where a number of them is left open.
@@ -50,6 +51,7 @@ class Noun:
     start: int
     end: int
     text: str = ""
+    called: str = ""
     det: str = ""
     count: int | None = None
     vague: bool = False

@@ -10,7 +10,7 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Nou
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.state import LOOKAHEAD
-from thinkblox.reading.english.subjects import FURNITURE
+from thinkblox.reading.english.referents import FURNITURE
 
 
 def _sorts(text: str) -> list[tuple[str, str]]:
@@ -246,7 +246,8 @@ class Clauses(Audit):
         done = self._is_link(self._before(), "fillers", "doing") and noun.count is None and not noun.det
         if self._is_capacity(noun) or done:
             return True
-        if not noun.det and not noun.named and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
+        label = not noun.named or noun.word in grammar().lists["labels"]
+        if not noun.det and label and noun.count is None and self._is_link(self.peek(), "mark", "colon"):
             return True
         if not (self._is_mood(noun) or self._is_of_room(noun)):
             return False

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from thinkblox.assets.names import identifier_of
 from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import noun_of
-from thinkblox.knowledge.vocabulary import is_abstract, is_person
+from thinkblox.knowledge.vocabulary import is_abstract, is_person, name_of
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.english.chunks import Noun, NounKind
 from thinkblox.reading.english.grammar import grammar
@@ -75,6 +75,15 @@ class Heads(Modifiers):
         noun.plural |= singular(words[-1]) != words[-1]
         noun.value = identifier_of(noun_of(" ".join([*words[:-1], singular(words[-1])])))
 
+    def _called(self, noun: Noun, units: Units) -> str:
+        """What the phrase calls one of them: "treatment table" of "two white treatment tables"."""
+        looks = (*noun.attributes, *noun.unshown, *noun.states, *noun.styles)
+        told = {word for look in looks for word in look.replace("-", " ").split()}
+        words = [word for unit in units.nouns for word in unit.text.lower().split()]
+        head = words.index("of") - 1 if "of" in words[1:] else len(words) - 1
+        words[head] = singular(words[head]) if noun.plural else words[head]
+        return " ".join(word for at, word in enumerate(words) if at >= head or not told.issuperset(word.split("-")))
+
     def _no_hallway(self, noun: Noun, nouns: list[Unit]) -> None:
         """Take a hall of some kind that we do not know for a room: a village hall is no hallway."""
         if noun.kind == "room" and nouns[-1].text.lower() == "hall" and len(nouns) > 1:
@@ -142,7 +151,7 @@ class Heads(Modifiers):
         if words[-1] in ("rows", "row", "lines", "columns") and len(words) == 1:
             noun.kind, noun.rows, noun.count = "number", noun.count or -1, None
             return True
-        for key in (tuple(words), (words[-1],), (words[0],)):
+        for key in (tuple(words), (words[-1],), *(((words[0],),) if self._trails(noun, words[-1]) else ())):
             found = dict(grammar().phrases.get(key, ()))
             if "people" in found and (key != (words[0],) or len(words) == 1):
                 noun.kind, noun.value = "people", "people"
@@ -158,6 +167,11 @@ class Heads(Modifiers):
             noun.kind, noun.value = "abstract", " ".join(words)
             return True
         return False
+
+    def _trails(self, noun: Noun, word: str) -> bool:
+        """Whether the last word of a name only goes on about the first: "sunlight streaming", not "a safety pole"."""
+        named = noun.det in ("a", "another", "each") or noun.count is not None
+        return word.endswith(("ing", "ed")) or not (named or name_of([word]) or word in grammar().lists["heads"])
 
     def _size_after(self, noun: Noun) -> None:
         """Read the count of "armchair x2"."""

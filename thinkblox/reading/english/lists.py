@@ -2,10 +2,12 @@
 
 from dataclasses import replace
 
+from thinkblox.assets import kind_of
 from thinkblox.reading.attach import bind, relation_kind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Connector, Noun
-from thinkblox.reading.english.nodes import Awaited, Listed, Node
+from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node
+from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.english.ties import Ties
 
 _FOR_ALL = (
@@ -57,6 +59,7 @@ class Memberships(Ties):
     def _take_known(self, noun: Noun, known: list[Mention]) -> None:
         """Speak again of things named before: as the subject, or as what a list names."""
         self.meant[noun.start] = known
+        self.places = list(known) if noun.value == "seat" and not noun.named else []
         for thing in known:
             self.referents.speak(thing)
             thing.attributes += [a for a in noun.attributes if a not in thing.attributes]
@@ -139,6 +142,8 @@ class Memberships(Ties):
         anchors = tuple(node.things)
         if any(a.noun != head.noun for a in anchors):
             anchors = (head,)
+        if head in self.places and self._is_laid(thing, Meaning("at", anchors, each=True), anchors):
+            return
         each = tie != "between" and not frame.grouped and (frame.each or self._shares(thing, head, tie, frame))
         if frame.kind in ("around", "next_to") and thing.count == 1:
             each = False
@@ -153,7 +158,7 @@ class Memberships(Ties):
                 continue
             listed = len(self.clause.members) > len(things)
             thing = things[-1]
-            off = front.kind == "on" and not self.habits.is_in(thing.noun, "small", "fitted")
+            off = front.kind == "on" and self._stands_apart(thing)
             wall = front.anchors and isinstance(front.anchors[0], str)
             top = (
                 not wall and isinstance(front.anchors[0], Mention) and self._belongs(front.anchors[0].noun, "surfaces")
@@ -173,6 +178,13 @@ class Memberships(Ties):
                 self._lose_where(front.where)
             front.used = True
             self._relate(things, self.meanings.of_each(front.meaning, things), negated=front.where.negated)
+
+    def _stands_apart(self, thing: Mention) -> bool:
+        """Whether it is furniture, or else stands on the floor or hangs, rather than lying with what is listed."""
+        if self.habits.is_in(thing.noun, "small", "fitted"):
+            return False
+        kind = kind_of(thing.noun)
+        return self.habits.is_in(thing.noun, *FURNITURE) or not (kind.plain or kind.mount == "surface")
 
     def _is_bound_by(self, front: Awaited, thing: Mention) -> bool:
         """Whether what stands in front was said of a thing before: of the bouquets of "half of the bouquets"."""

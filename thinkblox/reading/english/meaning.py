@@ -213,10 +213,17 @@ class Meanings:
         if said.value == "each" and not anchors:
             anchors = tuple(likely[:1])
         whole = said.value == "each" and not said.attributes and len(anchors) == 1
+        whole &= not (said.text.lower().endswith(("those", "these")) and self._was_parted_last(anchors))
         if whole and len(family := self.referents.family(anchors[0])) > 1:
             anchors = tuple(t for t in family if t not in subjects) or anchors
         meaning = Meaning(kind, anchors, each=said.value == "each", told=True)
         return self._fitting(meaning, subjects, noun, where.word) if anchors else None
+
+    def _was_parted_last(self, anchors: tuple[Mention, ...]) -> bool:
+        """Whether some of several were told apart just now, and nothing of the others since."""
+        family = self.referents.family(anchors[0]) if anchors else []
+        last = next((t for t in reversed(self.referents.spoken) if t in family), None)
+        return last is anchors[0] and self.referents.is_apart(last) and self.referents.parted in (*family, None)
 
     def _two_sides(self, likely: list[Mention]) -> tuple[Mention, ...]:
         """The washers and dryers of "washers along one wall, dryers along the other, a table between them"."""

@@ -97,7 +97,9 @@ class Naming(Several):
             return []
         if noun.plural and noun.definite:
             every = self.referents.every(noun)
-            total = sum(t.count or 1 for t in every)
+            total = sum(self.referents.total(t) for t in every)
+            if total == 1 and noun.det == "the" and noun.states and not any(t.many for t in every):
+                return []
             if noun.count is None or noun.count == total:
                 return every
             return [first] if noun.count < total else []
@@ -241,6 +243,7 @@ class Naming(Several):
         thing.unshown, thing.states = [*noun.unshown], [*noun.states]
         thing.seats, thing.size = noun.seats, noun.size
         thing.groups, thing.group = noun.groups, noun.group
+        thing.called = noun.called
         self.draft.things.append(thing)
         self.named_by[thing] = noun
         word = noun.word
@@ -288,7 +291,7 @@ class Naming(Several):
     def _copy_of(self, thing: Mention) -> Mention:
         """Another of the same kind."""
         copy = Mention(thing.noun, 1, attributes=[*thing.attributes], unshown=[*thing.unshown], text=thing.text)
-        copy.states, copy.size = [*thing.states], thing.size
+        copy.states, copy.size, copy.called = [*thing.states], thing.size, thing.called
         self.draft.things.append(copy)
         self.referents.speak(copy)
         return copy

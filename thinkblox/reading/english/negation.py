@@ -88,9 +88,19 @@ class Negation(Positions):
         after = self.peek()
         but = self.peek(2)
         besides = self._is_link(but, "joins", "but") or self._is_link(but, "prepositions", "except")
-        if self._is_link(after, "prepositions", "on") and besides and self.subject is not None:
+        on = self._is_link(after, "prepositions", "on") and besides
+        if on and self.subject is not None:
             self.at += 3
             self._open_of_subject("carry")
+            return
+        if on and self.pending is not None and isinstance(on_it := self.peek(1), Noun) and on_it.kind == "pronoun":
+            self.at += 3
+            self.pending.kind = "carry"
+            return
+        if on and isinstance(after, Connector) and isinstance(on_it := self.peek(1), Noun) and on_it.kind == "pronoun":
+            self.at += 1
+            self._set_front(self._read_where(after))
+            self.at += 1
             return
         if self._is_link(after, "prepositions", "except"):
             self.draft.empty = True
@@ -155,6 +165,7 @@ class Negation(Positions):
             return
         self._spend(noun)
         self.draft.excluded.add(noun.value)
+        self.excluded_by[noun.value] = noun
         self.account.mark(noun.start, noun.end, "constraint")
         self.pending = None
         self.barred = noun

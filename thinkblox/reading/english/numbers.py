@@ -81,7 +81,7 @@ class Numbers(Verbs):
             or thing.many
             or not plain
             or self.separator != "comma"
-            or not (noun.attributes or noun.unshown)
+            or not (noun.attributes or noun.unshown or len(noun.text.split()) > len(("a", "one")))
         ):
             return False
         self._spend(noun)

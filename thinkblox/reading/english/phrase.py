@@ -78,6 +78,7 @@ class PhraseReader(Heads):
             return self._headless(noun, at, end, units)
         noun.end = end
         self._head(noun, units)
+        noun.called = self._called(noun, units)
         if noun.ordinal and noun.plural and noun.kind == "thing" and noun.count == 1 and not noun.of_known:
             return self._finished(Noun("number", "", noun.start, at, det=noun.det, count=1, ordinal=noun.ordinal))
         self._size_after(noun)
@@ -189,7 +190,7 @@ class PhraseReader(Heads):
         if self.tokens[at].glued and unjoined and (length := self._glued(noun, at, units)):
             return length
         stop = grammar().at(self.tokens, at, *STOPS)
-        if known is not None and not units.nouns and self._is_one(at + known.length):
+        if known is not None and not units.nouns and self._is_one_alone(at + known.length):
             return self._kind_of_one(noun, at, units, known)
         if known is not None and not units.nouns and self._is_shade(at, known.length):
             known = None
@@ -207,6 +208,10 @@ class PhraseReader(Heads):
         """Take a phrase of the lexicon; a place after nouns ends them, unless it is a word of their name."""
         unknown = not any(unit.owner for unit in units.nouns)
         built = known.entry.value.split()[0] in _BUILT and unknown
+        label = not noun.start and noun.det in ("", "a") and self.tokens[at].text in grammar().lists["rooms"]
+        if known.entry.sort == "place" and units.nouns and label:
+            units.nouns.append(Unit(self.tokens[at].shown))
+            return known.length
         if known.entry.sort == "place" and units.nouns and not built:
             after_thing = units.nouns[-1].known is not None and units.nouns[-1].known.entry.sort == "object"
             if known.entry.value != "centre" or known.length > 1 or noun.det == "the" or after_thing:
@@ -220,7 +225,13 @@ class PhraseReader(Heads):
     def _is_shape(self, at: int) -> bool:
         """Whether "round" is an adjective: "Centre: round table", not "round the table"."""
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
-        return at < len(self.tokens) and self.tokens[at].text == "round" and bare and self._starts_noun(at + 1)
+        follows = self._starts_noun(at + 1) or (self._is_one(at + 1) and self._text(at - 1, at).lower() in ("a", "the"))
+        return at < len(self.tokens) and self.tokens[at].text == "round" and bare and follows
+
+    def _is_one_alone(self, at: int) -> bool:
+        """Whether "one" stands for a noun, rather than before one: "under the bench | one basket"."""
+        doing = grammar().at(self.tokens, at + 1, "verbs", "participles") is not None
+        return self._is_one(at) and (doing or not self._starts_noun(at + 1))
 
     def _kind_of_one(self, noun: Noun, at: int, units: Units, known: Known) -> int:
         """Take the iron of "a black iron one" for what that is like."""
@@ -271,6 +282,8 @@ class PhraseReader(Heads):
         if text in grammar().lists["modals"] and units.nouns and is_purpose(units.nouns[-1].text.lower()):
             return True
         if text in grammar().lists["finished"] and units.nouns and self._known(at + 1, "attribute") is not None:
+            return True
+        if text == "measures" and units.nouns and self.size_at(at + 1) is not None:
             return True
         people = noun.count is not None and self._text(noun.start - 1, noun.start).lower() == "for"
         last = units.nouns[-1].known if units.nouns else None
@@ -380,7 +393,8 @@ class PhraseReader(Heads):
         if token.owner:
             units.nouns.append(Unit(token.shown, None, True))
             return 1
-        if token.text.endswith("ly") and len(token.text) > 4 and self._known(at + 1, "object") is None:
+        adverb = token.text.endswith("ly") and len(token.text) > 4 and not grammar().knows(token.text, "people")
+        if adverb and self._known(at + 1, "object") is None:
             return 1 if self._starts_noun(at + 1) and not units.nouns else 0
         if not units.nouns and token.text in grammar().lists["shades"] and self._is_colour(at + 1):
             self._idle(noun, at, at + 1)
@@ -397,8 +411,19 @@ class PhraseReader(Heads):
             noun.unshown += [] if is_purpose(token.text) else [token.shown.lower()]
             units.adjectives += 1
             return 1
+        if not units.nouns and self._stands_before_look(noun, at):
+            noun.unshown.append(token.shown.lower())
+            units.adjectives += 1
+            return 1
         units.nouns.append(Unit(token.shown))
         return 1
+
+    def _stands_before_look(self, noun: Noun, at: int) -> bool:
+        """Whether a word can only be an adjective: "a fluffy white rug", "a Persian one"."""
+        if not (noun.det or noun.count is not None):
+            return False
+        coloured = self._is_colour(at + 1) and self.thing_at(at + 1) is None and self._goes_on_to_noun(at + 2)
+        return coloured or (self._is_one(at + 1) and not noun.of_known)
 
     def _goes_on_to_noun(self, at: int) -> bool:
         """Whether a noun comes, with or without adjectives before it."""

@@ -5,7 +5,7 @@ from dataclasses import replace
 from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
-from thinkblox.reading.english.chunks import Connector, Noun
+from thinkblox.reading.english.chunks import Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
@@ -330,15 +330,25 @@ class Positions(Subjects):
         if noun.kind == "room":
             if noun.count or noun.each or where.word not in _WITHIN:
                 self._lose(where.start, noun.end)
-            elif where.word == "in" and not self.draft.room:
+            elif where.word == "in" and (not self.draft.room or (self.draft.room == "room" and not self.draft.things)):
+                self.draft.room = ""
                 self._room(noun)
                 self._go_on_with_room()
+            return True
+        if where.word == "in" and noun.kind == "thing" and self._is_inside_label(noun):
+            self._spend(noun)
+            self._room(replace(noun, kind="room", value="room"))
             return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
             self._spend(noun)
             self.draft.excluded.add(noun.value)
             return True
         return False
+
+    def _is_inside_label(self, noun: Noun) -> bool:
+        """Whether a text begins with what the room is: "Inside of a photo booth, 1.1 m x 1.7 m: ..."."""
+        begins = not (self.draft.things or self.draft.room or self.front or noun.many)
+        return begins and self._is_link(self.peek(), "mark") and isinstance(self.peek(1), Measured)
 
     def _is_of_opening(self, where: Where) -> bool:
         """Take where a door or window is, when it was named last."""

@@ -57,6 +57,9 @@ class Prepositions(Negation):
         """The preposition as it is meant; None where "a locker for each person" was read with it."""
         if self._gives_one_for_every(link):
             return None
+        noun = self.peek()
+        if link.value == "per" and isinstance(noun, Noun) and noun.kind == "thing" and not (noun.det or noun.many):
+            noun.det = "each"
         thing = self._is_for_everyone(link)
         if thing is not None and not self._read_as_place(thing):
             self._one_for_each(thing, link)
@@ -89,7 +92,11 @@ class Prepositions(Negation):
         if link.value not in ("for", "per") or noun is None or noun.kind != "thing" or thing is None:
             return False
         every = noun.every if noun.counted else noun.count if link.text.lower().endswith("every") else None
-        if not every or every < _PAIR:
+        told = any(b.kind in ("on", "inside") for b in self.draft.bonds_of(thing))
+        one = noun.count is None and not noun.every and noun.det in ("each", "")
+        placed = link.value == "per" and one and (told or self._is_placed_after(noun))
+        every = every or (1 if placed else None)
+        if not every or (every < _PAIR and not placed):
             return False
         whole = self.referents.named(replace(noun, every=0, det="the", count=None), besides=[thing])
         self._go_past(noun)
@@ -98,13 +105,29 @@ class Prepositions(Negation):
             self._lose(link.start, noun.end)
             return True
         self._spend(noun)
-        thing.count, thing.per = (thing.count or 1) * (count // every), []
+        for one in (thing, *(self._listed_with(thing) if placed else ())):
+            one.count, one.per = (one.count or 1) * (count // every), []
         self.draft.bonds = [b for b in self.draft.bonds if b.subject is not thing or whole not in b.anchors]
-        if not any(b.kind == "on" for b in self.draft.bonds_of(thing)):
+        if not placed and not any(b.kind == "on" for b in self.draft.bonds_of(thing)):
             tables = self._tables_of([whole]) if is_small(thing) else []
             near = Bond("near", thing, (whole,), implied=True)
             bind(self.draft, Bond("on", thing, tuple(tables)) if tables else near)
         return True
+
+    def _listed_with(self, thing: Mention) -> list[Mention]:
+        """What is in the same place, one by one, as what there is one of for each: "a bowl and a spoon per stool"."""
+        frame = self.frontier[-1].frame
+        where = {(b.kind, b.anchors) for b in self.draft.bonds_of(thing)}
+        others = [m for m in (frame.members[frame.begun :] if frame is not None else ()) if m is not thing]
+        there = [m for m in others if where & {(b.kind, b.anchors) for b in self.draft.bonds_of(m)}]
+        return [m for m in there if m.count == 1 and not m.many] if len(there) == len(others) else []
+
+    def _is_placed_after(self, noun: Noun) -> bool:
+        """Whether it is told where what there is one of for each is: "one apron per wheel hanging on the wall"."""
+        at = self.chunks.index(noun, self.at) + 1 - self.at
+        at += self._is_link(self.peek(at), "participles")
+        place = self._next_noun(at + 1)
+        return self._is_link(self.peek(at), "prepositions") and place is not None and place.kind == "place"
 
     def _leads_with_everyone(self, link: Connector) -> bool:
         """Whether "for each person" begins what then is at every seat that was named: "for each person: a plate"."""
@@ -127,6 +150,8 @@ class Prepositions(Negation):
             return False
         if small:
             places = self._seats()
+            told = sum(self.referents.total(place) for place in places)
+            places = [] if self.draft.people and told != self.draft.people else places
         else:
             seat = self.habits.is_in(thing.noun, "chairs")
             places = [t for t in self.draft.things if seat and self.habits.is_in(t.noun, "desks") and t.many]
@@ -333,8 +358,8 @@ class Prepositions(Negation):
                 self._serve(thing, noun.count)
             self._go_past(noun)
         elif noun.kind in ("people", "number") and (noun.count or noun.kind == "people") and not self.draft.things:
-            self._for_people(noun)
             self._go_past(noun)
+            self._for_people(noun)
         elif noun.kind == "thing" and noun.word in grammar().lists["animals"]:
             self._spend(noun)
             self._go_past(noun)

@@ -64,7 +64,9 @@ class Pronouns(Numbers):
             self.negating = True
             return
         following = self.peek()
-        if noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":
+        if noun.text.lower() == "neither" and self.frontier and self._is_link(following, "prepositions"):
+            self.negating, self.separator = True, ""
+        elif noun.text.lower() == "neither" and isinstance(following, Noun) and following.kind == "thing":
             self.excluding = not following.definite
         elif noun.value == "half" and self._is_link(self.peek(), "prepositions", "as"):
             self._lose_comparison(noun)
@@ -95,7 +97,9 @@ class Pronouns(Numbers):
                 self._resume(self._others(whole), noun)
                 self._again(said)
             case "half":
-                self._part_of(whole, max(1, (whole.count or 2) // 2))
+                parts = self.referents.parts.get(whole, ()) if whole is self.referents.parted else ()
+                total = (whole.count or 2) + sum(part.count or 0 for part in parts)
+                self._part_of(whole, max(1, min(total // 2, whole.count or total)), noun)
             case _:
                 self._part_of(whole, noun.count or 1)
 

@@ -3,9 +3,11 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from thinkblox.assets import kind_of
 from thinkblox.assets.palette import COLOURS
 from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.habits import load_habits
+from thinkblox.knowledge.senses import senses_of
 from thinkblox.knowledge.things import are_alike
 from thinkblox.reading.draft import Bond, Draft, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -19,6 +21,8 @@ _STANDING = ("behind", "in_front_of", "left_of", "right_of", "next_to", "opposit
 """Relations of furniture that are to furniture rather than to what lies on it."""
 _AROUND = (*_STANDING, "near", "far", "above", "under", "")
 """Relations, and sides, of what a clause was about rather than of what was said to be there."""
+FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
+"""What stands on the floor rather than on what is named after it."""
 NESTED = 8
 """How deep shares of shares are multiplied out."""
 _BY_HABIT = ("on", "above", "under", "at", "around", "opposite")
@@ -65,11 +69,12 @@ class Referents:
         apart = grammar().lists["told_apart"]
         recent = [t for t in recent if word not in apart or last_word(t) in (word, "") or last_word(t) not in apart]
         said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
+        meant = {sense.category for sense in senses_of(noun.value)}
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
             lambda t: t.noun in (noun.value, f"wall_{noun.value}"),
             lambda t: word in (last_word(t), _head_word(t)),
-            lambda t: are_alike(t.noun, noun.value),
+            lambda t: are_alike(t.noun, noun.value) or t.noun in meant,
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if lone and not t.many and last_word(t) == word]
@@ -363,6 +368,11 @@ def _is_own_name(text: str, value: str) -> bool:
 def is_small(thing: Mention) -> bool:
     """Whether it lies or stands on other things."""
     return load_habits().is_in(thing.noun, "small")
+
+
+def is_loose_lamp(thing: Mention) -> bool:
+    """Whether it is a lamp of a kind that nobody made, which stands where other things do: a magnifying lamp."""
+    return load_habits().is_in(thing.noun, "lamps") and kind_of(thing.noun).plain
 
 
 def fits(thing: Mention, kind: str, noun: str = "") -> bool:

@@ -13,6 +13,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
 from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
+from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.lexicon import ENGLISH, load
 from thinkblox.reading.sizes import Size
 
@@ -20,6 +21,10 @@ _THEIRS = {"": "kids_room", "room": "kids_room", "bedroom": "kids_room"}
 """What rooms are called that are for children."""
 _PARTS = ("wall", "floor", "corner", "ceiling")
 """Parts of a room that words before them tell apart."""
+_WITHIN = ("of", "at", "in", "on")
+"""Prepositions between a room and what it belongs to."""
+_SIDE_ROOMS = (["front"], ["back"], ["main"], ["side"], ["rear"])
+"""What is said of a room by where it is: the back room of a pharmacy is a pharmacy."""
 COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
 
@@ -49,12 +54,18 @@ class Rooms(Memberships):
             self._spend(place)
             self._go_past(place)
         if not self.draft.things:
+            self._pass_whole()
             self.frontier = []
             self.of_room = self._is_link(self.peek(), "inverses") or self._is_link(self.peek(), "prepositions", "with")
 
     def _room_of_whole(self, noun: Noun) -> str:
-        """The hotel lobby of "lobby of a small hotel", as what has both words in its name; empty where nothing has."""
+        """The hotel lobby of "lobby of a small hotel", as what has both words in its name; empty where nothing has.
+
+        Of a front or back room it is the whole.
+        """
         whole = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if whole is not None and whole.kind == "room" and noun.text.lower().split()[-2:-1] in _SIDE_ROOMS:
+            return whole.value
         words = whole.text.lower().replace("'s", "").split() if whole is not None else []
         for word in reversed(words):
             known = load(ENGLISH)
@@ -64,6 +75,16 @@ class Rooms(Memberships):
             if room is not None and noun.value in kinds_of_room(room.value):
                 return room.value
         return ""
+
+    def _pass_whole(self) -> None:
+        """Go past what a room belongs to, which is no thing in it: "the kitchen of a food truck", "at a law firm"."""
+        whole = self._next_noun(1) if self._is_link(self.peek(), "prepositions", *_WITHIN) else None
+        if whole is None or whole.kind != "thing" or whole.many or whole.det not in ("a", "the", "my"):
+            return
+        stands = whole.value in self.habits.known() and self.habits.is_in(whole.value, "small", *FURNITURE)
+        if not stands and self.referents.named(whole) is None:
+            self._spend(whole)
+            self._go_past(whole)
 
     def _go_on_with_room(self) -> None:
         """Let the room have what is told next: "a piano in a living room with a sofa"."""
@@ -181,7 +202,11 @@ class Rooms(Memberships):
             self.crowd = noun.count
 
     def _for_people(self, noun: Noun) -> None:
-        """The room is for so many, or for some; children have one of their own."""
+        """The room is for so many, or for some; children have one of their own, and a family of six is six."""
+        several = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if noun.count is None and several is not None and several.kind == "number" and several.count:
+            self._go_past(several)
+            noun.count = several.count
         self.draft.people = noun.count or self.draft.people
         children = noun.text.lower().split()[-1] in grammar().lists["children"]
         if children and self.draft.room in _THEIRS:

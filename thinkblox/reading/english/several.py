@@ -10,6 +10,8 @@ from thinkblox.reading.english.chunks import Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.meaning import ROOM_SIDES
 
+_PAIR = 2
+
 
 class Several(Boundaries):
     """Sets some of several things apart."""
@@ -35,7 +37,15 @@ class Several(Boundaries):
         """What a number parts; "the one by the door" is of those of which another was called so before."""
         left = self.singled if noun.text.lower() == "the one" else None
         kept = left is not None and left in self.draft.things and left not in besides and not self.referents.parted
-        return left if kept else self._whole(besides)
+        counted = self._counted_before(noun, besides) if not kept else None
+        return counted or (left if kept else self._whole(besides))
+
+    def _counted_before(self, noun: Noun, besides: Sequence[Mention]) -> Mention | None:
+        """What was counted up to the one before: after "the first", "the second" is another of the same."""
+        if noun.kind != "number" or noun.ordinal < _PAIR or noun.of_known or noun.attributes:
+            return None
+        series = (known[noun.ordinal - 1] for known in reversed(self.ordinals.values()) if noun.ordinal - 1 in known)
+        return next((t for t in series if t in self.draft.things and t not in besides), None)
 
     def _others(self, whole: Mention) -> list[Mention]:
         """All that are left of several of which the first, the second, ... were told."""
@@ -53,7 +63,7 @@ class Several(Boundaries):
             return those
         if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
             told = [t for t in self.sides if self.sides[t] == noun.side and t in self.draft.things and t not in besides]
-            if told and (whole is None or whole not in self.sides):
+            if told and (whole is None or whole not in self.sides) and not self._are_newer(whole, told[-1]):
                 return told[-1]
         if whole is None:
             return None
@@ -76,6 +86,13 @@ class Several(Boundaries):
             self._set_side(part, whole, noun.side)
         part.unshown += [noun.degree] if noun.degree and noun.degree not in part.unshown else []
         return part
+
+    def _are_newer(self, two: Mention | None, told: Mention) -> bool:
+        """Whether two were named since others were told to be at two sides: "the left one" is one of them."""
+        if two is None or not two.many or self.referents.total(two) != _PAIR:
+            return False
+        spoken = self.referents.spoken[::-1]
+        return two in spoken and (told not in spoken or spoken.index(two) < spoken.index(told))
 
     def _by_looks(self, noun: Noun, whole: Mention | None) -> Mention | None:
         """The one of several that was told to look so: "the red one"."""

@@ -54,7 +54,7 @@ class State(Namer):
         of_room: the clause lists what the room has.
         adding: "three of roses" added to "five buckets of tulips", so that what comes may add more.
         aside: the owner of a list that goes on after its member's parts were told ("four chairs, two on each side").
-        barred: what was said not to be there last.
+        barred: what was said not to be there last; `excluded_by`: by which phrase each such thing was.
         laid: what was said last lies where it was said to lie before.
         meant: what the phrase at a token was taken for; `antecedents` weighs what pronouns point back to by it.
         unsure: phrases for one thing that several were named by, and these.
@@ -63,6 +63,7 @@ class State(Namer):
         tables: things that serve as tables.
         spoken_of: what a pronoun of this sentence meant.
         untied: things that others were said to have, and no relation of ours says how, with their owners.
+        places: seats that were just named as places at a table ("each place is laid with a plate").
         sequence: on which side each of the things that come is of the one before ("from left to right").
     """
 
@@ -98,6 +99,7 @@ class State(Namer):
         self.front: list[Awaited] = []
         self.held: list[Awaited] = []
         self.barred: Noun | None = None
+        self.excluded_by: dict[str, Noun] = {}
         self.laid = False
         self.spoken_of: Mention | None = None
         self.circles: list[tuple[Mention, Connector]] = []
@@ -137,6 +139,7 @@ class State(Namer):
         self.crowd = 0
         self.held = []
         self.sequence = ""
+        self.places: list[Mention] = []
         self.together: Node | None = None
         self.adding = False
         self.aside: tuple[Node, Listed] | None = None

@@ -10,7 +10,7 @@ from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
 from thinkblox.reading.english.parts import SIDES
-from thinkblox.reading.english.referents import is_small, last_word
+from thinkblox.reading.english.referents import FURNITURE, is_loose_lamp, is_small, last_word
 
 _PAIR = 2
 _SLIM = 0.3
@@ -21,8 +21,6 @@ _BY_OWNER = (
     "next_to", "near", "in_front_of", "behind", "left_of", "right_of", "at_foot_of", "between", "opposite", "far",
 )  # fmt: skip
 """Relations that are rather about what has a thing than about the thing."""
-FURNITURE = ("seats", "tables", "desks", "beds", "lounges", "storage", "shelves", "covers", "lamps", "counters")
-"""What stands on the floor rather than on what is named after it."""
 _STANDING = ("along", "against")
 """Prepositions before a wall that say where things stand rather than hang."""
 _SHARED = (
@@ -74,10 +72,13 @@ class Subjects(Having):
         return self._joined(inner, where)
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
-        """All of "two armchairs, one green and one blue, facing the sofa"."""
+        """All of "two armchairs, one green and one blue, facing the sofa", "two boxes, one on the other, by the door"."""
         comma = self._is_link(self.chunks[self._began - 1] if self._began else None, "mark", "comma")
         family = self.referents.family(node.things[-1])
         parted = comma and len(family) > 1 and len(node.things) == 1
+        among = parted and all(set(b.anchors) <= set(family) for t in family for b in self.draft.bonds_of(t))
+        if among and any(self.draft.bonds_of(t) for t in family):
+            return Node(list(family), node.frame)
         if not parted or any(not b.implied for t in family for b in self.draft.bonds_of(t)):
             return None
         looks = [tuple(t.attributes) for t in family]
@@ -169,6 +170,9 @@ class Subjects(Having):
         owner = head.things[-1]
         nested = head.frame is not None and head.frame.head is not None and self._contains(owner) and is_small(owner)
         if where.word in ("on", "on_top") and nested and len(frame.members) == 1:
+            return True
+        outer = head.frame.head if head.frame is not None else None
+        if where.word in _BY_OWNER and frame.kind in ("hold", "carry", "inside") and outer is not None and outer.things:
             return True
         several = owner.many and not (owner.rows or owner.groups or owner in self.referents.shared)
         return several and where.word not in ("on", "in") and len(frame.members) == 1
@@ -368,7 +372,7 @@ class Subjects(Having):
         for member in reversed(frame.members[frame.begun :]):
             lies = each and (is_small(member) or not member.many)
             alike = leaning or lies or self._belongs(member.noun, group) or (on_thing and _may_lie(member))
-            alike |= on_thing and last_word(member) in grammar().lists["set_on"]
+            alike |= on_thing and (last_word(member) in grammar().lists["set_on"] or is_loose_lamp(member))
             if member is not thing and (member in taken or not alike):
                 break
             free.insert(0, member)

@@ -5,12 +5,14 @@ from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
-from thinkblox.reading.english.referents import is_small, last_word
+from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
 from thinkblox.reading.english.relating import Relating
 
 _ON_IT = ("prepositions", "on", "in", "inside", "on_top")
 """How a list ends of which all lies on, or in, what has it."""
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+_BY_THEM = ("next_to", "near", "by", "between", "behind", "in_front_of", "opposite", "around")
+"""Prepositions after which "them" are several together."""
 _CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
 """What things are beside rather than on."""
 _SMALL = 0.6
@@ -251,7 +253,9 @@ class Ties(Relating):
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""
         link = self.peek()
-        return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", "with", "of", "for")
+        return self._is_link(link, "prepositions") and not self._is_link(
+            link, "prepositions", "with", "of", "for", "per"
+        )
 
     def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
@@ -259,7 +263,7 @@ class Ties(Relating):
             return True
         if head.count is None or head.count < 2 or thing.vague or "shared" in thing.attributes:
             return False
-        if frame.kind in ("hold", "carry"):
+        if frame.kind in ("hold", "carry") or (not frame.each and self._is_beside_all()):
             return False
         if thing.count is None:
             return tie in ("on", "at", "around", "above", "next_to")
@@ -269,6 +273,11 @@ class Ties(Relating):
             return False
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _is_beside_all(self) -> bool:
+        """Whether it is told to be beside "them": "three buckets with a can beside them" are beside one can."""
+        noun = self._next_noun(1) if self._is_link(self.peek(), "prepositions", *_BY_THEM) else None
+        return noun is not None and noun.kind == "pronoun" and noun.value == "them"
 
     def _tie(self, thing: Mention, frame: Listed, *, first: bool = False) -> str | None:
         """How a listed thing belongs to the head; None when it does not, which ends the list."""
@@ -286,6 +295,8 @@ class Ties(Relating):
         match frame.kind:
             case "hold" | "carry" | "inside" if usual in ("at", "around"):
                 return usual
+            case "hold" | "carry" | "inside" | "on" if not lies_here and self._ends_held_list(thing, frame):
+                return "inside" if frame.kind == "inside" or (frame.kind != "on" and self._contains(head)) else "on"
             case "hold" if lies_here:
                 return "inside" if self._contains(head) else "on"
             case "carry" if lies_here:
@@ -299,6 +310,11 @@ class Ties(Relating):
             case "hold" | "carry" | "on" | "list":
                 return None
         return frame.kind
+
+    def _ends_held_list(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it ends a list of what something holds, and nothing else is said of it: "holds a dish and a sabre"."""
+        last = self.separator == "and" and len(frame.members) > 0 and self._is_end(self.peek())
+        return last and not self.habits.is_in(thing.noun, *FURNITURE)
 
     def _tie_with(
         self, thing: Mention, head: Mention, usual: str | None, frame: Listed, *, lies: bool, first: bool

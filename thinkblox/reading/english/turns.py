@@ -13,7 +13,7 @@ _AFTER = ("and", "but", "or", "oh", "well", "then", "now", "please")
 
 def correction_at(tokens: Sequence[Token], at: int) -> int:
     """How many tokens the words before what corrects the last thing have: "no, make that", "actually,"; 0 for none."""
-    if not _begins(tokens, at):
+    if not _begins(tokens, at) or _is_placing(tokens, at):
         return 0
     end = at
     if _is_no(tokens, at):
@@ -30,7 +30,7 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
     begins = _begins(tokens, at)
     if begins and _is_no(tokens, at):
         return _until(tokens, at + 1, sentence=_is_new_sentence(tokens, at)) + 1
-    found = grammar().at(tokens, at, "turns")
+    found = grammar().at(tokens, at, "turns") if not _is_placing(tokens, at) else None
     if found is not None:
         after = grammar().at(tokens, at + found.length, "determiners", "count")
         if found.value == "phrase":
@@ -52,6 +52,13 @@ def turn_at(tokens: Sequence[Token], at: int) -> int:
     if tokens[at].text in ("out", "of", "in") and (length := _of_every(tokens, at)):
         return length
     return 0
+
+
+def _is_placing(tokens: Sequence[Token], at: int) -> bool:
+    """Whether "hang on the wall" says where something is, rather than "hang on" that something was wrong."""
+    verb, link = grammar().at(tokens, at, "verbs"), grammar().at(tokens, at + 1, "prepositions")
+    after = at + 1 + link.length if link is not None else 0
+    return verb is not None and bool(after) and grammar().at(tokens, after, "determiners", "count") is not None
 
 
 def _is_no(tokens: Sequence[Token], at: int) -> bool:
