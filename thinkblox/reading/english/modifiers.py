@@ -117,11 +117,9 @@ class Modifiers(Quantities):
         name = "-".join(token.shown for token in self.tokens[at : end + 1]).lower()
         if self._seats(noun, at, end) or self._counts_parts(noun, at, end):
             return end + 1 - at
-        if topped := self._topped(noun, at, self._known(at, "attribute")):
-            units.adjectives += 1
-            return topped
-        if last is not None and last.entry.sort == "attribute":
-            noun.attributes.append(last.entry.value)
+        topped = self._topped(noun, at, self._known(at, "attribute")) > 0
+        if topped or (last is not None and last.entry.sort == "attribute"):
+            noun.attributes += [last.entry.value] if last is not None and not topped else []
             units.adjectives += 1
         elif self._starts_noun(end + 1) and self._has_noun(end + 1):
             evaluative = grammar().at(self.tokens, at, "evaluative")
