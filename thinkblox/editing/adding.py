@@ -13,6 +13,7 @@ from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides,
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
+from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
@@ -70,6 +71,8 @@ def _fix_it(finder: Finder, order: Order) -> None:
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
     noun = phrase.noun
+    if is_row(noun):
+        return add_rows(work, finder, order, phrase, places)
     _check(noun)
     if noun.definite and not noun.id and noun.det == "the" and (there := finder.matching(noun)):
         raise InputError(f"'{noun.text}' is there already: {', '.join(p.id for p in there)}; add 'a' or 'another' one")

@@ -17,6 +17,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.making import make
+from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
 from thinkblox.editing.reading import read_instruction
@@ -334,6 +335,8 @@ def _is_known(phrase: NounPhrase) -> bool:
     """Whether a phrase points at something that is there."""
     noun = phrase.noun
     pointed = noun.definite or noun.det in ("each", "all", "both", "half")
+    if is_row(noun) and not (pointed or noun.ordinal):
+        return False
     return bool(
         phrase.id or pointed or noun.of_known or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal
     )

@@ -201,7 +201,7 @@ def _each_row(tokens: list[Token]) -> list[Token]:
         if row is None or row.text not in ("row", "rows") or tokens[at + 1].text != "and":
             continue
         if _is_ordinal(tokens[at]) and _is_ordinal(tokens[second]):
-            the = Token("the", "the", "word", start=-1)
+            the = tokens[at + 2] if second > at + 2 else Token("the", "the", "word", start=-1)
             read[second + 1] = replace(row, text="row")
             read[at + 1 : second] = [replace(row, text="row", start=-1), tokens[at + 1], the]
     return read
@@ -386,6 +386,8 @@ class _OrderReader:
             order.doing, order.places = "gap", about[:1]
             more = self._more and not order.lengths and not order.change
             order.change = "wider" if more else order.change
+            compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
+            order.by |= compared and bool(order.lengths) and not order.bound
         if order.doing == "put" and order.space and order.places and not order.things:
             order.doing = "free"
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.repaint import TOPPED
 from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.draft import Mention
@@ -24,14 +25,14 @@ class Having(Groups):
         self.negating = False
         self._turn_wall_round(kind)
         noun = self._next_noun()
-        if kind == "with" and noun is not None and self._is_no_list(noun):
-            return
-        if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
-            self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
         node = next((n for n in reversed(self.frontier) if n.things), None)
         if noun is not None and node is not None and kind == "with" and self._is_feature(noun, node.things[-1]):
             self._features(node, noun)
             return
+        if kind == "with" and noun is not None and self._is_no_list(noun):
+            return
+        if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
+            self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
         self._go_back_to_framed(node if kind == "with" else None)
         if kind == "with" and noun is not None and self._is_among(noun):
             return
@@ -179,7 +180,8 @@ class Having(Groups):
     def _is_feature(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is a part that furniture comes with: "a cabinet with three drawers", "a vanity with two sinks"."""
         own = noun.kind == "part" and noun.det == "my"
-        part = noun.word in grammar().lists["features"] or self._is_bowl_of(noun, thing)
+        part = noun.word in grammar().lists["features"]
+        part = part or self._is_bowl_of(noun, thing) or self._is_seat_of(noun, thing)
         called = name_of(noun.text.lower().split()) if part and noun.named else None
         return part and not (self.each or own or (called is not None and called.length > 1))
 
@@ -187,6 +189,11 @@ class Having(Groups):
         """Whether it is the sink of a vanity: what one washes at has one of its own."""
         basin = self.habits.is_in(thing.noun, "basins") or last_word(thing) in grammar().lists["basins"]
         return basin and noun.kind == "thing" and not noun.definite and noun.word in grammar().lists["bowls"]
+
+    def _is_seat_of(self, noun: Noun, thing: Mention) -> bool:
+        """Whether it is the seat of a chair, the shade of a lamp."""
+        whole = {"seat": ("seats", "chairs"), "shade": ("lamps",)}.get(noun.word, ())
+        return bool(whole) and self.habits.is_in(thing.noun, *whole) and not noun.definite
 
     def _features(self, node: Node, noun: Noun) -> None:
         """Take "two doors and three drawers" for parts of a thing; what is listed after them it may have as well."""
@@ -205,7 +212,10 @@ class Having(Groups):
         self._spend(noun)
         plain, bowl = not (noun.attributes or noun.unshown or noun.size), self._is_bowl_of(noun, thing)
         noun.kind = "abstract"
-        if bowl and plain and noun.count in (None, 1, _PAIR):
+        tops = [f"{look}-topped" for look in noun.attributes] if noun.word == "top" else []
+        if tops and TOPPED.keys() >= {*tops} and not (noun.unshown or noun.size):
+            thing.attributes += tops
+        elif bowl and plain and noun.count in (None, 1, _PAIR):
             thing.attributes += ["double"] if noun.count == _PAIR and "double" not in thing.attributes else []
         elif noun.count and noun.word in COUNTED_PARTS and plain:
             thing.attributes.append(f"{noun.count}-{noun.word}s")
