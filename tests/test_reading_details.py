@@ -335,6 +335,16 @@ from thinkblox.reading import read_brief
         ("A fridge and a sink by the wall. High table with four stools opposite.", ["4 bar_stool around high_table"]),
         ("Two washbasins with mirrors at the back.", ["2 washbasin against_wall far_wall"]),
         ("A couch with a lamp at its head.", ["1 floor_lamp next_to sofa"]),
+        # Zones of the room have what is listed next; what is told of itself shares no other place.
+        ("The room is a 5 m by 4 m bedroom. A wardrobe on the east wall.", ["1 wardrobe against_wall east_wall"]),
+        ("Four tables, each with two chairs, a reading corner with a bookcase.", ["1 bookcase"]),
+        ("A lamp, pictures along the wall and a poster on the wall behind each of two desks.",
+         ["2 poster behind desk"]),
+        ("Three tables, the first with bowls, the second with vases and the third with plates, ten of each.",
+         ["10 bowl on dining_table", "10 vase on dining_table-2", "10 plate on dining_table-3"]),
+        ("Six tables, a cake stand with scones in the middle of every table.", ["6 cake_stand on dining_table"]),
+        ("Six booths along the window, each with two benches and a table.", ["12 bench around dining_table"]),
+        ("Three statues stand by a wall; one of them is covered with a cloth.", ["1 cloth on statue"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),

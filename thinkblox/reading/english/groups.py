@@ -113,7 +113,7 @@ class Groups(Descriptions):
                 break
             if isinstance(chunk, Noun) and self.habits.is_in(chunk.value, *_MAIN):
                 return True
-        return len(group.text.split()) < _MODIFIED
+        return len(group.text.split()) < _MODIFIED and last_word(group) not in grammar().lists["made_up"]
 
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""

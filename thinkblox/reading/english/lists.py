@@ -128,6 +128,11 @@ class Memberships(Ties):
         """Put the chair of "three people, each with a desk and a chair" at the desk of the same person."""
         if not frame.each or frame.times < 2 or not thing.count or thing.count % frame.times:
             return
+        seated = self._seated(thing) if thing.count == frame.times else ""
+        for other in frame.members if seated else ():
+            if self.habits.is_in(other.noun, "seats", "chairs") and not (other.count or 1) % frame.times:
+                other.count, other.owner = (other.count or frame.times) // frame.times, thing
+                bind(self.draft, Bond(relation_kind(seated), other, (thing,), each=True, implied=True))
         for other in frame.members:
             tie = self.habits.tie(thing.noun, other.noun) if other is not thing else None
             if tie in ("at", "around") and other.count == frame.times:

@@ -53,6 +53,13 @@ class Rooms(Memberships):
             self._lose(noun.end, place.end)
             self._spend(place)
             self._go_past(place)
+        if (
+            self.draft.things
+            and noun.det == "a"
+            and self.separator
+            and self._is_link(self.peek(), "prepositions", "with")
+        ):
+            self._begin()
         if not self.draft.things:
             self._pass_whole()
             self.frontier = []
@@ -101,6 +108,8 @@ class Rooms(Memberships):
     def _is_another_room(self, noun: Noun) -> bool:
         """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
+            return False
+        if self.draft.room == "room" and not self.draft.things and self._is_link(self._before(), "verbs", "be"):
             return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
         listed = (
@@ -167,6 +176,7 @@ class Rooms(Memberships):
         )
         sized = self._is_link(self.peek(2), "mark") and isinstance(self.peek(3), Measured)
         ended = self._is_link(self.peek(2), "mark", "colon", "stop", "dash") or sized
+        ended |= self._is_link(self.peek(2), "prepositions", "with")
         return place if roomish and ended and isinstance(place, Noun) and place.kind == "thing" else None
 
     def _is_room_size(self, size: Size) -> bool:
