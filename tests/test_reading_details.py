@@ -345,6 +345,10 @@ from thinkblox.reading import read_brief
         ("Six tables, a cake stand with scones in the middle of every table.", ["6 cake_stand on dining_table"]),
         ("Six booths along the window, each with two benches and a table.", ["12 bench around dining_table"]),
         ("Three statues stand by a wall; one of them is covered with a cloth.", ["1 cloth on statue"]),
+        ("Five tables. One table has a lamp on it, each of the others has a vase.", ["4 vase on dining_table-2"]),
+        ("A mic on a mic stand, a music stand in front of the mic stand.", ["1 music_stand in_front_of microphone_stand"]),
+        ("Against the wall a workbench: a magnifying lamp, two paint pots.",
+         ["1 magnifying_lamp on workbench", "2 paint_can on workbench"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),

@@ -78,6 +78,7 @@ class Referents:
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if lone and not t.many and last_word(t) == word]
+        single = [t for t in single if t.noun == noun.value] or single
         if single and recent and recent[0] not in self.parts and not self.is_apart(single[0]):
             return single[0]
         several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
