@@ -113,7 +113,7 @@ class Groups(Descriptions):
                 break
             if isinstance(chunk, Noun) and self.habits.is_in(chunk.value, *_MAIN):
                 return True
-        return len(group.text.split()) < _MODIFIED
+        return len(group.text.split()) < _MODIFIED and last_word(group) not in grammar().lists["made_up"]
 
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""
@@ -144,8 +144,8 @@ class Groups(Descriptions):
                 self.clause.members += found
                 self.each = True
                 return
-        trailing = following is None or (isinstance(following, Connector) and following.sort in ("mark", "joins"))
-        if trailing:
+        ends = isinstance(following, Connector) and following.sort in ("mark", "joins")
+        if following is None or ends or self._is_each_of_list(following):
             self._trailing_each()
             return
         if nodes:
@@ -154,6 +154,15 @@ class Groups(Descriptions):
         elif parts := self._all_parts():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.each = True
+
+    def _is_each_of_list(self, following: Chunk | None) -> bool:
+        """Whether "each" ends what several have, and a place comes: "racks with 48 bottles each along the wall"."""
+        said, node = self._before(), self.frontier[-1] if self.frontier else None
+        counted = isinstance(said, Noun) and bool(said.count) and isinstance(following, Connector)
+        head = node.frame.head if node is not None and node.frame is not None else None
+        place = self._next_noun(1) if counted and self._is_link(following, "prepositions") else None
+        many = head is not None and any(thing.many for thing in head.things)
+        return many and place is not None and place.kind == "place"
 
     def _is_each_person(self) -> bool:
         """Take "each" for each of the people named just now, or alone: "an office for three, each with a desk"."""

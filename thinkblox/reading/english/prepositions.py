@@ -381,11 +381,8 @@ class Prepositions(Negation):
     def _is_purpose(self, noun: Noun) -> bool:
         """Whether it only says what something is for: "a bin for paper", "a place for umbrellas"."""
         before = self._before()
-        if (
-            noun.kind == "thing"
-            and noun.text.lower().split()[0].endswith("ing")
-            and is_purpose(noun.text.lower().split()[0])
-        ):
+        doing = noun.text.lower().split()[0]
+        if noun.kind == "thing" and doing.endswith("ing") and is_purpose(doing):
             return not noun.det and isinstance(before, Noun) and before.kind == "room"
         matter = not (noun.det or noun.plural) and noun.count is None and noun.text.lower()[-1:] != "s"
         matter |= noun.text.lower() == noun.material

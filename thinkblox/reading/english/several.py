@@ -24,6 +24,7 @@ class Several(Boundaries):
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
+        near += [t for t in self.referents.topics[-1:] if not self.frontier and not self.clause.members]
         near += self.clause.members[::-1]
         many = [t for t in near if (t.many or self.referents.total(t) > 1) and t not in besides]
         alike = [t for t in self.referents.plural() if t not in besides and t.noun in {n.noun for n in near[:1]}]

@@ -12,8 +12,11 @@ from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
 from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import FURNITURE, is_loose_lamp, is_small, last_word
+from thinkblox.reading.english.state import LOOKAHEAD
 
 _PAIR = 2
+_NO_PLACE = ("with", "of", "for", "per", "as")
+"""Prepositions that say nothing of where a thing is."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
 _BONDS = 20
@@ -96,7 +99,8 @@ class Subjects(Having):
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
-        if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
+        held = self._is_held(thing, frame) or frame.kind == "with"
+        if self._is_at_room_part(where) and held and not frame.each:
             return True
         if frame.contents and (len(frame.members) == 1 or frame.closing):
             return True
@@ -165,7 +169,7 @@ class Subjects(Having):
         noun = where.noun
         if noun is None:
             seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
-            return where.word in ("opposite", "behind") and seated and not frame.each
+            return where.word in ("opposite", "behind", "between") and seated and not frame.each
         if noun.kind != "pronoun" or noun.value != "it" or frame.each or not self._is_held(thing, frame):
             return False
         owner = head.things[-1]
@@ -195,7 +199,9 @@ class Subjects(Having):
             whole = Noun("thing", where.noun.owner, where.noun.start, where.noun.end, where.noun.owner, det="the")
         if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
-        if where.noun.value in ("middle", "top", "inside", "in_shelf"):
+        if where.noun.value in ("top", "inside", "in_shelf"):
+            return False
+        if where.noun.value == "middle" and not is_small(head.things[-1]):
             return False
         held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
         return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
@@ -277,7 +283,8 @@ class Subjects(Having):
         if where.word in ("above", "under"):
             held = self.habits.is_in(head.things[-1].noun, "wallpieces", "shelves")
             return bool(before) and held and where.noun is not None and where.noun.value == "it"
-        return where.word in ("behind", "in_front_of", "opposite") and bool(before)
+        counter = self.habits.is_in(head.things[-1].noun, "counters", "desks", "tables")
+        return where.word in ("behind", "in_front_of", "opposite") and bool(before) and not counter
 
     def _is_head(self, noun: Noun, head: Node) -> bool:
         found = self.referents.named(noun) if noun.definite or noun.each else None
@@ -353,7 +360,8 @@ class Subjects(Having):
             return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
-        if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
+        middle = where.noun is not None and where.noun.value in ("middle", "centre")
+        if (len(frame.members) > _PAIR and middle) or not self._ends_list(node):
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
@@ -378,10 +386,27 @@ class Subjects(Having):
             alike = leaning or self._belongs(member.noun, group) or self._may_hang_there(member, where)
             alike |= each and (is_small(member) or not member.many)
             alike |= on_thing and self._may_lie_there(member)
-            if member is not thing and (member in taken or not alike):
+            if member is not thing and (member in taken or not alike or self._is_placed_itself(member)):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _is_placed_itself(self, thing: Mention) -> bool:
+        """Whether its own words say where it is, though nothing may have been made of that."""
+        named = self.named_by.get(thing)
+        for at in range(self._began - 1, max(self._began - LOOKAHEAD, 0), -1):
+            if self.chunks[at] is named:
+                link = self.chunks[at + 1]
+                return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", *_NO_PLACE)
+        return False
+
+    def _ends_list(self, node: Node) -> bool:
+        """Whether it was named right after an "and", which others are joined by to it."""
+        named = self.named_by.get(node.things[-1])
+        for at in range(self._began - 1, 0, -1):
+            if self.chunks[at] is named:
+                return self._is_link(self.chunks[at - 1], "joins") or self._is_link(self.chunks[at - 1], "mark", "and")
+        return True
 
     def _may_lie_there(self, thing: Mention) -> bool:
         """Whether it can stand or lie where other small things do."""

@@ -2,7 +2,7 @@
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
@@ -141,9 +141,16 @@ class Ties(Relating):
         goes_on = place is not None and place.kind == "place" and self._is_link(self.peek(at + 2), "prepositions")
         return at + 2 if goes_on else at
 
+    def _past_modifiers(self, at: int) -> int:
+        """How many chunks ahead it goes on after "of toys", "plugged in"."""
+        while self._is_link(self.peek(at), "prepositions", "of") and isinstance(self.peek(at + 1), Noun):
+            at += 2
+        return at + isinstance(self.peek(at), Adjective)
+
     def _told_of(self, frame: Listed, thing: Mention) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
+        index = self._past_modifiers(index)
         index = self._past_place(index) if frame.each and self._is_told_by_pronoun() else index
         link = self.peek(index)
         noun = self._next_noun(index + 1)
@@ -213,9 +220,15 @@ class Ties(Relating):
         """Whether it lies where the thing before it lies: "an altar with a statue and incense opposite the door"."""
         standing = self._is_beside_place() and max(kind_of(thing.noun).size) <= _SMALL
         low = standing or (is_small(thing) and not self.habits.is_in(thing.noun, "wallpieces", "ceiling"))
-        where = standing or _is_whole_place(place) or place.value.split()[0] not in ("wall", "floor", "ceiling")
-        pair = self.separator == "and" and frame.kind == "with" and where
+        upright = place.value.split()[0] not in ("wall", "floor", "ceiling") or _is_whole_place(place)
+        pair = self.separator == "and" and frame.kind == "with"
+        pair &= upright or standing or self._are_both_bare(thing, frame)
         return pair and low and self._carries_before(thing, head, frame)
+
+    def _are_both_bare(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it and what it is joined to are several without a number: "hooks with sausages and hams"."""
+        said = [self.named_by.get(t) for t in (*frame.members[-1:], thing)]
+        return len(said) > 1 and all(n is not None and n.plural and not n.det and n.count is None for n in said)
 
     def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
         """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""
