@@ -168,3 +168,48 @@ def test_seats_that_are_in_the_way_go_along_with_their_table_and_others_are_told
     assert result.scene["chair_1"] == dining(2)["chair_1"]
     kept = edit_room(before, "Move the dining table 60 cm to the north but don't touch the chairs")
     assert all(kept.scene[id] == before[id] for id in seats)
+
+
+def test_another_row_is_like_the_last_and_as_far_from_it() -> None:
+    rows: list[tuple[str, float, float, float, str]] = []
+    for number, (x, y) in enumerate(((5.9, 2.0), (5.9, 3.2), (4.3, 2.0), (4.3, 3.2))):
+        rows += [
+            (f"school_desk_{number + 1}", x, y, 180.0, "floor"),
+            (f"chair_{number + 1}", x - 0.45, y, 0.0, "floor"),
+        ]
+    before = built(room(7.0, 5.0), *rows)
+    after = done(before, "Add another row of desks with chairs at the back").scene
+    new = [p for p in after.placements if p.id not in before]
+    assert sorted(p.category for p in new) == ["chair", "chair", "school_desk", "school_desk"]
+    assert {round(p.position[0], 2) for p in new} == {2.7, 2.25}
+    behind = edit_room(before, "Add four more rows of desks behind the last row")
+    assert any("another row was not added" in text for text in behind.failed)
+    with pytest.raises(InputError, match="nothing stands in rows"):
+        edit_room(living(), "Add another row of chairs")
+
+
+def test_the_pupils_desks_are_all_but_the_teachers() -> None:
+    before = classroom()
+    after = done(before, "Put a laptop on each pupil's desk").scene
+    assert {p.support for p in after.placements if p.category == "laptop"} == {f"school_desk_{n}" for n in range(1, 7)}
+
+
+def test_what_is_spread_evenly_is_far_from_each_other() -> None:
+    stools = [
+        ("stool_1", 1.5, 2.5, 0.0, "floor"),
+        ("stool_2", 2.1, 2.5, 0.0, "floor"),
+        ("stool_3", 1.8, 3.1, 0.0, "floor"),
+    ]
+    before = built(room(), *stools)
+    for said, least in (
+        ("Spread the stools evenly around the room", 2.0),
+        ("Space the stools evenly along the east wall", 1.4),
+    ):
+        after = done(before, said).scene
+        spots = [after[id].position[:2] for id, *_ in stools]
+        assert min(math.dist(a, b) for a in spots for b in spots if a != b) > least, said
+    assert all(x > 5.5 for x, _ in spots)
+    pictures = [(f"picture_{n}", 2.0 + n, 4.984, 270.0, "wall") for n in (1, 2)]
+    after = done(built(room(), *pictures), "Spread the pictures evenly along the north wall").scene
+    assert all(not 3.6 - 0.4 < after[id].position[0] < 5.2 + 0.4 for id, *_ in pictures)
+    assert edit_room(before, "Spread the stools out a bit").complete

@@ -225,16 +225,30 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     Raises:
         InputError: they are to be spread over somewhere.
     """
-    tokens = [t for t in clause.tokens if t.text not in ("together", "apart")]
+    tokens = [t for t in clause.tokens if t.text not in ("together", "apart", "out")]
     in_rows = {m for n in range(len(tokens)) if (row := longest("rows", tokens, n)) for m in range(n, n + row[1])}
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
         word = () if placed - _IN else (_TOGETHER,)
         return Clause("move", "", (*tokens, *word), clause.text)
+    if clause.doing == "spread" and (over := _without_all_over(tokens)) is not None:
+        return Clause("spread", "", over, clause.text)
     if placed - {"by", "from"}:
         raise InputError(f"'{clause.text}': how things are spread over a place is not followed; say where each goes")
     return Clause("move", "", (*tokens, _APART), clause.text)
+
+
+def _without_all_over(tokens: Sequence[Token]) -> tuple[Token, ...] | None:
+    """The tokens without "evenly around the room"; None where that is not said."""
+    left: list[Token] = []
+    index, found = 0, False
+    while index < len(tokens):
+        over = longest("all_over", tokens, index)
+        found |= over is not None
+        left += tokens[index : index + 1] if over is None else []
+        index += over[1] if over is not None else 1
+    return tuple(left) if found else None
 
 
 def _fewer(clause: Clause) -> Clause | None:
