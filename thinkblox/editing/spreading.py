@@ -28,7 +28,7 @@ OFF = 0.6
 """How far from its share of the floor something may stand [m]."""
 OFF_WALL = 0.25
 """The same along a wall [m]."""
-ASIDE = tuple(sign * 0.1 * n for n in range(12) for sign in (1.0, -1.0))
+ASIDE = tuple(sign * 0.1 * n for n in range(20) for sign in (1.0, -1.0))
 """How far from its share of the wall something is tried [m]."""
 TURNS = 12
 """How often the middles of the shares are taken anew."""
