@@ -51,6 +51,9 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A dining room with a high chair and a rug", "chair", 4),
         ("A computer classroom for 16 students with a teacher's desk", "desk", 17),
         ("She needs a room with a bed and a desk", "office_chair", 1),
+        ("An office for six with a meeting table", "desk", 6),
+        ("An office for six with a meeting table", "office_chair", 12),
+        ("An office for six with a large table", "chair", 6),
     ],
 )
 def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):

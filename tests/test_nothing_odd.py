@@ -577,3 +577,24 @@ def test_computers_along_the_walls_stand_on_desks() -> None:
     assert len(desks) == 10
     assert desks <= seen
     assert desks <= sat_at
+
+
+def test_an_island_stands_before_the_run_with_its_ways_and_the_table_elsewhere() -> None:
+    room = made("A kitchen-diner with a table for four and an island")
+    (island,), (table,) = placed(room, "kitchen_island"), placed(room, "kitchen_table")
+    assert island.footprint.distance(table.footprint) > 0.6
+    assert all(wall.coordinates(corner)[1] > 0.6 for wall in room.scene.room.walls for corner in island.corners)
+
+
+def test_what_hangs_among_people_has_room_around_it_and_machines_have_some_between() -> None:
+    room = made("A small gym with two treadmills, a rowing machine and a punching bag")
+    (bag,), (rower,) = placed(room, "punching_bag"), placed(room, "rowing_machine")
+    machines = [*placed(room, "treadmill"), rower]
+    assert min(bag.footprint.distance(p.footprint) for p in machines) > 0.3
+    assert min(rower.footprint.distance(p.footprint) for p in placed(room, "treadmill")) > 0.25
+
+
+def test_what_belongs_into_a_corner_stands_by_a_wall_where_none_is_free() -> None:
+    room = made("A fitting room")
+    (mirror,) = placed(room, "standing_mirror")
+    assert min(wall.coordinates(corner)[1] for wall in room.scene.room.walls for corner in mirror.corners) < 0.3

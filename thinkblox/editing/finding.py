@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets import facts_of
+from thinkblox.assets.palette import with_general
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import means, rank_of, whose
 from thinkblox.editing.orders import NounPhrase
@@ -302,7 +303,7 @@ class Finder:
 
     def _has(self, placement: Placement, word: str) -> bool:
         asset = self.scene.asset_of(placement)
-        said = {*asset.attributes, *asset.description.lower().replace(",", " ").split()}
+        said = {*with_general(asset.attributes), *asset.description.lower().replace(",", " ").split()}
         return word in said or word.replace(" ", "-") in said
 
     def _as_many(self, noun: Noun, found: list[Placement], picks: Sequence[Picks]) -> list[Placement]:

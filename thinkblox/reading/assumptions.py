@@ -7,8 +7,9 @@ from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
+from thinkblox.knowledge.goods import goods_in, stocked
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type, room_types
 from thinkblox.knowledge.seats import places_at, usual_seat
 from thinkblox.knowledge.sets import rest_of_set
 from thinkblox.knowledge.things import are_alike, counts_as, things
@@ -18,6 +19,8 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SELLS = "shop"
+"""The type of room of which only its goods tell more."""
 _SEATED = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand to their tables."""
 _DRAWN_UP = (*_SEATED, "behind")
@@ -30,6 +33,8 @@ _CROWDED = 4
 """More people than this share no desk."""
 _MOST = 2
 """A table at which one in so many sits is not where the people of a room have their places."""
+_MOST_MEET = 12
+"""More people than this do not all meet at one table."""
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
@@ -43,11 +48,12 @@ def assume(draft: Draft, fill: Fill) -> None:
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
         sketched = _is_sketched(draft)
+        sold = goods_in([word.text for word in draft.account]) if draft.room == _SELLS else ""
         if bare:
-            _fill(draft, room_type(draft.room).usual)
+            _fill(draft, stocked(room_type(draft.room).usual, sold))
         _seat(draft)
         if sketched:
-            _fill(draft, room_type(draft.room).expected)
+            _fill(draft, stocked(room_type(draft.room).expected, sold))
         if bare or sketched:
             for theme in draft.themes:
                 if not theme.unless:
@@ -169,7 +175,8 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
         if kind == "around" and (served or (taken and _is_worked_on(draft, table))):
             continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
-        count = each * (table.count or 1)
+        meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
+        count = max(each * (table.count or 1), meeting)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
@@ -197,7 +204,12 @@ def _is_for_one(draft: Draft, table: Mention) -> bool:
     """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
     place = room_type(draft.room).place
     drawn = sum(b.subject.count or 1 for b in draft.bonds if b.kind in _DRAWN_UP and table in b.anchors)
-    if not draft.people or not place or (table.noun == place and table.asked and drawn < (table.count or 1)):
+    if (
+        not draft.people
+        or not place
+        or _is_met_at(draft, table)
+        or (table.noun == place and table.asked and drawn < (table.count or 1))
+    ):
         return True
     return table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
 
@@ -365,6 +377,7 @@ def _have_places(draft: Draft, category: str) -> bool:
     named = any(
         t.asked
         and not _is_too_small(t, draft.people)
+        and not (load_habits().is_in(category, "desks") and _is_met_at(draft, t))
         and (
             load_habits().is_in(t.noun, "meal_tables")
             or (t.many and load_habits().is_in(t.noun, "worked_at"))
@@ -373,6 +386,13 @@ def _have_places(draft: Draft, category: str) -> bool:
         for t in draft.things
     )
     return category == room_type(draft.room).place and named
+
+
+def _is_met_at(draft: Draft, table: Mention) -> bool:
+    """Whether people meet at it who have desks of their own: no table of any kind, but that of another type of room."""
+    place, usual = room_type(draft.room).place, next(iter(load_habits().group("meal_tables")), "")
+    named = table.noun != usual and any(kind.seats_at == table.noun for kind in room_types().values())
+    return named and bool(place) and load_habits().is_in(place, "desks")
 
 
 def _is_one(noun: str, category: str) -> bool:
@@ -438,6 +458,8 @@ def _seat(draft: Draft) -> None:
         seat.count = people if people and tables and room_type(draft.room).seats_at else seat.count
     table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
     shared = table is not None and room_type(draft.room).place and not _is_too_small(table, draft.people)
+    if table is not None and _is_met_at(draft, table):
+        return
     if draft.people and (room_type(draft.room).seats_at or shared) and not _has(draft, "seats"):
         _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 

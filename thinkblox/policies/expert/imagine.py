@@ -39,6 +39,8 @@ TURNED_AWAY = 8.0
 """Cost of looking elsewhere than asked."""
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
+AMID, AMID_INSTEAD = 2.0, 5.0
+"""Cost of standing amid the room of what has no reason to, and of what belongs to a wall or into a corner."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
 BEHIND_IT, IN_USE = 3.0, 6.0
 """Cost of standing behind or before what has a front, instead of beside it."""
@@ -149,8 +151,9 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
         yield _dearer(idea, 0.8 if free or corner else 0.0)
     for idea in walls.corners(situation):
         yield _dearer(idea, 3.0 if watched else 0.8 if free else 0.0 if corner else 0.3)
+    walled = any(tie.kind in ("against_wall", "in_corner") for tie in situation.target.ties)
     for idea in open_floor.grid(situation):
-        yield _dearer(idea, 0.0 if free else 2.0)
+        yield _dearer(idea, 0.0 if free else AMID_INSTEAD if walled else AMID)
 
 
 def _any_surface(situation: Situation) -> Iterator[Idea]:
@@ -344,7 +347,8 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
         gaps = AT_COUNTER
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
-    for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why):
+    middle = runs.middle_of_run(situation, anchor)
+    for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why, middle=middle):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
 
 

@@ -210,7 +210,8 @@ class Cutter:
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""
         token, after = self.tokens[self.at], self._text_at(self.at + 1)
-        return token.kind == "number" and token.value > 1000 and after == "s"
+        short = token.kind == "number" and self._text_at(self.at - 1) == "the" and token.value in range(10, 100, 10)
+        return after == "s" and (short or (token.kind == "number" and token.value > 1000))
 
     def _quoted(self) -> Connector | None:
         """Go past words in quotation marks, unless they name what comes right after."""

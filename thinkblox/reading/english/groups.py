@@ -178,6 +178,12 @@ class Groups(Descriptions):
         families = (self.referents.family(thing) for thing in things)
         return next((family for family in families if len(family) > 1), [])
 
+    def _told_together(self, node: Node, frame: Listed) -> list[Mention]:
+        """What is listed in one place with the things of a node: "on the desks a sheet and a pencil each"."""
+        where = [(b.kind, b.anchors) for thing in node.things for b in self.draft.bonds_of(thing)]
+        there = [m for m in frame.members if any((b.kind, b.anchors) in where for b in self.draft.bonds_of(m))]
+        return list(dict.fromkeys([*there, *node.things])) if self.front else node.things
+
     def _trailing_each(self) -> None:
         """Read "two bins with five balls each", "four chairs each"."""
         node = self.frontier[-1] if self.frontier else None
@@ -188,7 +194,7 @@ class Groups(Descriptions):
         if before and before[0].many and node.things == node.frame.members[-1:]:
             tie = relation_kind(self.habits.tie(node.things[0].noun, before[0].noun) or "next_to")
             bind(self.draft, Bond(tie, node.things[0], (before[0],), each=True, implied=True))
-        for thing in node.frame.members if head is not None else node.things:
+        for thing in node.frame.members if head is not None else self._told_together(node, node.frame):
             loose = head is not None and head.things and not self.draft.bonds_of(thing)
             if head is not None and loose and head.things[-1].many:
                 bind(self.draft, Bond("next_to", thing, (head.things[-1],), implied=True))

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -72,7 +73,7 @@ class Subjects(Having):
         return self._joined(inner, where)
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
-        """All of "two armchairs, one green and one blue, facing the sofa", "two boxes, one on the other, by the door"."""
+        """All of "two armchairs, one green and one blue, facing it", "two boxes, one on the other, by the door"."""
         comma = self._is_link(self.chunks[self._began - 1] if self._began else None, "mark", "comma")
         family = self.referents.family(node.things[-1])
         parted = comma and len(family) > 1 and len(node.things) == 1
@@ -190,6 +191,8 @@ class Subjects(Having):
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
         whole = where.whole
+        if whole is None and where.noun is not None and where.noun.owner:
+            whole = Noun("thing", where.noun.owner, where.noun.start, where.noun.end, where.noun.owner, det="the")
         if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
         if where.noun.value in ("middle", "top", "inside", "in_shelf"):
@@ -287,7 +290,9 @@ class Subjects(Having):
         if noun.kind == "pronoun":
             return True
         if noun.kind == "part":
-            return where.whole is None or where.whole.kind == "pronoun"
+            return (where.whole is None and not noun.owner) or (
+                where.whole is not None and where.whole.kind == "pronoun"
+            )
         return False
 
     def _is_first_named(self, anchor: Node, where: Where) -> bool:
@@ -370,13 +375,23 @@ class Subjects(Having):
         taken = self._taken(frame, thing)
         free: list[Mention] = []
         for member in reversed(frame.members[frame.begun :]):
-            lies = each and (is_small(member) or not member.many)
-            alike = leaning or lies or self._belongs(member.noun, group) or (on_thing and _may_lie(member))
-            alike |= on_thing and (last_word(member) in grammar().lists["set_on"] or is_loose_lamp(member))
+            alike = leaning or self._belongs(member.noun, group) or self._may_hang_there(member, where)
+            alike |= each and (is_small(member) or not member.many)
+            alike |= on_thing and self._may_lie_there(member)
             if member is not thing and (member in taken or not alike):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _may_lie_there(self, thing: Mention) -> bool:
+        """Whether it can stand or lie where other small things do."""
+        return _may_lie(thing) or last_word(thing) in grammar().lists["set_on"] or is_loose_lamp(thing)
+
+    def _may_hang_there(self, thing: Mention, where: Where) -> bool:
+        """Whether it can hang where it is said to be: a standing mirror "on the walls"."""
+        place = where.noun.value if where.noun is not None and where.noun.kind == "place" else ""
+        hangs = where.word == "on" and "wall" in place and not self.habits.is_in(thing.noun, "storage")
+        return hangs and mount_of(kind_of(thing.noun), (WALL_MOUNTED,)) == "wall"
 
     def _taken(self, frame: Listed, thing: Mention) -> list[Mention]:
         """What of a list has a place of its own, which it does not share with its last thing."""
