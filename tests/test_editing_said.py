@@ -168,3 +168,119 @@ def test_seats_that_are_in_the_way_go_along_with_their_table_and_others_are_told
     assert result.scene["chair_1"] == dining(2)["chair_1"]
     kept = edit_room(before, "Move the dining table 60 cm to the north but don't touch the chairs")
     assert all(kept.scene[id] == before[id] for id in seats)
+
+
+def test_another_row_is_like_the_last_and_as_far_from_it() -> None:
+    rows: list[tuple[str, float, float, float, str]] = []
+    for number, (x, y) in enumerate(((5.9, 2.0), (5.9, 3.2), (4.3, 2.0), (4.3, 3.2))):
+        rows += [
+            (f"school_desk_{number + 1}", x, y, 180.0, "floor"),
+            (f"chair_{number + 1}", x - 0.45, y, 0.0, "floor"),
+        ]
+    before = built(room(7.0, 5.0), *rows)
+    after = done(before, "Add another row of desks with chairs at the back").scene
+    new = [p for p in after.placements if p.id not in before]
+    assert sorted(p.category for p in new) == ["chair", "chair", "school_desk", "school_desk"]
+    assert {round(p.position[0], 2) for p in new} == {2.7, 2.25}
+    behind = edit_room(before, "Add four more rows of desks behind the last row")
+    assert any("another row was not added" in text for text in behind.failed)
+    with pytest.raises(InputError, match="nothing stands in rows"):
+        edit_room(living(), "Add another row of chairs")
+
+
+def test_the_pupils_desks_are_all_but_the_teachers() -> None:
+    before = classroom()
+    after = done(before, "Put a laptop on each pupil's desk").scene
+    assert {p.support for p in after.placements if p.category == "laptop"} == {f"school_desk_{n}" for n in range(1, 7)}
+
+
+def test_what_is_spread_evenly_is_far_from_each_other() -> None:
+    stools = [
+        ("stool_1", 1.5, 2.5, 0.0, "floor"),
+        ("stool_2", 2.1, 2.5, 0.0, "floor"),
+        ("stool_3", 1.8, 3.1, 0.0, "floor"),
+    ]
+    before = built(room(), *stools)
+    for said, least in (
+        ("Spread the stools evenly around the room", 2.0),
+        ("Space the stools evenly along the east wall", 1.4),
+    ):
+        after = done(before, said).scene
+        spots = [after[id].position[:2] for id, *_ in stools]
+        assert min(math.dist(a, b) for a in spots for b in spots if a != b) > least, said
+    assert all(x > 5.5 for x, _ in spots)
+    pictures = [(f"picture_{n}", 2.0 + n, 4.984, 270.0, "wall") for n in (1, 2)]
+    after = done(built(room(), *pictures), "Spread the pictures evenly along the north wall").scene
+    assert all(not 3.6 - 0.38 < after[id].position[0] < 5.2 + 0.38 for id, *_ in pictures)
+    assert edit_room(before, "Spread the stools out a bit").complete
+
+
+def test_what_is_announced_before_a_colon_is_what_follows() -> None:
+    before = bedroom()
+    after = done(before, "I'd like more light: add a floor lamp").scene
+    assert len(after.placements) == len(before.placements) + 1
+    assert [
+        o.doing for o in read_instruction("Two changes: remove the rug, and turn the bed by 45 degrees").orders
+    ] == [
+        "remove",
+        "turn",
+    ]
+    assert len(read_instruction("Remove the bed: put a stool by the door").orders) == 2
+
+
+def test_what_alone_is_to_stay_on_a_thing_says_nothing_of_the_rest_of_the_room() -> None:
+    small = [("bowl_1", 3.0, 2.5, 0.0, "dining_table_1"), ("vase_1", 3.4, 2.5, 0.0, "dining_table_1")]
+    before = built(room(), ("dining_table_1", 3.0, 2.5, 90.0, "floor"), ("sofa_1", 3.0, 0.6, 90.0, "floor"), *small)
+    for said in (
+        "Clear the dining table: only the bowl should stay",
+        "Only a bowl should stay on the dining table",
+        "Keep only the bowl on the dining table",
+    ):
+        after = done(before, said).scene
+        assert {p.id for p in after.placements} == {"dining_table_1", "sofa_1", "bowl_1"}, said
+
+
+def test_what_is_no_name_of_a_thing_is_not_added() -> None:
+    with pytest.raises(InputError, match="no thing that can be added"):
+        edit_room(dining(2), "Add a rug under the table that is big enough for the chairs")
+
+
+def test_a_things_own_is_that_at_it() -> None:
+    before = bedroom()
+    after = done(before, "Move the left nightstand's lamp 5 cm to the left").scene
+    moved = [p.id for p in before.placements if after[p.id] != p]
+    assert moved == ["table_lamp_1"]
+    assert whose_desk("Remove the teacher's desk") == "desk"
+
+
+def whose_desk(text: str) -> str:
+    return read_instruction(text).orders[0].things[0].noun.value
+
+
+def test_each_that_has_none_gets_one() -> None:
+    desks = [("desk_1", 2.6, 0.5, 90.0, "floor"), ("desk_2", 4.6, 0.5, 90.0, "floor")]
+    before = built(room(), *desks, ("chair_1", 4.6, 1.1, 270.0, "floor"))
+    after = done(before, "Put a chair at every desk that has none").scene
+    new = [p.id for p in after.placements if p.id not in before]
+    assert len(new) == 1
+    assert measure(after, "at", new[0], ("desk_1",)).holds
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ("Turn the armchairs so they look at each other", ("turn", "facing")),
+        ("Push the sofa back until it touches the wall", ("move", "")),
+        ("Seat only six people at the table", ("ensure", "")),
+    ],
+)
+def test_other_words_for_the_same(said: str, words: tuple[str, str]) -> None:
+    (order,) = read_instruction(said).orders
+    assert (order.doing, order.mutual) == words
+    assert not read_instruction(said).unknown
+
+
+def test_away_is_more_than_a_hair() -> None:
+    before = built(room(), ("stool_1", 5.75, 4.75, 0.0, "floor"))
+    result = edit_room(before, "Move the stool away from the window")
+    assert not result.complete or math.dist(result.scene["stool_1"].position, before["stool_1"].position) >= 0.1

@@ -33,6 +33,11 @@ from thinkblox.reading import read_brief
          ["1 desk under bunk_bed", "1 chair under bunk_bed"]),
         ("A loft bed with a desk, a chair and a bookcase underneath.",
          ["1 desk under bunk_bed", "1 chair under bunk_bed", "1 bookcase under bunk_bed"]),
+        # A low seat is under a desk; chairs, and several seats under one table, are at it.
+        ("A desk with a stool tucked under it.", ["1 stool under desk"]),
+        ("Two desks, each with a stool under it.", ["2 stool under desk"]),
+        ("A desk with a chair under it.", ["1 chair at desk"]),
+        ("A table with four stools tucked under it.", ["4 stool around dining_table"]),
         ("A desk and a dresser under the loft bed.", ["1 desk under bunk_bed", "1 dresser under bunk_bed"]),
         ("A TV, a sofa and an armchair facing it.", ["1 sofa facing tv", "1 armchair facing tv"]),
         ("A bed. At its foot are a bench and a trunk.", ["1 bench at_foot_of bed", "1 chest at_foot_of bed"]),

@@ -164,7 +164,8 @@ def _check(noun: Noun) -> None:
     """
     words = noun.value.split("_")
     known = any(word in known_things() or f"any_{word}" in GENERAL_WORDS for word in map(singular, words[:-1]))
-    if noun.kind != "thing" or noun.det in ("no", "none") or (not noun.named and known):
+    bare = not noun.named and not (noun.det or noun.count or noun.plural or noun.id)
+    if noun.kind != "thing" or noun.det in ("no", "none") or (not noun.named and known) or bare:
         raise InputError(f"'{noun.text}' is no thing that can be added")
     if noun.rows or noun.groups:
         raise InputError(f"'{noun.text}': rows and groups are not added as such; say how many, and where each goes")

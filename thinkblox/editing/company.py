@@ -35,11 +35,11 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     """
     mates = company_of(work, finder, order, id)
     if mates:
-        _together(work, id, mates, do)
+        bring_together(work, id, mates, do)
         return
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
     do()
-    seats = [] if order.rest or order.company else _seats_at(before, id, besides={*finder.named, *work.kept})
+    seats = [] if order.rest or order.company else seats_at(before, id, besides={*finder.named, *work.kept})
     shifted = order.doing == "turn" and math.dist(before[id].position, work.scene[id].position) > ASIDE
     if not seats or (len(work.failed) == said[0] and not shifted):
         _say_left(work, id, seats)
@@ -47,7 +47,7 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     alone = work.world, work.failed[said[0] :], work.notes[said[1] :], work.done[saved[1] :], work.wishes[saved[2] :]
     work.restore(saved)
     del work.failed[said[0] :], work.notes[said[1] :]
-    _together(work, id, seats, do)
+    bring_together(work, id, seats, do)
     if len(work.failed) == said[0]:
         if work.scene[id] != before[id]:
             work.notes.append(f"{', '.join(seats)} went along, as {id} cannot be there without them.")
@@ -59,7 +59,7 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     _say_left(work, id, seats)
 
 
-def _seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
+def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
     """The seats that are drawn up to a thing and to nothing else."""
     if not facts_of(scene[id].category).is_in("tables", "desks", "counters"):
         return []
@@ -76,8 +76,11 @@ def _say_left(work: Work, id: str, seats: Sequence[str]) -> None:
         work.notes.append(f"{', '.join(left)} stayed, away from {id} now: what is to go along has to be named.")
 
 
-def _together(work: Work, id: str, mates: Sequence[str], do: Callable[[], None]) -> None:
+def bring_together(work: Work, id: str, mates: Sequence[str], do: Callable[[], None]) -> None:
     """Do something with one thing, and bring others to the same places beside it; all of it or nothing."""
+    if not mates:
+        do()
+        return
     before, saved, failures = work.scene, work.saved(), len(work.failed)
     taken = take(work, mates)
     do()

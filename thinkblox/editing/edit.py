@@ -25,6 +25,7 @@ from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
 from thinkblox.editing.spacing import space
+from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
@@ -389,6 +390,7 @@ _DOERS: dict[str, Doer] = {
     "ensure": ensure,
     "only": keep_only,
     "gap": space,
+    "spread": spread,
     "put": _put,
     "move": _bring,
     "turn": turn,

@@ -196,7 +196,7 @@ class Finder:
         return ordered[:1] if means("nearest", noun.degree) == "nearest" else ordered[-1:]
 
     def _of_somebody(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
-        """The teacher's desk, the one that is turned to all others of its kind; the pupils' desks, which are the others.
+        """The teacher's desk, the one that is turned to all others of its kind; the pupils' desks, which are these.
 
         Raises:
             InputError: none is, or several are.

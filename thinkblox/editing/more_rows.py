@@ -89,7 +89,7 @@ def _end(order: Order, places: Sequence[Where]) -> End:
 def _add_row(
     work: Work, before: Sequence[Placement], last: Sequence[Placement], *, count: int | None, seated: bool
 ) -> list[str]:
-    """Copy a row as far from it as it is from the one before it; the ids, none where there is no room, which is noted."""
+    """Copy a row as far from it as it is from the one before; the ids, none where there is no room, which is noted."""
     desks = [p for p in last if not facts_of(p.category).is_in("seating")] or list(last)
     if count is not None and count > len(desks):
         work.failed.append(f"a row of {count} was not added: the one that it would be like has {len(desks)}")

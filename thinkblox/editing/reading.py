@@ -8,14 +8,14 @@ from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
-from thinkblox.editing.clauses import Clause, clauses
+from thinkblox.editing.clauses import Clause, clauses, without_announcements
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import reworded, uncontracted, with_ids
+from thinkblox.editing.rewording import reworded, uncontracted, with_ids, with_owners
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -80,7 +80,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
-    tokens = _without_commas(_included(reworded([_corrected(lexicon, token) for token in lexicon.tokens(plain)])))
+    read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
+    tokens = without_announcements(_without_commas(_included(reworded(with_owners(lexicon, read)))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:

@@ -119,7 +119,21 @@ def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
         reach = wall.length / 2 - asset.size[1] / 2
         for off in sorted(np.arange(-reach, reach + 1e-6, 2 * STEP), key=abs):
             x, y = wall.point(wall.length / 2 + float(off), BACK_GAP + asset.size[0] / 2)
-            yield (round(x, 4), round(y, 4), height), wall.yaw
+            pose: Pose = (round(x, 4), round(y, 4), height), wall.yaw
+            if not hides_opening(scene, asset, wall, pose):
+                yield pose
+
+
+def hides_opening(scene: Scene, asset: Asset, wall: Wall, pose: Pose) -> bool:
+    """Whether something that hangs at a pose on a wall covers a part of a door or window."""
+    (x, y, z), _ = pose
+    along, _ = wall.coordinates((x, y))
+    begin, end = along - asset.size[1] / 2, along + asset.size[1] / 2
+    there = (o for o in scene.room.openings if scene.room.walls[o.wall].name == wall.name)
+    return any(
+        begin < o.offset + o.width and o.offset < end and z < o.sill + o.height and o.sill < z + asset.size[2]
+        for o in there
+    )
 
 
 def _before_seat(scene: Scene, asset: Asset, table: Placement, seat: Placement) -> Iterator[Pose]:

@@ -223,13 +223,14 @@ def _each_corner(finder: Finder, where: Where, noun: Noun, category: str) -> lis
     if where.whole is not None and where.whole.kind != "room":
         openings = [o for o in scene.room.openings if o.kind == where.whole.value]
         found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
-    if noun.states == ["empty"]:
+    told = [word for word in (*noun.states, *noun.unshown) if not means("clear", word)]
+    if (noun.states or noun.unshown) and not told:
         taken = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < OVER_HEAD]
         away = {
             walls: min((p.footprint.distance(Point(spots[walls])) for p in taken), default=EMPTY) for walls in found
         }
         found = [walls for walls in found if away[walls] >= EMPTY]
-    elif noun.states or noun.unshown or noun.degree:
+    elif told or noun.degree:
         raise InputError(f"'{noun.text}': which corners those are is not known; say 'the corner by the window'")
     if not found or (noun.count and noun.count != len(found)):
         raise InputError(f"'{_text(where)}': the room has {len(found)} of them")
