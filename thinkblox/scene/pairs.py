@@ -43,6 +43,8 @@ UNDER_HALF, FLAT = 0.5, 0.05
 """The same for all that is higher than that [m]: a cabinet under a television."""
 ABOVE_MARGIN = 0.15
 """How far beside the anchor's footprint a thing hung above may be: a sofa under a picture stands off the wall."""
+NEARLY_ABOVE = 0.35
+"""Beside the anchor's footprint, what is nearer than that would still be called above it [m]."""
 INSIDE_SHARE = 0.5
 """Smallest share of a thing that is within the box around what it is inside of."""
 SQUARE = 0.05
@@ -234,6 +236,12 @@ def _above(subject: Landmark, anchor: Landmark) -> Finding:
     return rise >= -CONTACT and aside <= ABOVE_MARGIN, text
 
 
+def _nearly_above(subject: Landmark, anchor: Landmark) -> Finding:
+    rise, aside = subject.base - anchor.top, anchor.footprint.distance(subject.footprint)
+    text = f"{subject.name} {rise:.2f} m above {anchor.name}, {aside:.2f} m aside"
+    return rise >= -CONTACT and aside <= NEARLY_ABOVE, text
+
+
 def _under(subject: Landmark, anchor: Landmark) -> Finding:
     share = shared(subject, anchor)
     least = UNDER_SHARE if subject.top - subject.base <= FLAT or _along(subject, anchor) >= UNDER_HALF else UNDER_HALF
@@ -328,4 +336,4 @@ _PAIRS: dict[RelationKind, Pair] = {
     "in_corner": _in_corner,
     "in_centre": _in_centre,
 }
-_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by}
+_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by, "above": _nearly_above}
