@@ -66,12 +66,8 @@ class Memberships(Ties):
             thing.unshown += [a for a in noun.unshown if a not in thing.unshown]
             thing.states += [a for a in noun.states if a not in thing.states]
         frame = self._frame_for(known[0], noun) if self.separator and self.frontier else None
-        node = Node(
-            list(known),
-            frame or self.clause,
-            known=True,
-            each=noun.each or noun.det == "both" or (noun.det == "other" and noun.shared),
-        )
+        each = noun.each or (noun.det == "other" and noun.shared)
+        node = Node(list(known), frame or self.clause, known=True, each=each or noun.det == "both")
         pending, self.pending = self.pending, None
         if pending is not None and pending.head is not None:
             self._member(known[0], pending)
@@ -84,7 +80,7 @@ class Memberships(Ties):
         self.clause.members += [t for t in known if t not in self.clause.members]
         self.frontier = [node]
         self._apply_front(known)
-        self.each |= noun.each or (noun.det == "other" and noun.shared)
+        self.each |= each
         word = noun.word
         self.per_group = known[0].groups if noun.each and known[0].group == word else 0
 

@@ -72,7 +72,7 @@ class Subjects(Having):
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
             return head if self._contains(head.things[-1]) else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
-            return head
+            return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
@@ -374,6 +374,7 @@ class Subjects(Having):
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
+        any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
         if (group is None or any_kind) and (pair := self._pair(node, frame, where)) is not None:
             return pair
         if group is None or not (any_kind or self._belongs(thing.noun, group)):

@@ -123,7 +123,7 @@ class Ties(Relating):
             after = self.chunks[at + 1] if at + 1 < len(self.chunks) else None
             if not (comma or joined) or not isinstance(after, Noun) or after.kind != "thing" or after.definite:
                 return None
-            at += 2
+            at = self._past_modifiers(at + 2 - self.at) + self.at
         link, noun = (*self.chunks[at : at + 2], None, None)[:2]
         if not isinstance(link, Connector) or link.sort != "prepositions" or not isinstance(noun, Noun):
             return None
@@ -288,8 +288,16 @@ class Ties(Relating):
             return False
         if thing.count == 1 and any(m.count is None or m.plural for m in frame.members):
             return False
+        if tie in ("around", "at") and self._share_others(thing, head):
+            return True
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _share_others(self, thing: Mention, head: Mention) -> bool:
+        """Whether others that were told from these have so many each: "three with two chairs and two with four"."""
+        others = [t for t in self.referents.family(head) if t is not head]
+        alike = (b for b in self.draft.bonds if b.each and b.subject.noun == thing.noun and b.subject is not thing)
+        return any(a in others for bond in alike for a in bond.anchors)
 
     def _is_beside_all(self) -> bool:
         """Whether it is told to be beside "them": "three buckets with a can beside them" are beside one can."""
