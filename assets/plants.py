@@ -209,7 +209,7 @@ def bouquet(spec: Spec) -> Build:
     if not spec.has("upright"):
         lying = Spec(spec.category, (z, x, y), frozenset({"upright", *spec.words}), spec.style, spec.rng)
         parts = [turned(part, 0, -90.0, (0.0, 0.0, 0.0)) for part in bouquet(lying).body]
-        wrap = box(PAPER, around(0, 0.4 * x), (0.1 * y, 0.4 * y), (-0.5 * x, -0.46 * x))
+        wrap = box(PAPER, around(0, 0.8 * x), (0.3 * y, 0.97 * y), (-0.5 * x, -0.47 * x))
         return Build(body=[*parts, wrap])
     r = min(x, y) / 2
     body: list[Part] = [

@@ -58,6 +58,10 @@ def people(words: Collection[str]) -> int:
     return 0
 
 
+_EVEN = frozenset({"round", "square", "circular"})
+"""Words for what is as wide as it is deep, or on a wall as it is high."""
+
+
 def size_for(category: Category, words: frozenset[str], rng: np.random.Generator) -> Vec3:
     """Return a size for the attributes `words`, varied by `rng`, within what can be made [m]."""
     size = next((category.variants[w] for w in sorted(words) if w in category.variants), None)
@@ -75,6 +79,9 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     fx, fy, fz = (1 + share * float(v) for v in rng.uniform(-1, 1, 3))
     if abs(x - y) < 1e-9:
         fy = fx
+    if category.mount == "wall" and _EVEN & words:
+        side = float(np.sqrt(y * z)) * fy
+        return _within(category, (x * fx, side, side))
     size = _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
     return lain(category, size) if is_stood(category, words) else size
 
@@ -114,8 +121,8 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
 
 
 def _plan(category: Category, x: float, y: float, words: Collection[str]) -> tuple[float, float]:
-    """Make the plan round or square where the words say so; a wall thing's round face is handled by its generator."""
-    if category.mount == "wall" or not {"round", "square", "circular"} & set(words):
+    """Make the plan round or square where the words say so; of a wall thing they say that of its face."""
+    if category.mount == "wall" or not _EVEN & set(words):
         return x, y
     side = float(np.sqrt(x * y))
     return side, side

@@ -51,6 +51,13 @@ def ties(prompt: str) -> dict[str, list[tuple[str, tuple[str, ...]]]]:
         ("A dining room with a high chair and a rug", "chair", 4),
         ("A computer classroom for 16 students with a teacher's desk", "desk", 17),
         ("She needs a room with a bed and a desk", "office_chair", 1),
+        ("A kitchen with a breakfast bar, three stools and a pantry cupboard", "base_cabinet", 3),
+        ("A cafe with a counter, four tables for two and a bar with stools", "coffee_machine", 1),
+        ("A nail salon with four manicure tables", "chair", 8),
+        ("A playroom with a tent", "play_tent", 1),
+        ("An office for six with a meeting table", "desk", 6),
+        ("An office for six with a meeting table", "office_chair", 12),
+        ("An office for six with a large table", "chair", 6),
     ],
 )
 def test_there_are_seats_for_what_one_sits_at(prompt, seat, number):

@@ -437,6 +437,7 @@ def test_what_is_watched_stands_across_from_the_sofa():
         "A hardware shop",
         "A pharmacy with a counter and shelves of medicine",
         "A garage with a workbench and two storage shelves",
+        "A hardware store with five aisles of shelves and a checkout",
     ],
 )
 def test_shelves_are_full(prompt: str) -> None:
@@ -577,3 +578,61 @@ def test_computers_along_the_walls_stand_on_desks() -> None:
     assert len(desks) == 10
     assert desks <= seen
     assert desks <= sat_at
+
+
+def test_an_island_stands_before_the_run_with_its_ways_and_the_table_elsewhere() -> None:
+    room = made("A kitchen-diner with a table for four and an island")
+    (island,), (table,) = placed(room, "kitchen_island"), placed(room, "kitchen_table")
+    assert island.footprint.distance(table.footprint) > 0.6
+    assert all(wall.coordinates(corner)[1] > 0.6 for wall in room.scene.room.walls for corner in island.corners)
+
+
+def test_what_hangs_among_people_has_room_around_it_and_machines_have_some_between() -> None:
+    room = made("A small gym with two treadmills, a rowing machine and a punching bag")
+    (bag,), (rower,) = placed(room, "punching_bag"), placed(room, "rowing_machine")
+    machines = [*placed(room, "treadmill"), rower]
+    assert min(bag.footprint.distance(p.footprint) for p in machines) > 0.3
+    assert min(rower.footprint.distance(p.footprint) for p in placed(room, "treadmill")) > 0.25
+
+
+def test_what_belongs_into_a_corner_stands_by_a_wall_where_none_is_free() -> None:
+    room = made("A fitting room")
+    (mirror,) = placed(room, "standing_mirror")
+    assert min(wall.coordinates(corner)[1] for wall in room.scene.room.walls for corner in mirror.corners) < 0.3
+
+
+def test_bookcases_behind_a_desk_are_behind_who_works_there_and_visitors_across_it() -> None:
+    room = made("A law office with a desk, two visitor chairs and two bookcases behind the desk")
+    (desk,), (seat,) = placed(room, "desk"), placed(room, "office_chair")
+    cases, visitors = placed(room, "bookcase"), placed(room, "visitor_chair")
+    assert all(measure(room.scene, "behind", case.id, [desk.id]).holds for case in cases)
+    assert all(desk.to_local(p.position[:2])[0] > desk.to_local(seat.position[:2])[0] > 0.0 for p in cases)
+    assert all(desk.to_local(p.position[:2])[0] < 0.0 for p in visitors)
+    walls = room.scene.room.walls
+    assert all(min(wall.coordinates(corner)[1] for wall in walls for corner in p.corners) < 0.05 for p in cases)
+
+
+def test_a_low_table_stands_before_the_middle_of_a_row_of_chairs() -> None:
+    room = made("A waiting room with eight chairs along one wall and a coffee table")
+    (table,), chairs = placed(room, "coffee_table"), placed(room, "chair")
+    across = [table.to_local(p.position[:2])[1 - int(table.size[0] > table.size[1])] for p in chairs]
+    assert abs(min(across) + max(across)) / 2 < 0.6
+
+
+def test_stations_stand_in_line_along_one_wall() -> None:
+    tables = placed(made("A barber shop with three chairs"), "dressing_table")
+    assert len(tables) == 3
+    assert len({p.yaw for p in tables}) == 1
+
+
+def test_a_bookcase_by_an_armchair_has_its_back_to_a_wall() -> None:
+    room = made("A teenage girl's bedroom with a vanity and a reading nook")
+    for case in placed(room, "bookcase"):
+        walls = room.scene.room.walls
+        assert min(wall.coordinates(corner)[1] for wall in walls for corner in case.corners) < 0.06
+
+
+def test_a_room_whose_size_is_open_is_not_cramped() -> None:
+    report = made("A bookshop with a reading corner and a counter").report
+    assert report.score is not None
+    assert min(report.score.part("circulation").score or 0.0, report.score.part("clearance").score or 0.0) >= 0.9

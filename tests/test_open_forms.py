@@ -39,7 +39,7 @@ def test_open_forms_fill_their_box_and_carry_where_they_say(name: str) -> None:
             check_surfaces(asset)
 
 
-@pytest.mark.parametrize("name", ["reliquary of the third kind", "brass whatnot"])
+@pytest.mark.parametrize("name", ["bronze reliquary", "brass whatnot"])
 def test_what_nobody_knows_is_open_when_it_holds_something(name: str) -> None:
     planned = plan(f"A hall with a {name} with two books in it.")
     book = next(t for t in planned.targets if t.ties and t.ties[0].kind == "inside")
@@ -56,7 +56,7 @@ def test_a_thing_is_closed_unless_it_holds_something_or_is_said_to_be_open() -> 
 
 
 @pytest.mark.parametrize(
-    "prompt, stands",
+    ("prompt", "stands"),
     [
         ("A study with a desk with a mug with three pencils in it.", True),
         ("A study with a desk and a toolbox with two screwdrivers in it.", False),
@@ -80,7 +80,7 @@ def test_what_stands_on_its_end_can_be_made_larger_and_smaller() -> None:
 
 
 @pytest.mark.parametrize(
-    "prompt, id, axis, least",
+    ("prompt", "id", "axis", "least"),
     [
         ("A studio with three wooden stands, each with four zinc buckets on it.", "stand_1", 0, 0.5),
         ("A hall with a wall shelf with eight helmets on it.", "wall_shelf_1", 1, 1.8),
@@ -89,12 +89,14 @@ def test_what_stands_on_its_end_can_be_made_larger_and_smaller() -> None:
 )
 def test_what_carries_or_holds_several_is_made_large_enough(prompt: str, id: str, axis: int, least: float) -> None:
     size = plan(prompt).target(id).size[axis]
-    assert size is not None and size >= least
+    assert size is not None
+    assert size >= least
 
 
 def test_a_dresser_holds_things_in_its_drawers() -> None:
     drawers = [s for s in make_asset("dresser", seed=0).surfaces if s.within]
-    assert len(drawers) >= 4 and all(s.headroom and s.headroom > 0.08 for s in drawers)
+    assert len(drawers) >= 4
+    assert all(s.headroom and s.headroom > 0.08 for s in drawers)
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ import pytest
 from tests.briefs import counted
 from thinkblox import generate_room
 from thinkblox.knowledge.rooms import kinds_of_room
+from thinkblox.planning import varied
 from thinkblox.reading import read_brief
 
 
@@ -18,6 +19,14 @@ from thinkblox.reading import read_brief
         ("a yurt", "tent", "lantern"),
         ("A wine cellar", "wine_cellar", "wine_rack"),
         ("A podcast studio", "podcast_studio", "microphone"),
+        ("A wine shop with shelves and a tasting table", "wine_shop", "wine_bottle"),
+        ("A bike shop", "bike_shop", "helmet"),
+        ("A fish and chip shop", "takeaway", "deep_fryer"),
+        ("A fitting room", "fitting_room", "changing_room"),
+        ("A camera shop", "shop", "camera"),
+        ("A mobile phone shop with a counter", "shop", "phone"),
+        ("A clock shop", "shop", "clock"),
+        ("A furniture showroom", "shop", "armchair"),
     ],
 )
 def test_a_room_is_known_by_its_name(prompt: str, room: str, thing: str) -> None:
@@ -58,3 +67,13 @@ def test_words_mean_in_a_room_what_they_mean_in_the_wider_one() -> None:
 def test_what_a_room_usually_holds_fits_into_it(prompt: str) -> None:
     made = generate_room(prompt)
     assert made.report.complete, made.report.absent
+
+
+@pytest.mark.parametrize(("prompt", "sold"), [("A phone shop", "phone"), ("A guitar shop", "violin")])
+def test_what_a_shop_shows_is_there_with_every_seed(prompt: str, sold: str) -> None:
+    for seed in range(8):
+        brief = varied(read_brief(prompt), seed)
+        tables = [r.key for r in brief.requests if r.category == "display_table"]
+        laid = [r.subject for r in brief.relations if r.kind == "on" and r.anchors[0] in tables]
+        assert bool(laid) == bool(tables)
+    assert sold in counted(read_brief(prompt))

@@ -8,14 +8,14 @@ from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
-from thinkblox.editing.clauses import Clause, clauses
+from thinkblox.editing.clauses import Clause, clauses, without_announcements
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import reworded, uncontracted, with_ids
+from thinkblox.editing.rewording import reworded, uncontracted, with_ids, with_owners
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -80,7 +80,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
-    tokens = _without_commas(_included(reworded([_corrected(lexicon, token) for token in lexicon.tokens(plain)])))
+    read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
+    tokens = without_announcements(_without_commas(_included(reworded(with_owners(lexicon, read)))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -201,7 +202,7 @@ def _each_row(tokens: list[Token]) -> list[Token]:
         if row is None or row.text not in ("row", "rows") or tokens[at + 1].text != "and":
             continue
         if _is_ordinal(tokens[at]) and _is_ordinal(tokens[second]):
-            the = Token("the", "the", "word", start=-1)
+            the = tokens[at + 2] if second > at + 2 else Token("the", "the", "word", start=-1)
             read[second + 1] = replace(row, text="row")
             read[at + 1 : second] = [replace(row, text="row", start=-1), tokens[at + 1], the]
     return read
@@ -386,6 +387,8 @@ class _OrderReader:
             order.doing, order.places = "gap", about[:1]
             more = self._more and not order.lengths and not order.change
             order.change = "wider" if more else order.change
+            compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
+            order.by |= compared and bool(order.lengths) and not order.bound
         if order.doing == "put" and order.space and order.places and not order.things:
             order.doing = "free"
 

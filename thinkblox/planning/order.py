@@ -147,7 +147,10 @@ def _ordered(members: Members) -> list[Member]:
 def _ranks(members: Members, needs: dict[str, set[str]]) -> dict[str, _Rank]:
     """Rank of every object, smallest first; an object comes as early as what waits for it needs it."""
     arranged = any(_is_dependent(m) and m.request.asked and _STAGES[m.mount] == 0 for m in members.all)
-    ranks = {member.id: _rank(member, number, arranged=arranged) for number, member in enumerate(members.all)}
+    ranks = {
+        member.id: _rank(member, number, arranged=arranged, before_run=_is_before_run(member, members))
+        for number, member in enumerate(members.all)
+    }
     for run in _runs(members):
         first = min(ranks[id][:2] for id in run)
         whole = sum(members.by_id[id].footprint for id in run)
@@ -192,11 +195,22 @@ def _is_wall_wide(member: Member) -> bool:
     return member.mount == "wall" and kind.hanging.middle - height / 2 < _LOW and min(width, height) > _WIDE
 
 
-def _rank(member: Member, number: int, *, arranged: bool) -> _Rank:
-    """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something."""
+def _is_before_run(member: Member, members: Members) -> bool:
+    """Whether it belongs before what is built in one line: it takes its place before what stands free, as that does."""
+    ties = [tie for tie in member.ties if any(map(is_object, tie.anchors))]
+    anchors = [members.by_id[anchor].category for tie in ties for anchor in tie.anchors if anchor in members.by_id]
+    before = bool(anchors) and all(tie.kind == "in_front_of" for tie in ties)
+    return before and all(facts_of(category).is_in("built_in_line") for category in anchors)
+
+
+def _rank(member: Member, number: int, *, arranged: bool, before_run: bool) -> _Rank:
+    """Large before small, floor before walls; what is only assumed comes after what is asked to stand by something.
+
+    What belongs before a run comes with it.
+    """
     wall = _is_wall_wide(member)
     stage = 0 if wall else 2 if member.flat else _STAGES[member.mount]
-    dependent = _is_dependent(member)
+    dependent = _is_dependent(member) and not before_run
     named = any(tie.asked and tie.kind in _PLACED for tie in member.ties)
     shared_out = any(tie.spread for tie in member.ties)
     beside = any(tie.asked and is_object(anchor) for tie in member.ties for anchor in tie.anchors)

@@ -11,6 +11,7 @@ from thinkblox.assets.stand_ins import stand_in
 from thinkblox.brief import Brief, Relation, RelationKind, Request
 from thinkblox.fills import Fill
 from thinkblox.knowledge.dressing import dressing
+from thinkblox.knowledge.goods import goods_in
 from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
 from thinkblox.knowledge.things import are_alike, counts_as
 from thinkblox.knowledge.variety import Option, varieties
@@ -97,7 +98,7 @@ def _is_sketched(brief: Brief) -> bool:
     if brief.room_type in ("", UNKNOWN_ROOM) or not asked or not few:
         return False
     keys = {request.key for request in asked}
-    arranged = any(r.asked and not keys.isdisjoint(r.anchors) for r in brief.relations)
+    arranged = any(r.asked and r.kind not in _DRAWN_UP and not keys.isdisjoint(r.anchors) for r in brief.relations)
     essentials = [usual.category for usual in room_type(brief.room_type).expected]
     return not (arranged and any(are_alike(e, request.category) for e in essentials for request in asked))
 
@@ -119,6 +120,8 @@ def _lessened(brief: Brief, rng: np.random.Generator) -> tuple[Brief, set[str]]:
 def _is_loose(brief: Brief, request: Request) -> bool:
     """Whether nothing else stands to it, nobody sits on it at a table, and no such room must have it."""
     needed = any(request.key in relation.anchors for relation in brief.relations)
+    shows = [r.key for r in brief.requests if r.category in varieties().shows.split(", ")]
+    needed |= any(r.kind == "on" and r.subject == request.key and r.anchors[0] in shows for r in brief.relations)
     needed |= any(r.kind in _DRAWN_UP and r.subject == request.key for r in brief.relations)
     usual = room_type(brief.room_type).usual
     first = usual[: max(1, len(usual) // _FIRST)]
@@ -127,6 +130,9 @@ def _is_loose(brief: Brief, request: Request) -> bool:
 
 
 def _is_essential(brief: Brief, request: Request) -> bool:
+    """Whether every such room has it, or such a shop is called by it."""
+    if request.category == goods_in([word.text for word in brief.account]):
+        return True
     return any(are_alike(usual.category, request.category) for usual in room_type(brief.room_type).expected)
 
 

@@ -7,8 +7,9 @@ from thinkblox.assets.plurals import singular
 from thinkblox.assets.stand_ins import kind_of, stand_in
 from thinkblox.brief import RelationKind
 from thinkblox.fills import Fill
+from thinkblox.knowledge.goods import goods_in, stocked
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type
+from thinkblox.knowledge.rooms import UNKNOWN_ROOM, Usual, kinds_of_room, room_type, room_types
 from thinkblox.knowledge.seats import places_at, usual_seat
 from thinkblox.knowledge.sets import rest_of_set
 from thinkblox.knowledge.things import are_alike, counts_as, things
@@ -18,18 +19,22 @@ from thinkblox.reading.moods import FEW
 
 _PLACES = ("wall", "long_wall", "short_wall", "corner", "window", "door", "centre", "floor")
 _FURNISH = "furnished"
+_SELLS = "shop"
+"""The type of room of which only its goods tell more."""
 _SEATED = ("at", "around", "at_long_side", "at_short_side")
 """How seats stand to their tables."""
 _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
 _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
-_MOST_FILLED = 12
-"""Books are many shapes: more bookcases than this stay empty."""
+_MOST_FILLED, _MOST_STOCKED = 12, 30
+"""Books are many shapes: more bookcases than this stay empty, and more shelves of goods, which are fewer."""
 _CROWDED = 4
 """More people than this share no desk."""
 _MOST = 2
 """A table at which one in so many sits is not where the people of a room have their places."""
+_MOST_MEET = 12
+"""More people than this do not all meet at one table."""
 _SEVERAL = 2
 """So many tables are meant where a prompt does not count them."""
 _SINGLE = "single"
@@ -43,11 +48,12 @@ def assume(draft: Draft, fill: Fill) -> None:
     elif not draft.empty:
         bare = _FURNISH in draft.style or _is_bare(draft)
         sketched = _is_sketched(draft)
+        sold = goods_in([word.text for word in draft.account]) if draft.room == _SELLS else ""
         if bare:
-            _fill(draft, room_type(draft.room).usual)
+            _fill(draft, stocked(room_type(draft.room).usual, sold))
         _seat(draft)
         if sketched:
-            _fill(draft, room_type(draft.room).expected)
+            _fill(draft, stocked(room_type(draft.room).expected, sold))
         if bare or sketched:
             for theme in draft.themes:
                 if not theme.unless:
@@ -77,10 +83,11 @@ def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
         uncounted: ids of things of which nobody says how many: shelves with some of these are full of others, too.
     """
     laid = [b for b in draft.bonds if b.kind in ("on", "inside")]
-    _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid)
+    _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid, _MOST_FILLED)
     if draft.room not in ("", UNKNOWN_ROOM):
         told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
-        _fill_shelves([t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], told)
+        goods = [t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")]
+        _fill_shelves(goods, told, _MOST_STOCKED)
 
 
 def complete_sets(draft: Draft) -> None:
@@ -104,9 +111,9 @@ def _stands_on(draft: Draft, thing: Mention, carriers: Collection[int]) -> bool:
     return any(b.kind == "on" and id(anchor) in carriers for b in draft.bonds_of(thing) for anchor in b.anchors)
 
 
-def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
-    """Fill those on which nothing is laid."""
-    if sum(t.count or 1 for t in cases) > _MOST_FILLED:
+def _fill_shelves(cases: list[Mention], laid: list[Bond], most: int) -> None:
+    """Fill those on which nothing is laid, where there are not more than `most`."""
+    if sum(t.count or 1 for t in cases) > most:
         return
     for case in cases:
         carries = any(case in b.anchors for b in laid)
@@ -169,7 +176,8 @@ def draw_up(draft: Draft, counted: Collection[str]) -> None:
         served = any(b.asked and isinstance(a, Mention) for b in draft.bonds_of(table) for a in b.anchors)
         if kind == "around" and (served or (taken and _is_worked_on(draft, table))):
             continue  # A table beside loungers is theirs, and one to work at is none of those with seats.
-        count = each * (table.count or 1)
+        meeting = draft.people if _is_met_at(draft, table) and draft.people <= _MOST_MEET else 0
+        count = max(each * (table.count or 1), meeting)
         drawn = [t for t in seats if any(b.kind in _DRAWN_UP and table in b.anchors for b in draft.bonds_of(t))]
         if len(drawn) == 1 and not drawn[0].asked and drawn[0].noun == seat:
             drawn[0].count = count
@@ -197,7 +205,12 @@ def _is_for_one(draft: Draft, table: Mention) -> bool:
     """Whether it is not among what the people are shared out to: the teacher's desk beside those of the pupils."""
     place = room_type(draft.room).place
     drawn = sum(b.subject.count or 1 for b in draft.bonds if b.kind in _DRAWN_UP and table in b.anchors)
-    if not draft.people or not place or (table.noun == place and table.asked and drawn < (table.count or 1)):
+    if (
+        not draft.people
+        or not place
+        or _is_met_at(draft, table)
+        or (table.noun == place and table.asked and drawn < (table.count or 1))
+    ):
         return True
     return table.noun != place and table.count == 1 and _has(draft, "desks") and _is_desk(table)
 
@@ -262,11 +275,13 @@ def _is_bare(draft: Draft) -> bool:
 def _is_sketched(draft: Draft) -> bool:
     """Whether the prompt names the room and a few things, rather than all that it is to hold.
 
-    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for.
+    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for; to
+    give a table its chairs is not to say that.
     """
     if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
-    arranged = any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+    told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED]
+    arranged = any(isinstance(a, Mention) for b in told for a in b.anchors)
     essentials = [usual.category for usual in room_type(draft.room).expected]
     return not (arranged and any(are_alike(e, thing.noun) for e in essentials for thing in draft.things))
 
@@ -282,6 +297,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
         if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
             continue
+        if any(
+            k in _SEATED and _is_seated(draft, made.get(p))
+            for (k, _, _), p in zip(usual.relations, places, strict=True)
+        ):
+            continue
         thing = made[usual.category] = _add(draft, usual.category, usual.count)
         for (kind, _, each), place in zip(usual.relations, places, strict=True):
             anchors = (made.get(place, place),) if place else ()
@@ -289,6 +309,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _is_seated(draft: Draft, table: Mention | None) -> bool:
+    """Whether the prompt says what one sits on at it."""
+    return any(b.asked and b.kind in _SEATED and table in b.anchors for b in draft.bonds if table is not None)
 
 
 def _called(thing: Mention) -> list[str]:
@@ -350,6 +375,8 @@ def _serves(noun: str, usual: Usual) -> bool:
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
     if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
         return True
+    if load_habits().is_in(usual.category, "worktops") and not load_habits().is_in(noun, "takes_built_in"):
+        return False
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
 
@@ -365,6 +392,7 @@ def _have_places(draft: Draft, category: str) -> bool:
     named = any(
         t.asked
         and not _is_too_small(t, draft.people)
+        and not (load_habits().is_in(category, "desks") and _is_met_at(draft, t))
         and (
             load_habits().is_in(t.noun, "meal_tables")
             or (t.many and load_habits().is_in(t.noun, "worked_at"))
@@ -373,6 +401,13 @@ def _have_places(draft: Draft, category: str) -> bool:
         for t in draft.things
     )
     return category == room_type(draft.room).place and named
+
+
+def _is_met_at(draft: Draft, table: Mention) -> bool:
+    """Whether people meet at it who have desks of their own: no table of any kind, but that of another type of room."""
+    place, usual = room_type(draft.room).place, next(iter(load_habits().group("meal_tables")), "")
+    named = table.noun != usual and any(kind.seats_at == table.noun for kind in room_types().values())
+    return named and bool(place) and load_habits().is_in(place, "desks")
 
 
 def _is_one(noun: str, category: str) -> bool:
@@ -438,6 +473,8 @@ def _seat(draft: Draft) -> None:
         seat.count = people if people and tables and room_type(draft.room).seats_at else seat.count
     table = next((t for t in draft.things if load_habits().is_in(t.noun, "meal_tables")), None)
     shared = table is not None and room_type(draft.room).place and not _is_too_small(table, draft.people)
+    if table is not None and _is_met_at(draft, table):
+        return
     if draft.people and (room_type(draft.room).seats_at or shared) and not _has(draft, "seats"):
         _chairs(draft, table or _add(draft, room_type(draft.room).seats_at, 1), draft.people)
 

@@ -155,6 +155,15 @@ def _in_front_of(subject: Landmark, anchor: Landmark) -> Finding:
     return visits, f"{text}, looking at who works there" if visits else found[1]
 
 
+def _behind(subject: Landmark, anchor: Landmark) -> Finding:
+    """Beyond its back; behind a desk is what who works there has behind them too: it looks at the desk as they do."""
+    found = _BEHIND(subject, anchor)
+    if found[0] or anchor.gaze == anchor.yaw or subject.front == "any" or not facing(subject, anchor)[0]:
+        return found
+    backs, text = _BEFORE(subject, anchor)
+    return backs, f"{text}, behind who works there" if backs else found[1]
+
+
 def _at(subject: Landmark, anchor: Landmark) -> Finding:
     faces, text = facing(subject, anchor)
     behind = anchor.gaze != anchor.yaw and anchor.to_local(subject.centre)[0] < -anchor.half[0]
@@ -312,7 +321,7 @@ _PAIRS: dict[RelationKind, Pair] = {
     "left_of": _on_side(0, 1, NEAR),
     "right_of": _on_side(0, -1, NEAR),
     "in_front_of": _in_front_of,
-    "behind": _BEHIND,
+    "behind": _behind,
     "at_foot_of": _on_side(1, 0, NEXT_TO),
     "at_long_side": _beside_side(long=True),
     "at_short_side": _beside_side(long=False),

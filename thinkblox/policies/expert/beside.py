@@ -22,6 +22,8 @@ SERVED_BEHIND = (0.65, 0.75, 0.9, 0.5)
 """The same behind a counter, where somebody serves [m]."""
 SEATED_BEHIND = (0.15, 0.3, 0.05, 0.6)
 """The same of a chair, for who works there."""
+ALIGNED = 0.5
+"""How much better it is to be before the middle of a whole run than of one of its parts."""
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 
@@ -108,12 +110,27 @@ def beside_at(
     return Idea((x, y, 0.0), yaw % 360.0, (*words, offset, turned(yaw)), why, cost, ignore)
 
 
-def before(situation: Situation, anchor: Placement, *, gaps: tuple[float, ...], face: bool, why: str) -> Iterator[Idea]:
-    """In front of the anchor, centred or a little aside; facing it, or turned the same way."""
+def before(
+    situation: Situation,
+    anchor: Placement,
+    *,
+    gaps: tuple[float, ...],
+    face: bool,
+    why: str,
+    middle: float = 0.0,
+) -> Iterator[Idea]:
+    """In front of the anchor, centred or a little aside; facing it, or turned the same way.
+
+    It is rather before the `middle` of what the anchor is a part of, as far aside of its own middle as that is [m],
+    but still before the anchor.
+    """
     turn = 180.0 if face else 0.0
     for rank, gap in enumerate(gaps):
         room = max(0.0, anchor.size[1] - situation.size[1]) / 2
+        reach = anchor.size[1] / 2 + gap
+        whole = min(max(middle, -reach), reach)
         for shift, penalty in (
+            *(((whole, -ALIGNED),) if middle else ()),
             (0.0, 0.0),
             (0.5 * room, 0.3),
             (-0.5 * room, 0.3),

@@ -1,9 +1,10 @@
 """Ideas on walls and ceilings."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from thinkblox.phrases import Constraint
-from thinkblox.policies.expert import hung_rows
+from thinkblox.policies.expert import hung_rows, open_floor
 from thinkblox.policies.expert.hung_rows import BETWEEN
 from thinkblox.policies.expert.idea import Idea
 from thinkblox.policies.expert.situation import Situation
@@ -18,6 +19,8 @@ PENDANT = 0.75
 """From a table top to the lower edge of the lamp above it [m]."""
 USED_FROM_ABOVE, FLOATING = 1.1, 0.2
 """Furniture lower than this is used from above; hung on a wall its base is this high [m]."""
+HEAD_ROOM = 1.5
+"""What hangs lower than this over the floor is walked round [m]."""
 DRAPED = 0.2
 """How far drapes reach past a window, on either side [m]."""
 BACK_GAP = 0.002
@@ -271,11 +274,23 @@ def _pendant(situation: Situation, anchor: Placement, *, index: int, count: int)
         yield Idea((x, y, z), anchor.yaw, words, f"it lights {anchor.id}", cost, size=option)
 
 
+def is_among_people(situation: Situation) -> bool:
+    """Whether it hangs so low from the ceiling, and over nothing, that people walk round it as round furniture."""
+    over = any(tie.kind == "above" for tie in situation.target.ties)
+    return situation.asset.mount == "ceiling" and not over and situation.room.height - situation.size[2] < HEAD_ROOM
+
+
 def from_ceiling(situation: Situation) -> Iterator[Idea]:
-    """In the middle of the room, or spread along it when there are several."""
+    """In the middle of the room, or spread along it when there are several; what people walk round, anywhere."""
     cx, cy = situation.room.polygon.centroid.coords[0]
     ex, ey = situation.room.extent
     z = situation.room.height - situation.size[2]
+    if is_among_people(situation):
+        for idea in open_floor.grid(situation, why="it hangs where there is room around it"):
+            x, y, _ = idea.position
+            above = Constraint(kind="above", anchors=("floor",), values=(round(z, 3),))
+            yield replace(idea, position=(x, y, z), words=(*idea.words, above))
+        return
     count, index = situation.target.count, situation.target.index
     offset = ((index + 0.5) / count - 0.5) * max(ex, ey)
     for shift in (0.0, 0.4, -0.4, 0.8, -0.8):

@@ -22,11 +22,12 @@ from thinkblox.policies.expert import (
     surfaces,
     walls,
 )
-from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.idea import WALL_GAP, Idea
+from thinkblox.policies.expert.needs import WORKING, backs_worker
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.landmarks import corners, things
-from thinkblox.scene.pairs import FACING
+from thinkblox.scene.pairs import FACING, NEAR
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
 from thinkblox.scene.room import turn_between
@@ -39,6 +40,8 @@ TURNED_AWAY = 8.0
 """Cost of looking elsewhere than asked."""
 BESIDE_INSTEAD = 3.0
 """Cost of standing beside what cannot carry or hold it."""
+AMID, AMID_INSTEAD = 2.0, 5.0
+"""Cost of standing amid the room of what has no reason to, and of what belongs to a wall or into a corner."""
 _SIDED = ("in_front_of", "behind", "left_of", "right_of")
 BEHIND_IT, IN_USE = 3.0, 6.0
 """Cost of standing behind or before what has a front, instead of beside it."""
@@ -62,6 +65,10 @@ UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
 """Relations that decide where those stand who look at each other."""
+SIDE_GAP, SEATED_BEFORE = 0.01, 0.8
+"""Free distance between cases side by side, and least free floor for a chair between them and a desk [m]."""
+BEYOND_DESK = 2.5
+"""Cost of standing on the visitors' side of a desk, where it is to be behind who works there."""
 PILED = 4.0
 """Cost of lying on what is inside a container, rather than on its bottom."""
 SEATED = 0.2
@@ -102,6 +109,7 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
     """Off the walls by what is to stand behind it."""
     own = situation.target.id
     behind = [later for later in situation.followers if _is_behind(later, own)]
+    behind = [later for later in behind if not backs_worker(facts_of(later.category), situation.facts)]
     together = any(tie.kind in _PLACED_TOGETHER for tie in situation.target.ties)
     if not behind or together or situation.asset.mount != "floor":
         return
@@ -115,14 +123,21 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
 
 
 def _receiving(situation: Situation) -> Iterator[Idea]:
-    """A desk across which people are received: who works there has a wall behind and looks into the room."""
+    """A desk across which people are received, or with things behind it: who works there looks into the room.
+
+    Behind them is the wall, or what stands there.
+    """
     visits = (
         tie.kind == "in_front_of" and situation.target.id in tie.anchors and facts_of(later.category).is_in("visits")
         for later in situation.followers
         for tie in later.ties
     )
-    if situation.asset.gaze == "back" and situation.asset.mount == "floor" and any(visits):
-        for idea in walls.off_walls(situation, walls.BEHIND - 0.1, turned_round=True):
+    own = situation.target.id
+    backing = [t for t in situation.followers if _is_behind(t, own) and situation.kind(t).mount == "floor"]
+    backing = [t for t in backing if backs_worker(facts_of(t.category), situation.facts)]
+    if situation.asset.gaze == "back" and situation.asset.mount == "floor" and (backing or any(visits)):
+        deepest = max((situation.kind(later).size[0] + WALL_GAP for later in backing), default=-0.1)
+        for idea in walls.off_walls(situation, walls.BEHIND + deepest, turned_round=True):
             yield _dearer(idea, RECEIVING)
 
 
@@ -149,8 +164,9 @@ def anywhere(situation: Situation) -> Iterator[Idea]:
         yield _dearer(idea, 0.8 if free or corner else 0.0)
     for idea in walls.corners(situation):
         yield _dearer(idea, 3.0 if watched else 0.8 if free else 0.0 if corner else 0.3)
+    walled = any(tie.kind in ("against_wall", "in_corner") for tie in situation.target.ties)
     for idea in open_floor.grid(situation):
-        yield _dearer(idea, 0.0 if free else 2.0)
+        yield _dearer(idea, 0.0 if free else AMID_INSTEAD if walled else AMID)
 
 
 def _any_surface(situation: Situation) -> Iterator[Idea]:
@@ -202,10 +218,10 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return hung.from_ceiling(situation)
     if not situation.asset.collides and place == "door":
         return open_floor.at_doors(situation)
-    if not situation.asset.collides or place == "centre":
-        return open_floor.grid(situation, step=0.1)
     if tie.kind == "in_corner" or place == "corner":
         return _in_corner(situation, tie)
+    if not situation.asset.collides or place == "centre":
+        return open_floor.grid(situation, step=0.1)
     if place == "floor":
         return anywhere(situation)
     if tie.kind == "opposite" and place in ("window", "door"):
@@ -344,7 +360,8 @@ def _front(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
         gaps = AT_COUNTER
     if tie.count > 1:
         yield from beside.before_several(situation, anchor, tie, gaps=gaps, face=face, why=why)
-    for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why):
+    middle = runs.middle_of_run(situation, anchor)
+    for idea in beside.before(situation, anchor, gaps=gaps, face=face, why=why, middle=middle):
         yield _dearer(idea, OUT_OF_LINE if tie.count > 1 else 0.0)
 
 
@@ -390,7 +407,30 @@ def _visiting(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]
 def _behind(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if situation.asset.mount == "wall":
         return hung.behind(situation, anchor, index=tie.index, count=tie.count)
+    if backs_worker(situation.facts, facts_of(anchor.category)) and _is_worked_at(situation, anchor):
+        return _backing(situation, anchor, tie)
     return beside.behind(situation, anchor, index=tie.index, count=tie.count)
+
+
+def _backing(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]:
+    """Behind who works at a desk, side by side, up to the wall there where it is near; else beyond the desk's back."""
+    depth, width = situation.size[:2]
+    aside = (tie.index - (tie.count - 1) / 2) * (width + SIDE_GAP)
+    free = [
+        wall.coordinates(desk.position[:2])[1] - desk.size[0] / 2 - depth - WALL_GAP
+        for wall in situation.room.walls
+        if turn_between(wall.yaw, desk.yaw + 180.0) < 1.0
+    ]
+    near = [round(gap, 3) for gap in free if SEATED_BEFORE <= gap <= NEAR]
+    for rank, gap in enumerate((*near, WORKING, 0.9, 1.1, 1.25)):
+        for step, shift in enumerate((0.0, 0.2, -0.2, 0.4, -0.4)):
+            local = (desk.size[0] / 2 + gap + depth / 2, aside + shift)
+            words = (Constraint(kind="beside", anchors=(desk.id,), side="front", values=(round(gap, 3),)),)
+            why = f"it is behind who works at {desk.id}"
+            cost = 0.2 * rank + 0.15 * step
+            yield beside.beside_at(situation, desk, local, yaw=desk.yaw + 180.0, words=words, why=why, cost=cost)
+    for idea in beside.behind(situation, desk, index=tie.index, count=tie.count):
+        yield _dearer(idea, BEYOND_DESK)
 
 
 def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:

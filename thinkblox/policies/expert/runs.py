@@ -18,6 +18,7 @@ from thinkblox.policies.expert.ground import darkens, zone_costs
 from thinkblox.policies.expert.idea import WALL_GAP, Idea
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.policies.expert.walls import named_walls
+from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Array, Rects, outside, overlap_depth
 from thinkblox.scene.room import Wall, turn_between
 from thinkblox.scene.saying import turned
@@ -326,3 +327,20 @@ def _idea(situation: Situation, slot: RunSlot, cost: float, count: int) -> Idea:
     words = (Constraint(kind="against", anchors=(wall.name,)), turned(wall.yaw))
     why = f"it is one of {count} in a line along the {wall.name.replace('_', ' ')}"
     return Idea((x, y, 0.0), wall.yaw % 360.0, words, why, cost, against=(wall.name,))
+
+
+def middle_of_run(situation: Situation, part: Placement) -> float:
+    """How far to the left of the middle of a part that is of the straight row that it stands in [m]; 0 where alone.
+
+    Seats that stand in line form a row too.
+    """
+    own = facts_of(part.category)
+    row = [part]
+    for p in situation.solid:
+        x, _ = part.to_local((p.position[0], p.position[1]))
+        in_line = turn_between(p.yaw, part.yaw) < 1.0 and abs(x) < part.size[0] / 2
+        alike = own.is_in("chairs") and p.category == part.category
+        if p.id != part.id and in_line and (alike or own.runs_with(facts_of(p.category))):
+            row.append(p)
+    ends = [(part.to_local((p.position[0], p.position[1]))[1], p.size[1] / 2) for p in row]
+    return (max(y + half for y, half in ends) + min(y - half for y, half in ends)) / 2

@@ -95,6 +95,7 @@ class Pronouns(Numbers):
                 self.referents.parted = None
                 said = self.said or self.verb
                 self._resume(self._others(whole), noun)
+                self.each |= noun.shared
                 self._again(said)
             case "half":
                 parts = self.referents.parts.get(whole, ()) if whole is self.referents.parted else ()

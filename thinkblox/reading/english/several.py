@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from thinkblox.assets.palette import with_general
 from thinkblox.reading.adjectives import degree_of
 from thinkblox.reading.attach import relation_kind
 from thinkblox.reading.draft import Mention
@@ -23,6 +24,7 @@ class Several(Boundaries):
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
+        near += [t for t in self.referents.topics[-1:] if not self.frontier and not self.clause.members]
         near += self.clause.members[::-1]
         many = [t for t in near if (t.many or self.referents.total(t) > 1) and t not in besides]
         alike = [t for t in self.referents.plural() if t not in besides and t.noun in {n.noun for n in near[:1]}]
@@ -98,7 +100,7 @@ class Several(Boundaries):
         """The one of several that was told to look so: "the red one"."""
         if whole is None or noun.det != "the" or not noun.attributes:
             return None
-        alike = [t for t in self.referents.clan(whole) if set(noun.attributes) <= set(t.attributes)]
+        alike = [t for t in self.referents.clan(whole) if set(noun.attributes) <= with_general(t.attributes)]
         fitting = (t for t in alike if noun.plural or not t.many)
         return next(fitting, None) if len(alike) < len(self.referents.clan(whole)) else None
 
@@ -122,6 +124,8 @@ class Several(Boundaries):
     def _ordinal(self, noun: Noun, whole: Mention) -> Mention | None:
         """The first, second, ... of several; None for one past the last."""
         family = self.referents.family(whole)
+        if noun.ordinal < 0 and self.referents.parted is whole and whole.count == 1:
+            return whole
         if noun.ordinal > sum(self.referents.total(t) for t in family) > 1:
             return None
         taken = [t for known in self.ordinals.values() for t in known.values()]
