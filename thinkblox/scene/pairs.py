@@ -197,11 +197,16 @@ def _on(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _inside(subject: Landmark, anchor: Landmark) -> Finding:
-    """At least half of it is within the box around the anchor, on or above an inner surface where it has one."""
+    """It rests on an inner surface of the anchor, or at least half of it is within the box around it and above one.
+
+    What stands in a vessel reaches over its rim, as flowers do: there half of it over the vessel is enough.
+    """
     if anchor.kind != "object" or not anchor.solid:
         return False, f"{anchor.name} has no inside"
     height = max(subject.top - subject.base, ROUNDING)
     within = max(0.0, min(subject.top, anchor.top) - max(subject.base, anchor.base)) / height
+    if any(abs(subject.base - floor) <= CONTACT for floor in anchor.holds):
+        within = 1.0
     area = subject.footprint.area
     within *= float(subject.footprint.intersection(anchor.footprint).area / area) if area > 0.0 else 0.0
     floor = min(anchor.holds, default=anchor.base + 2 * CONTACT if not anchor.carries else math.inf)
