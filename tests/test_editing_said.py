@@ -284,3 +284,31 @@ def test_away_is_more_than_a_hair() -> None:
     before = built(room(), ("stool_1", 5.75, 4.75, 0.0, "floor"))
     result = edit_room(before, "Move the stool away from the window")
     assert not result.complete or math.dist(result.scene["stool_1"].position, before["stool_1"].position) >= 0.1
+
+
+def test_what_is_taken_down_or_out_of_a_corner() -> None:
+    (order, other) = read_instruction("Take the lamp and the vase away, the bowl can stay").orders
+    assert (order.doing, len(order.things), other.doing) == ("remove", 2, "keep")
+    (order, other) = read_instruction(
+        "Take plant_1 and plant_2 away, plant_3 can stay", ["plant_1", "plant_2", "plant_3"]
+    ).orders
+    assert ([p.id for p in order.things], [p.id for p in other.things]) == (["plant_1", "plant_2"], ["plant_3"])
+    assert read_instruction("Take the picture down").orders[0].doing == "remove"
+    before = built(room(), ("stool_1", 5.75, 4.75, 0.0, "floor"))
+    for said in ("Get the stool out of the corner", "Take the stool out of the corner"):
+        after = done(before, said).scene
+        assert not measure(after, "in_corner", "stool_1", ("corner",)).holds, said
+
+
+def test_a_back_that_comes_to_be_against_a_wall_is_at_it_also_where_it_turns() -> None:
+    before = bedroom()
+    after = done(before, "Turn the wardrobe so its back is against the south wall").scene
+    assert measure(after, "against_wall", "wardrobe_1", ("south_wall",)).holds
+
+
+def test_a_sixth_one_is_another_and_what_hangs_from_the_ceiling_is_hung_there() -> None:
+    before = dining(2)
+    after = done(before, "Add a third chair like the others").scene
+    assert [p.category for p in after.placements].count("chair") == 3
+    after = done(before, "Hang a chandelier").scene
+    assert next(p for p in after.placements if p.category == "chandelier").support == "ceiling"

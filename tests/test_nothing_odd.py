@@ -636,3 +636,16 @@ def test_a_room_whose_size_is_open_is_not_cramped() -> None:
     report = made("A bookshop with a reading corner and a counter").report
     assert report.score is not None
     assert min(report.score.part("circulation").score or 0.0, report.score.part("clearance").score or 0.0) >= 0.9
+
+
+def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
+    room = generate_room(
+        "A 4 by 3.5 m room with a table in the middle. A camera hangs from the ceiling, not above the table.",
+        fill="named",
+        seed=0,
+    )
+    (table,), (camera,) = placed(room, "dining_table"), placed(room, "camera")
+    assert camera.support == "ceiling"
+    aside = [abs(c - t) - size / 2 for c, t, size in zip(camera.position, table.position, table.size, strict=True)]
+    assert max(aside[:2]) > 0.3
+    assert room.report.complete

@@ -33,6 +33,8 @@ from thinkblox.reading import read_brief
          ["1 desk under bunk_bed", "1 chair under bunk_bed"]),
         ("A loft bed with a desk, a chair and a bookcase underneath.",
          ["1 desk under bunk_bed", "1 chair under bunk_bed", "1 bookcase under bunk_bed"]),
+        ("A table, two chairs at its long side, one at its short side. None of the chairs may be next to the door.",
+         ["2 chair next_to door", "1 chair-2 next_to door"]),
         # A low seat is under a desk; chairs, and several seats under one table, are at it.
         ("A desk with a stool tucked under it.", ["1 stool under desk"]),
         ("Two desks, each with a stool under it.", ["2 stool under desk"]),

@@ -399,7 +399,8 @@ def _gathered(tokens: Sequence[Token]) -> list[Token]:
         if before not in (*ENDS, *_LINKS) and not (index and _is_filler(left[:index], left[index - 1])):
             continue
         for after in range(index + 2, len(left)):
-            if left[after].text in (*ENDS, *_LINKS):
+            joined = left[after].text in _LINKS and not _start_of_verb(left, after + 1)
+            if left[after].text in (*ENDS, *_LINKS) and not joined:
                 break
             if means("particles", left[after].text) and _parted(left, index, after):
                 left.insert(index + 1, left.pop(after))
@@ -410,7 +411,7 @@ def _gathered(tokens: Sequence[Token]) -> list[Token]:
 def _parted(tokens: Sequence[Token], at: int, after: int) -> bool:
     """Whether a verb of two words begins and goes on at two places; what brings something is not parted."""
     found = longest("verbs", (tokens[at], tokens[after]), 0)
-    if found is None or found[1] < 2 or found[0] == "add":
+    if found is None or found[1] < 2 or found[0] == "add" or longest("out_of", tokens, after) is not None:
         return False
     return _ends(tokens, after + 1) or grammar().at(tokens, after + 1, "prepositions") is not None
 
@@ -580,6 +581,8 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
         return _Start(at, told, "put", before=tuple(tokens[at + 1 : verb]))
     for index in _within(tokens, at + 1):
         found = longest("wishes", tokens, index)
+        if found is not None and not first and _is_list(tokens[at:index]):
+            return None
         if tokens[index].text in _RELATIVE or (found is None and _verb(tokens, index, first=False) is not None):
             return None
         if (
@@ -590,6 +593,12 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
             continue
         return _wished(tokens, at, index, *found)
     return None
+
+
+def _is_list(subject: Sequence[Token]) -> bool:
+    """Whether it ends with what follows a comma alone: "(remove the lamp and) the chair, the desk (can stay)"."""
+    commas = [n for n, token in enumerate(subject) if token.text == ","]
+    return bool(commas) and not any(token.text == "and" for token in subject[commas[-1] :])
 
 
 def _wished(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> _Start:

@@ -255,6 +255,11 @@ def _move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> 
         turn_by(work, id, order)
 
 
+def _is_told(order: Order) -> bool:
+    """Whether an order says how far or which way things go, or what they are to face."""
+    return bool(order.closer or order.apart or order.direction or order.facing or order.backs or order.seated)
+
+
 def _check_says_where(order: Order, places: Sequence[Where]) -> None:
     told = (order.closer, order.apart, order.direction, order.facing, order.backs, order.seated, order.mutual)
     if not (places or any(told) or order.there or order.free):
@@ -291,6 +296,9 @@ def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str
         phrase = _for_each(finder, phrase, destination)
         ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
         leaves = any(w.word == "from" and w.noun is not None and w.noun.kind == "place" for w in qualifiers)
+        if leaves and not destination and not _is_told(order):
+            out = [w for w in qualifiers if w.word == "from" and w.noun is not None and w.noun.kind == "place"]
+            destination = [dataclasses.replace(w, word="in", negated=True) for w in out]
         order.leaves |= leaves and bool(destination)
         yield work.touched(ids), destination
 

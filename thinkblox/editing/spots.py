@@ -49,8 +49,11 @@ def spots(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
             continue
         if goal.kind in ("around", "at") and goal.anchors and goal.anchors[0] in scene:
             yield from _seats(scene, asset, scene[goal.anchors[0]])
-        elif goal.anchors == ("window",) and goal.kind in ("under", "next_to", "near"):
-            yield from _before_windows(scene, asset)
+        elif goal.kind in ("under", "next_to", "near") and len(goal.anchors) == 1:
+            named = goal.anchors[0]
+            yield from _before_windows(
+                scene, asset, [o for o in scene.room.openings if o.kind == "window" and named in (o.kind, o.id)]
+            )
 
 
 def likely(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
@@ -310,12 +313,10 @@ def _at_side(table: Placement, turn: float, away: float, along: float) -> Pose:
     return (round(x, 4), round(y, 4), 0.0), round((table.yaw + turn + 180.0) % 360.0, 3) % 360.0
 
 
-def _before_windows(scene: Scene, asset: Asset) -> Iterator[Pose]:
+def _before_windows(scene: Scene, asset: Asset, windows: Sequence[Opening]) -> Iterator[Pose]:
     """With the back to the wall below a window: free places first, then one that says what is in the way."""
     poses: list[Pose] = []
-    for opening in scene.room.openings:
-        if opening.kind != "window":
-            continue
+    for opening in windows:
         wall = scene.room.walls[opening.wall]
         for gap in BACK:
             for share in SHARES:

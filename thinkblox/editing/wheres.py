@@ -301,7 +301,8 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
 
 
 def _text(where: Where) -> str:
-    whole = f" of {where.whole.text}" if where.whole is not None else ""
+    joined = where.noun is not None and where.noun.text.endswith((" by", " with"))
+    whole = f"{'' if joined else ' of'} {where.whole.text}" if where.whole is not None else ""
     return f"{where.text} {where.noun.text if where.noun else ''}{whole}".strip()
 
 
