@@ -265,7 +265,7 @@ class Cutter:
 
     def _set_phrase(self) -> Chunk | None:
         """Read what is told by its first words alone."""
-        found = self._two_walls() or self._finish() or self._infinitive() or self._after_modal()
+        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._after_modal()
         return found or self._described() or self._said_round()
 
     def _two_walls(self) -> Noun | None:
@@ -275,6 +275,14 @@ class Cutter:
             return None
         text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
         return Noun("place", value, self.at, self.at + length, text, det="the", plural=True)
+
+    def _two_sides(self) -> Noun | None:
+        """Read "bedside tables left and right"."""
+        words = [self._text_at(self.at + n) for n in range(4)]
+        ends = self.at + 3 >= len(self.tokens) or self.tokens[self.at + 3].kind == "mark"
+        if words[:3] not in (["left", "and", "right"], ["right", "and", "left"]) or not (ends and self._after_noun()):
+            return None
+        return Noun("part", "side", self.at, self.at + 3, " ".join(words[:3]), det="both", plural=True)
 
     def _finish(self) -> Connector | None:
         """Go past the "painted" of "a dresser painted yellow"."""

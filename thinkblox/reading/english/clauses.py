@@ -243,7 +243,18 @@ class Clauses(Audit):
             return False
         listed = self._is_link(self.peek(), "mark", "comma") or self._is_link(self.peek(), "joins", "and")
         bare = more.kind == "thing" and not more.det and more.count is None
+        bare &= noun.many or not self._lists_other_things()
         return listed and bare and not self.habits.is_in(more.value, *FURNITURE)
+
+    def _lists_other_things(self) -> bool:
+        """Whether a list that comes has things of its own: "a jar of pickles, salt and a stack of paper"."""
+        for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
+            if isinstance(chunk, Noun):
+                if chunk.det or chunk.count is not None:
+                    return True
+            elif not (self._is_link(chunk, "mark", "comma") or self._is_link(chunk, "joins", "and")):
+                break
+        return False
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""

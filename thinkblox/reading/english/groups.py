@@ -16,6 +16,8 @@ from thinkblox.reading.english.state import LOOKAHEAD
 _PLACING = ("in", "on", "between", "along", "by", "near", "next_to", "around", "at", "behind", "in_front_of")
 """Prepositions by which something that is no thing has a place: "an aisle in the middle"."""
 
+_BESIDES = ("between", "next_to", "around")
+"""How what parts or surrounds several stands to them: "three beds, separated by curtains, each with a lamp"."""
 _MAIN = ("tables", "desks", "counters", "worktops", "beds", "lounges", "storage", "worked_at")
 """What a station, a booth or a set can be made up around."""
 _MODIFIED = 3
@@ -133,6 +135,7 @@ class Groups(Descriptions):
                 self._dissolve(group)
                 return
         nodes = [n for n in reversed(self.frontier) if any(t.many for t in n.things)]
+        nodes = self._past_parting(nodes)
         begins = not self.frontier and not self.clause.members
         if not nodes and not begins and self._all_parts():
             begins = False
@@ -154,6 +157,12 @@ class Groups(Descriptions):
         elif parts := self._all_parts():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.each = True
+
+    def _past_parting(self, nodes: list[Node]) -> list[Node]:
+        """What is parted rather than what parts it: the beds of "three beds, separated by curtains, each with"."""
+        frame = nodes[0].frame if nodes else None
+        parting = frame is not None and frame.kind in _BESIDES and self.separator == "comma"
+        return nodes[1:] if parting and frame is not None and frame.head in nodes else nodes
 
     def _is_each_of_list(self, following: Chunk | None) -> bool:
         """Whether "each" ends what several have, and a place comes: "racks with 48 bottles each along the wall"."""

@@ -499,6 +499,8 @@ class PhraseReader(Heads):
     def _ends_name(self, at: int) -> bool:
         """Whether an unknown word after a known noun is the head of a longer name: "popcorn machine"."""
         word = self.tokens[at].text
+        if at < _NAMES and self._text(at + 1, at + 2) in (":", "(") and word in grammar().lists["rooms"]:
+            return True
         if grammar().at(self.tokens, at, "abstract", "people") or self._known(at, "attribute", "style"):
             return False
         after = at + 1

@@ -186,8 +186,11 @@ class Prepositions(Negation):
         known = noun is not None and noun.kind == "thing" and noun.definite and self.referents.named(noun) is not None
         if known and noun is not None:
             self._spend(noun)
-        if noun is not None and (known or (told and (noun.count or 1) == 1 and not noun.of_known)):
+        if noun is not None and (known or (told and not noun.of_known)):
             self._lose_rest(link.start, noun.end)
+            if self._is_link(self.peek(), "mark", "comma") and self._is_link(self.peek(1), "joins", "which"):
+                self.at += 1
+                self._lose_rest(self.chunks[self.at].start, self.chunks[self.at].end)
         elif not self._excepted_of_subject(noun) and not self._all_but():
             self.excepting, self.negating, self.excluding = True, False, False
 

@@ -104,10 +104,13 @@ class Subjects(Having):
             return True
         if frame.contents and (len(frame.members) == 1 or frame.closing):
             return True
+        held = frame.kind in ("hold", "carry", "inside") and self._is_held(thing, frame)
+        if held and not frame.each and self._is_side_of_room(where):
+            return True
         if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
             return not frame.each and not self.habits.is_in(thing.noun, "seats")
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
-        if middle and thing.many and not frame.each:
+        if middle and (thing.many or self._is_told_of(thing, head)) and not frame.each:
             return True
         if not self._is_pronominal(where):
             return noun is not None and self._is_said_of_head(thing, frame, head, where)
@@ -205,6 +208,12 @@ class Subjects(Having):
             return False
         held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
         return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+
+    def _is_side_of_room(self, where: Where) -> bool:
+        """Whether "on the left" says where furniture stands: "shelves for shoes on the left"."""
+        noun = where.noun
+        side = noun is not None and noun.kind == "part" and noun.value in SIDES and noun.det == "the"
+        return side and where.whole is None and noun is not None and not noun.owner
 
     def _is_told_of(self, thing: Mention, head: Node) -> bool:
         """Whether a pronoun told where it is to the head: "a bench with a can under it by the door"."""
@@ -356,7 +365,7 @@ class Subjects(Having):
             return Node(together, frame)
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
-        if untied := self._untied_before(node, frame, where):
+        if untied := self._untied_before(node, frame, where) or self._between_too(node, frame, where):
             return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
@@ -375,7 +384,8 @@ class Subjects(Having):
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
         any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
-        if (group is None or any_kind) and (pair := self._pair(node, frame, where)) is not None:
+        corner = where.noun is not None and where.noun.value.startswith("corner")
+        if (group is None or any_kind or corner) and (pair := self._pair(node, frame, where)) is not None:
             return pair
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
@@ -469,6 +479,14 @@ class Subjects(Having):
         untied = [thing for thing, head in self.untied if head in frame.head.things]
         return [m for m in frame.members if m in untied and m not in node.things and self._is_free(m)]
 
+    def _between_too(self, node: Node, frame: Listed, where: Where) -> list[Mention]:
+        """The nightstand of "two beds with a nightstand and a phone between them"."""
+        them = where.noun is None or (where.noun.kind == "pronoun" and where.noun.value == "them")
+        pair = where.word == "between" and them and frame.head is not None and len(frame.members) == _PAIR
+        other = frame.members[0]
+        told = any(not b.implied for b in self.draft.bonds_of(other))
+        return [other] if pair and not told and other not in node.things and not other.many else []
+
     def _is_free(self, thing: Mention) -> bool:
         return not self.draft.bonds_of(thing)
 
@@ -488,16 +506,30 @@ class Subjects(Having):
             return None if known or frame.head is not None or where.noun is None else Node([other, *node.things], frame)
         wall = where.word == "on" and where.noun is not None and where.noun.value.endswith("wall")
         upright = not is_small(node.things[-1]) or self.habits.is_in(node.things[-1].noun, "built_in")
-        shared = where.word in _SHARED or (wall and upright)
+        shared = where.word in (*_SHARED, "at") or (wall and upright) or self._is_one_phrase(other, node.things[-1])
+        shared |= where.noun is not None and where.noun.value.startswith("corner") and self._begins_with(other)
         if not alone or not shared or any(not b.implied for b in self.draft.bonds_of(other)):
             return None
         noun = where.noun
-        if noun is None or noun.kind not in ("thing", "place") or frame.head is not None or noun.value == "centre":
+        told = noun is not None and (noun.kind in ("thing", "place") or noun.value == "other")
+        if noun is None or not told or frame.head is not None or noun.value == "centre":
             return None
         if other in self.referents.shared or any(other in b.anchors for b in self.draft.bonds):
             return None
         anchors = self.referents.named(noun)
         return None if anchors is other else Node([other, *node.things], frame)
+
+    def _begins_with(self, thing: Mention) -> bool:
+        """Whether a statement begins with a thing: "A mop and a broom in the corner."."""
+        first = self.chunks[self._clause_start()]
+        return isinstance(first, Noun) and first is self.named_by.get(thing)
+
+    def _is_one_phrase(self, one: Mention, other: Mention) -> bool:
+        """Whether two have one article: "a steel toilet and sink"."""
+        first, second = self.named_by.get(one), self.named_by.get(other)
+        if first is None or second is None or second.det or second.count is not None or second.plural:
+            return False
+        return first.det == "a"
 
     def _partner(self, node: Node, where: Where, meaning: Meaning) -> Mention | None:
         """What is beside the same thing, as it is joined to it: "a boiler by the door, a mop and a pail beside it"."""
