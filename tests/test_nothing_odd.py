@@ -636,3 +636,12 @@ def test_a_room_whose_size_is_open_is_not_cramped() -> None:
     report = made("A bookshop with a reading corner and a counter").report
     assert report.score is not None
     assert min(report.score.part("circulation").score or 0.0, report.score.part("clearance").score or 0.0) >= 0.9
+
+
+def test_toys_of_a_kids_corner_lie_on_its_rug_and_no_chair_stands_there() -> None:
+    room = made("A waiting room with six chairs and a kids' corner")
+    (rug,) = placed(room, "rug")
+    toys, chairs = placed(room, "toy"), placed(room, "chair")
+    assert len(toys) == 3
+    assert all(rug.footprint.covers(Point(toy.position[:2])) for toy in toys)
+    assert all(rug.footprint.intersection(chair.footprint).area < 0.1 for chair in chairs)
