@@ -474,7 +474,7 @@ def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     yield from ideas
     piled = Tie(kind="on", anchors=(anchor.id,))
     for content in situation.inside(anchor) if ideas else ():
-        for idea in surfaces.on_surfaces(situation, content, piled):
+        for idea in (*surfaces.on_surfaces(situation, content, piled), *surfaces.on_its_like(situation, content)):
             yield _dearer(replace(idea, why=f"it lies on what is in {anchor.id}"), PILED)
     if not ideas:
         yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
