@@ -17,7 +17,7 @@ from thinkblox.assets.finish import fitted, links_of
 from thinkblox.assets.levels import found_surfaces
 from thinkblox.assets.masses import mass_of
 from thinkblox.assets.mounting import mount_of
-from thinkblox.assets.open_forms import opened, stood_up
+from thinkblox.assets.open_forms import FOR_LONG, opened, stood_up
 from thinkblox.assets.palette import style_of
 from thinkblox.assets.repaint import of_kind, repainted
 from thinkblox.assets.sizing import checked_size, is_stood, lain, size_for
@@ -101,7 +101,7 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     made = category.generator(Spec(name, lain(category, size) if stood else size, words, style_of(seed), rng))
     if stood and category.long_axis is not None:
         made = stood_up(made, category.long_axis)
-    forms = words.intersection(category.forms[role] for role in ("holds", "carries") if role in category.forms)
+    forms = words & {FOR_LONG, *(category.forms[role] for role in ("holds", "carries") if role in category.forms)}
     build = fitted(opened(made, forms, round=(made.front or category.front) == "any") if forms else made, size)
     links, mount = links_of(build, size), mount_of(category, words)
     surfaces = tuple(build.surfaces) or _found(category, mount, links, size)

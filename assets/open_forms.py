@@ -15,6 +15,8 @@ from thinkblox.value import Vec3
 
 PITCH = 0.42
 """About how far the boards of an open case or a rack are apart [m]."""
+TIERED, FOR_LONG = "tiered", "for-long-things"
+"""The forms of a rack: for what lies in it, and for what is too long for that and stands."""
 _THIN = (0.003, 0.018)
 """Least and greatest thickness of walls and boards [m]."""
 _LIP = 0.02
@@ -140,6 +142,21 @@ def tiers(size: Vec3, main: Finish, accent: Finish) -> Build:
     return Build(body=body, surfaces=surfaces)
 
 
+def long_rack(size: Vec3, main: Finish, accent: Finish) -> Build:
+    """Return a rack for long things that stand in it: a tray between posts, with rails at the back, open at the top."""
+    x, y, z = size
+    post, thin = max(0.012, min(0.04, 0.1 * min(x, y))), _thin(size)
+    rim = min(0.3, 0.2 * z)
+    body: list[Part] = [box(accent, (-x / 2, x / 2), (-y / 2, y / 2), (0, thin))]
+    body += [box(main, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - thin)), (thin, rim)) for s in (-1, 1)]
+    body += [box(main, (s * x / 2, s * (x / 2 - thin)), around(0, y - 2 * thin), (thin, rim)) for s in (-1, 1)]
+    back = (-x / 2, -x / 2 + post)
+    body += [box(main, back, (s * y / 2, s * (y / 2 - post)), (rim, z)) for s in (-1, 1)]
+    body += [box(main, back, around(0, y - 2 * post), (share * z - post, share * z)) for share in (0.6, 1.0)]
+    inner = ((-x / 2 + post, x / 2 - thin), around(0, y - 2 * thin))
+    return Build(body=body, surfaces=[inner_surface("tray", *inner, thin)])
+
+
 def stood_up(build: Build, axis: int) -> Build:
     """Return a long thing that lies along a level axis (0 or 1) on its heavier end, on a foot that keeps it there."""
     parts = build.parts
@@ -160,6 +177,7 @@ FORMS: Mapping[str, Callable[[Vec3, Finish, Finish], Build]] = {
     "open": open_box,
     "open-fronted": open_case,
     "walk-in": booth,
-    "tiered": tiers,
+    TIERED: tiers,
+    FOR_LONG: long_rack,
 }
 """What the words for an open form mean."""

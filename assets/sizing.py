@@ -91,6 +91,12 @@ def is_stood(category: Category, words: Collection[str]) -> bool:
     return UPRIGHT in words and UPRIGHT not in category.variants and category.long_axis is not None
 
 
+def sizes_of(category: Category, words: Collection[str]) -> tuple[Vec3, Vec3]:
+    """Smallest and largest size that can be made of what the words describe [m]."""
+    least, most = category.size_range
+    return (lain(category, least), lain(category, most)) if is_stood(category, words) else (least, most)
+
+
 def lain(category: Category, size: Vec3) -> Vec3:
     """The extents of a long thing lying from those that it has on its end, and the other way round [m]."""
     x, y, z = size
@@ -140,9 +146,7 @@ def _within(category: Category, size: Vec3) -> Vec3:
 
 def checked_size(category: Category, size: Vec3, words: Collection[str] = ()) -> Vec3:
     """Return `size` to a tenth of a millimetre; raises InputError naming the range when it cannot be made."""
-    least, most = category.size_range
-    if is_stood(category, words):
-        least, most = lain(category, least), lain(category, most)
+    least, most = sizes_of(category, words)
     x, y, z = (round(float(s), 4) for s in size)
     if not all(lo - 1e-9 <= s <= hi + 1e-9 for s, lo, hi in zip((x, y, z), least, most, strict=True)):
         ranges = ", ".join(

@@ -9,7 +9,9 @@ _ALWAYS: dict[str, frozenset[str]] = {
     "open": frozenset({"laptop", "curtain"}),
     "folded": frozenset({"blanket", "towels"}),
     "made": frozenset({"bed", "hospital_bed", "bunk_bed", "crib"}),
-    "stacked": frozenset({"book_stack"}),
+    "stacked": frozenset({"book_stack", "towels"}),
+    "framed": frozenset({"picture", "photo_frame", "mirror", "standing_mirror", "painting"}),
+    "closed": frozenset({"book", "book_stack", "notebook", "umbrella", "suitcase", "backpack"}),
     "swivel": frozenset({"office_chair"}),
     "folding": frozenset({"folding_table", "ironing_board", "ladder", "drying_rack"}),
     "on": frozenset({"tv", "wall_tv", "monitor", "computer", "laptop", "tablet"}),
@@ -29,10 +31,10 @@ def shows_state(asset: Asset, state: str) -> bool:
     word = state.lower().strip()
     if word == "empty" and {"filled", "full"} & set(asset.attributes):
         return False
-    if word in _SHUT:
-        return any(link.joint is not None for link in asset.links)
+    if word in _SHUT and any(link.joint is not None for link in asset.links):
+        return True
     if word in asset.attributes and word in facts_of(asset.category).forms.values():
         return True
     if word == "folded" and asset.category in CATALOGUE and shape_of(CATALOGUE[asset.category]) == "cloth":
         return True
-    return asset.category in _ALWAYS.get(word, frozenset())
+    return asset.category in _ALWAYS.get("closed" if word in _SHUT else word, frozenset())

@@ -312,3 +312,59 @@ def test_a_sixth_one_is_another_and_what_hangs_from_the_ceiling_is_hung_there() 
     assert [p.category for p in after.placements].count("chair") == 3
     after = done(before, "Hang a chandelier").scene
     assert next(p for p in after.placements if p.category == "chandelier").support == "ceiling"
+
+
+def test_a_row_goes_to_its_left_as_one() -> None:
+    before = classroom()
+    after = done(before, "Move the last row 10 cm to the left").scene
+    off = {id: round(after[id].position[1] - before[id].position[1], 2) for id in row(2)}
+    assert set(off.values()) in ({0.1}, {-0.1})
+
+
+def test_what_is_excepted_stays_where_the_rest_is_rearranged() -> None:
+    before = bedroom()
+    for said in ("Rearrange the room except the bed", "Rearrange everything but the bed"):
+        result = edit_room(before, said)
+        assert result.scene["bed_1"] == before["bed_1"], said
+        assert any(change.id != "bed_1" for change in result.changes), said
+
+
+def test_so_many_at_each_side_are_taken_away() -> None:
+    rows = [("dining_table_1", 3.0, 2.5, 90.0, "floor")]
+    rows += [(f"chair_{n}", 2.6 + 0.8 * (n % 2), 1.75 if n < 3 else 3.25, 90.0 if n < 3 else 270.0, "floor")
+             for n in (1, 2, 3, 4)]  # fmt: skip
+    before = built(room(), *rows)
+    after = done(before, "Remove one chair on each side of the table").scene
+    left = [p.position[1] for p in after.placements if p.category == "chair"]
+    assert sorted(y > 2.5 for y in left) == [False, True]
+    after = done(before, "Pull out the chairs on the north side of the table by 15 cm").scene
+    assert [round(after[f"chair_{n}"].position[1] - before[f"chair_{n}"].position[1], 2) for n in (1, 2, 3, 4)] == [
+        0,
+        0,
+        0.15,
+        0.15,
+    ]
+
+
+def test_a_red_one_and_a_blue_one_are_the_two() -> None:
+    before = living()
+    after = done(before, "Add two pillows to the sofa, a red one and a blue one").scene
+    new = [p for p in after.placements if p.id not in before]
+    assert [after.asset_of(p).attributes for p in new] == [("red",), ("blue",)]
+
+
+def test_what_is_not_wanted_somewhere_is_what_goes_elsewhere() -> None:
+    (order,) = read_instruction("I don't want the vase next to the plant, move it to the desk").orders
+    assert (order.doing, order.things[0].noun.value) == ("move", "vase")
+    (order,) = read_instruction(
+        "Move desk_1 next to desk_2 so that they stand side by side", ["desk_1", "desk_2"]
+    ).orders
+    assert order.abreast
+    assert not order.mutual
+
+
+def test_two_that_are_to_be_larger_and_smaller_are_both_made_so() -> None:
+    before = bedroom()
+    after = done(before, "Give me a bigger wardrobe and a smaller bed").scene
+    assert after["wardrobe_1"].size[1] > before["wardrobe_1"].size[1]
+    assert after["bed_1"].size[1] < before["bed_1"].size[1]

@@ -31,7 +31,9 @@ _ROUND = frozenset("can ball dome bowl bucket bottle cone pillar post fountain t
 _TWO = frozenset("slab roll soft cloth stack crate stick tool stand platform rack frame cage mat strings".split())
 _SOFT = frozenset("soft cloth heap hung mat".split())
 _HOLDING = {
-    **dict.fromkeys("block can bag pot jug bottle tub bucket bowl pan dome soft".split(), "open"),
+    **dict.fromkeys(
+        "block can bag pot jug bottle tub bucket bowl pan dome cone soft slab wedge fountain".split(), "open"
+    ),
     **dict.fromkeys("cabinet machine cage gable".split(), "open-fronted"),
     "rack": "tiered",
 }

@@ -20,6 +20,7 @@ from thinkblox.assets.shapes import (
     prism,
     profile,
     rod,
+    shell,
     sphere,
     top_surface,
 )
@@ -310,11 +311,11 @@ def pillar(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def fountain(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a pedestal with a basin that holds something of the accent."""
+    """Return a pedestal with a basin that holds something of the accent, nothing when "open"."""
     x, y, z = spec.size
     finish = spec.main(main)
     r = min(x, y) / 2
-    return Build(
+    build = Build(
         body=[
             frustum(finish, (0, 0), (0, 0.12 * z), 0.6 * r, 0.5 * r),
             frustum(finish, (0, 0), (0.12 * z, 0.7 * z), 0.3 * r, 0.3 * r),
@@ -323,6 +324,17 @@ def fountain(spec: Spec, main: Finish, accent: Finish) -> Build:
         ],
         front="any",
     )
+    return _open_basin(build, r, z) if spec.has("open") else build
+
+
+def _open_basin(build: Build, radius: float, height: float) -> Build:
+    """A pedestal whose basin is empty [m]."""
+    finish, floor = build.body[0].finish, 0.72 * height
+    wall = 0.06 * radius
+    body = [*build.body[:2], disc(finish, (0, 0), 0.6 * radius, (0.7 * height, floor))]
+    body += shell(finish, (0, 0), (0.7 * height, height), 0.6 * radius + wall, radius, wall)
+    across = around(0, 1.18 * radius)
+    return Build(body=body, surfaces=[inner_surface("basin", across, across, floor, round=True)], front="any")
 
 
 def vehicle(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -30,6 +30,7 @@ _THE = Token("the", "the", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
 _TOGETHER = Token("together", "together", "word", start=-1)
 _APART = Token("apart", "apart", "word", start=-1)
+_IS = Token("is", "is", "word", start=-1)
 _ON = Token("on", "on", "word", start=-1)
 _OF = Token("of", "of", "word", start=-1)
 _IN = frozenset(("in", "inside", "with"))
@@ -82,7 +83,8 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
     _check(tokens, named)
     tokens = _led(tokens)
     starts = list(_starts(tokens)) or _asked_for(tokens)
-    lead = tokens[: starts[0].begin] if starts else tokens
+    lead: Sequence[Token] = tokens[: starts[0].begin] if starts else tokens
+    starts, lead = _unwanted(tokens, starts, lead)
     told, about, blocked, disliked = lead, _about(lead), _blocked(lead), _disliked(lead)
     lead = [] if about or disliked else lead
     unknown += [t.shown for t in lead if t.kind == "word" and not _is_filler(lead, t)]
@@ -137,6 +139,19 @@ def without_announcements(tokens: Sequence[Token]) -> list[Token]:
         subject = first + len(start.before)
         return [*tokens[:begin], *rest[:subject], _ON, *lead[said.body :], *rest[subject:]]
     return [*tokens[:begin], *rest]
+
+
+def _unwanted(
+    tokens: Sequence[Token], starts: list[_Start], lead: Sequence[Token]
+) -> tuple[list[_Start], Sequence[Token]]:
+    """The clauses without "I don't want the lamp by the door, (move it)", which tells what the next one is about."""
+    if len(starts) < 2 or starts[0].doing != "unwanted" or tokens[starts[1].body].text not in ("it", "them"):
+        return starts, lead
+    said = tokens[starts[0].body : starts[1].begin]
+    placed = next((n for n in range(len(said)) if grammar().at(said, n, "prepositions") is not None), None)
+    if placed is None or not placed:
+        return starts, lead
+    return starts[1:], [*said[:placed], _IS, *said[placed:]]
 
 
 def _pointed(tokens: Sequence[Token], named: Mapping[int, str]) -> list[Token]:
@@ -203,7 +218,10 @@ def _disliked(lead: Sequence[Token]) -> tuple[Token, ...]:
 def told_before(tokens: Sequence[Token]) -> int:
     """How many tokens tell of a thing before the first order says what is to be done with it."""
     starts = list(_starts(tokens))
-    lead = tokens[: starts[0].begin] if starts else ()
+    begun = starts[0].begin if starts else 0
+    starts, lead = _unwanted(tokens, starts, tokens[:begun])
+    if starts and starts[0].begin > begun:
+        return starts[0].begin
     return len(lead) if _about(lead) or _disliked(lead) else 0
 
 

@@ -217,7 +217,9 @@ class ClauseCutter:
         if found is None:
             return None
         key, length = found
-        if key in _ANYWHERE and not (key in ("rest", "as_is") and self._doing not in ("keep", "remove", "free")):
+        if key in _ANYWHERE and not (
+            key in ("rest", "as_is") and self._doing not in ("keep", "remove", "free", "rearrange")
+        ):
             return OrderMark("markers", key), length
         if key == "unblock" and self._doing in _PUTTING:
             return OrderMark("markers", key), length

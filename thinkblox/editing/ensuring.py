@@ -37,8 +37,13 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
     if not compared:
         add(work, finder, order)
         return
-    if len(order.things) > 1:
+    if len(order.things) > 1 and len(compared) < len(order.things):
         raise InputError(f"'{order.text}' compares with what is there and names more; give two orders")
+    if len(order.things) > 1:
+        for phrase in order.things:
+            bring(work, finder, dataclasses.replace(order, things=[phrase]))
+            finder.scene = work.before = work.scene
+        return
     phrase = compared[0]
     found = held(finder, phrase)
     if len(found) != 1:

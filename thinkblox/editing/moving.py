@@ -25,6 +25,7 @@ from thinkblox.editing.finding import Finder, Picks, nearest_to
 from thinkblox.editing.goals import (
     ELSEWHERE,
     ELSEWHERE_SMALL,
+    EXACT,
     Abreast,
     Along,
     Apart,
@@ -44,7 +45,7 @@ from thinkblox.editing.grammar import means, sections
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, without
 from thinkblox.editing.rows import SAME_WAY, rows_of
-from thinkblox.editing.scattering import scatter
+from thinkblox.editing.scattering import moved_to, scatter
 from thinkblox.editing.spots import (
     Pose,
     along_walls,
@@ -101,6 +102,8 @@ _LOOKS = ("facing", "opposite")
 _FAR_OFF = ("to the front", "to the back")
 """What is no step, but the other end of the room, which nothing says of which."""
 _TO_FRONT = ("forward", "back")
+_OF_ROW = {"forward": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
+"""By how much a direction of a row is turned against where it looks to [degrees]."""
 SLIGHT_SHARES = (0.25, 0.15, 0.35)
 """The same for "a bit"."""
 
@@ -122,6 +125,9 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     groups = list(_groups(work, finder, order))
     moving = {id for ids, _ in groups for id in ids}
     order = _by_rows(work, order, sorted(moving))
+    if _shifted_at_once(work, order, groups):
+        finder.recent = [id for ids, _ in groups for id in ids]
+        return
     along = {mate for id in moving - _seats(work, moving) for mate in company_of(work, finder, order, id)}
     for ids, places in groups:
         _check_says_where(order, places)
@@ -139,6 +145,27 @@ def move(work: Work, finder: Finder, order: Order) -> None:
         finder.recent = list(ids)
     if order.mutual == "facing":
         face_each_other(work, finder, order)
+
+
+def _shifted_at_once(work: Work, order: Order, groups: Sequence[tuple[tuple[str, ...], list[Where]]]) -> bool:
+    """Shift several things by the same length in the same direction as one; whether that could be and was all."""
+    ids = list(dict.fromkeys(id for ids, _ in groups for id in ids))
+    ids = [id for id in ids if not set(ids) & set(work.scene.carriers(id))]
+    told = order.closer or order.apart or order.facing or order.backs or order.company or order.turn or order.slight
+    plain = len(order.lengths) == 1 and order.direction not in ("", "up", "down") and not (told or order.seated)
+    if not plain or len(ids) < 2 or any(places for _, places in groups):
+        return False
+    before, (metres, _) = work.scene, order.lengths[0]
+    ways = {id: _way(work, order, before[id]) for id in ids}
+    spots = {
+        id: (before[id].position[0] + metres * x, before[id].position[1] + metres * y) for id, (x, y, _) in ways.items()
+    }
+    if moved_to(work, ids, spots, off=EXACT):
+        work.world = work.world.with_scene(before)
+        return False
+    for id in ids:
+        say(work, id, before[id], None, [At(spots[id])])
+    return True
 
 
 def _by_rows(work: Work, order: Order, ids: Sequence[str]) -> Order:
@@ -339,7 +366,7 @@ def _split(
     rest = [w for w in places if w.word not in ("from", "of")]
     if phrase.places is not places and not phrase.places:
         return here, rest
-    if order.closer or order.direction or order.doing == "resite":
+    if order.closer or order.direction or order.seated or order.doing == "resite":
         return [*here, *rest], []
     directed = next((n for n, w in enumerate(rest) if w.text.lower() in ("to", "into", "onto", "over to")), None)
     if directed is not None and directed > 0:
@@ -436,6 +463,9 @@ def _at_place(
         yield from more
         if any(isinstance(goal, Midway) for goal in more):
             return
+    if order.abreast and there.kind == "next_to" and not there.negated:
+        yield Abreast("next_to", there.anchors)
+        return
     yield related(there, category, index, count)
 
 
@@ -656,11 +686,10 @@ def ways_of(placement: Placement) -> dict[str, Vec3]:
 
 
 def _way(work: Work, order: Order, placement: Placement) -> Vec3:
-    """The unit vector of the direction of an order for one thing; of what is of a row, forward is where it looks to."""
-    if order.direction in _TO_FRONT and any(phrase.noun.rows for phrase in order.things):
-        gaze = math.radians(things(work.scene, placement.id)[0].gaze)
-        sign = 1.0 if order.direction == "forward" else -1.0
-        return (sign * math.cos(gaze), sign * math.sin(gaze), 0.0)
+    """The unit vector of the direction of an order for one thing; of what is of a row by where it looks to."""
+    if order.direction in _OF_ROW and any(phrase.noun.rows for phrase in order.things):
+        way = math.radians(things(work.scene, placement.id)[0].gaze + _OF_ROW[order.direction])
+        return (math.cos(way), math.sin(way), 0.0)
     return ways_of(placement)[order.direction]
 
 

@@ -36,7 +36,7 @@ _ON_KNOWN = ("move", "turn", "replace", "remove", "swap", "free", "resite", "mak
 """Orders whose things are in the room already."""
 _MAKING = ("make", "leave", "keep")
 """Verbs of "make room", "leave some space"."""
-_OF_ALL = ("remove", "keep", "move", "put", "free", "turn")
+_OF_ALL = ("remove", "keep", "move", "put", "free", "turn", "rearrange")
 """Orders that "everything" can be said with."""
 _BEING = ("be", "stand", "hang", "put", "leave", "have")
 _ROW = "row_of_"
@@ -255,7 +255,10 @@ class _OrderReader:
         self.order.total = clause.doing in ("keep", "ensure") and only
         self._lexicon = lexicon
         self._cutter = ClauseCutter(lexicon, clause.doing, verb, named)
-        self._items = [_of_kind(item, kinds) for item in self._cutter.items(clause.tokens)]
+        drawn = clause.doing == "move" and bool(means("drawing", verb)) and clause.tokens[:1]
+        self.order.seated = means("drawn", clause.tokens[0].text) if drawn else ""
+        tokens = clause.tokens[1:] if self.order.seated else clause.tokens
+        self._items = [_of_kind(item, kinds) for item in self._cutter.items(tokens)]
         self._at = 0
         self._mode = "things"
         self._so: list[NounPhrase] = []
@@ -269,6 +272,7 @@ class _OrderReader:
         self._around = False
         self._shared = False
         self._whole: Noun | None = None
+        self._left: Noun | None = None
         self._more = False
         self._up_to = False
         self._only = False
@@ -330,6 +334,7 @@ class _OrderReader:
         if order.doing == "add" and self._is_had_by_each():
             order.doing = "ensure"
         self._along()
+        self._beside_one()
         self._looked()
 
     def _along(self) -> None:
@@ -338,6 +343,12 @@ class _OrderReader:
         if order.doing == "move" and order.things and order.lost == ["along"] and not self._places():
             order.lost = []
             order.things[-1].places.append(Where("with", Noun("pronoun", "it", 0, 0, "it"), text="along"))
+
+    def _beside_one(self) -> None:
+        """Read "(next to the desk) so that they stand side by side" as how one thing comes to stand beside another."""
+        order, beside = self.order, [w for w in self._places() if w.word == "next_to" and not w.negated]
+        if order.mutual == "next_to" and order.abreast and len(order.things) == 1 and beside:
+            order.mutual = ""
 
     def _by_verb(self) -> None:
         """What a verb says of the place: "centre the table" in the room, and "stack the books" is not followed."""
@@ -712,6 +723,8 @@ class _OrderReader:
             self._distance, self._anchors = False, [noun]
         elif order.doing == "add" and order.things and noun.kind == "pronoun" and noun.det in ("both", "all", "each"):
             pass
+        elif self._is_one_of_them(noun):
+            self._told_apart(noun)
         elif self._shares_out(noun):
             self._shared = True
         elif noun.kind in ("thing", "pronoun", "number", "place", "part"):
@@ -723,6 +736,24 @@ class _OrderReader:
             self._anchors, self._former = [], self._anchors
         else:
             self._lose(noun)
+
+    def _is_one_of_them(self, noun: Noun) -> bool:
+        """Whether it tells how one of several new things looks: "two cushions, a red one and a blue one"."""
+        last = self.order.things[-1].noun if self.order.things else None
+        looks = noun.text.lower().split()[-1:] == ["one"] and bool(noun.attributes)
+        new = self.order.doing in ("add", "put", "ensure") and last is not None and last.kind == "thing"
+        several = last is not None and ((last.count or 0) > 1 or last is self._left)
+        return new and looks and several and last is not None and not last.definite
+
+    def _told_apart(self, noun: Noun) -> None:
+        """Take one thing out of several that are added, which looks as is said."""
+        phrase = self.order.things.pop()
+        count = (phrase.noun.count or 1) - 1
+        looks = [*phrase.noun.attributes, *noun.attributes]
+        one = replace(phrase.noun, count=1, plural=False, det="a", attributes=looks)
+        self._left = replace(phrase.noun, count=count, plural=count > 1)
+        self.order.things.append(replace(phrase, noun=one, places=list(phrase.places)))
+        self.order.things += [replace(phrase, noun=self._left)] if count else []
 
     def _is_within(self, noun: Noun) -> bool:
         """Whether a noun is that of which something is to be within a length."""

@@ -1,7 +1,8 @@
 """Orders on many things at once: keep a part of the room free, rearrange the room or a region of it."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 
 from thinkblox.assets import facts_of
 from thinkblox.editing.acting import moved_words, related
@@ -10,7 +11,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Goal, Region, Related, Within
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
-from thinkblox.editing.wheres import bound, corner_near, named
+from thinkblox.editing.wheres import bound, corner_near, named, spare
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import PlaceZone, Zone, place_named, zone_of
 from thinkblox.errors import InputError
@@ -38,6 +39,21 @@ GoalsOf = Callable[[str], Sequence[Goal]]
 
 def rearrange(work: Work, finder: Finder, order: Order) -> None:
     """Rearrange the room, a region of it or some things; keep free what is to stay free."""
+    with _sparing(work, finder, order):
+        _rearrange(work, finder, order)
+
+
+@contextmanager
+def _sparing(work: Work, finder: Finder, order: Order) -> Iterator[None]:
+    """Nothing that the order excepts is touched meanwhile."""
+    kept, everything = work.kept, [p.id for p in work.scene.placements]
+    work.kept |= {*everything} - {*spare(finder, everything, order.spared)}
+    yield
+    work.kept = kept
+
+
+def _rearrange(work: Work, finder: Finder, order: Order) -> None:
+    """As `rearrange`, of what is not excepted."""
     region = _region(work, finder, order)
     if order.free:
         if region is not None:
@@ -84,7 +100,8 @@ def free(work: Work, finder: Finder, order: Order) -> None:
     for zone in zones:
         if isinstance(zone, PlaceZone) and not parts(work.scene.room, zone.place):
             raise InputError(f"the room has no {zone.place.replace('_', ' ')} that could be kept free")
-    vacate(work, zones)
+    with _sparing(work, finder, order):
+        vacate(work, zones)
 
 
 def vacate(work: Work, zones: Sequence[Zone]) -> None:

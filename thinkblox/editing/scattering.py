@@ -42,7 +42,7 @@ def scatter(work: Work, ids: Sequence[str], *, by: float | None, slight: bool) -
             id: (x + (before[id].position[0] - x) * (1 + share), y + (before[id].position[1] - y) * (1 + share))
             for id in ids
         }
-        why = _moved(work, ids, spots) or _closer(before, work.scene, pairs, LEAST if by is None else by - OFF)
+        why = moved_to(work, ids, spots) or _closer(before, work.scene, pairs, LEAST if by is None else by - OFF)
         if not why:
             work.done += [moved_words(before[id], work.scene[id]) for id in ids if before[id] != work.scene[id]]
             return
@@ -56,15 +56,15 @@ def _neighbours(scene: Scene, ids: Sequence[str]) -> list[tuple[str, str]]:
     return [(a, b) for (a, b), far in away.items() if far <= NEAR * max(nearest[a], nearest[b])]
 
 
-def _moved(work: Work, ids: Sequence[str], spots: Mapping[str, Vec2]) -> str:
-    """Put each at its spot with all that rests on it; why not, where one cannot stand there."""
+def moved_to(work: Work, ids: Sequence[str], spots: Mapping[str, Vec2], *, off: float = OFF) -> str:
+    """Put each at its spot, all of them at once with what rests on them; why not, where one cannot stand there."""
     before = work.scene
     taken = take(work, ids)
     for id in ids:
         old, asset = before[id], work.assets[before[id].asset]
         pose = ((round(spots[id][0], 4), round(spots[id][1], 4), old.position[2]), old.yaw)
         target = work.target(id, old.category, (), asset.attributes)
-        reaching = Reaching(work, target, asset, [At(spots[id], OFF)], direct=(pose,), ask=False, begin=pose)
+        reaching = Reaching(work, target, asset, [At(spots[id], off)], direct=(pose,), ask=False, begin=pose)
         if not reaching.run():
             return reaching.why
         if lost := put_back(work, old, [p for p in taken if p.id not in ids], before):

@@ -8,7 +8,8 @@ import numpy as np
 from thinkblox.assets import facts_of, kind_of, room_under
 from thinkblox.assets.facts import Role
 from thinkblox.assets.make import make_thing
-from thinkblox.assets.sizing import UPRIGHT, size_for
+from thinkblox.assets.open_forms import FOR_LONG, TIERED
+from thinkblox.assets.sizing import UPRIGHT, size_for, sizes_of
 from thinkblox.planning.members import Member, Members
 from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec2, Vec3
@@ -69,11 +70,23 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
         "under": any(_stands_over(members.by_id.get(a)) for t in member.ties if t.kind == "under" for a in t.anchors),
     }
     forms = facts_of(member.category).forms
-    found = [*(forms[r] for r in forms if roles[r]), *(s for s in member.request.states if s in forms.values())]
+    found = [
+        *(_form(member, members, r) for r in forms if roles[r]),
+        *(s for s in member.request.states if s in forms.values()),
+    ]
     long = kind_of(member.category).long_axis is not None
     if long and any(_is_too_narrow(holder, member, members) for holder in _holders(member, members)):
         found.append(UPRIGHT)
     return tuple(dict.fromkeys((*member.request.attributes, *found)))
+
+
+def _form(member: Member, members: Members, role: Role) -> str:
+    """The word for the form that a thing has in a role; a rack of long things is none with boards over one another."""
+    form = facts_of(member.category).forms[role]
+    held = [kind_of(m.category) for m in (*in_it(member, members), *on_it(member, members))]
+    wide = max(kind_of(member.category).size[:2])
+    long = all(kind.long_axis is not None and max(kind.size[:2]) > wide for kind in held)
+    return FOR_LONG if form == TIERED and held and long else form
 
 
 def _holders(member: Member, members: Members) -> list[Member]:
@@ -100,6 +113,12 @@ def usual_size(member: Member, members: Members) -> Vec3:
     sizes = zip(member.request.size, member.request.drawn, usual, strict=True)
     x, y, z = (asked or own or general for asked, own, general in sizes)
     return (x, y, z)
+
+
+def width_of(member: Member, members: Members) -> float:
+    """The diameter of the disc that it needs whichever way it is turned [m]."""
+    x, y, z = usual_size(member, members)
+    return max(x, y) if _made(member, members, (x, y, z)).front == "any" else float(np.hypot(x, y))
 
 
 def top_for_loads(member: Member, members: Members) -> Vec2 | None:
@@ -172,10 +191,10 @@ def _grown(
 
 
 def _made(member: Member, members: Members, size: Vec3) -> Asset:
-    kind = kind_of(member.category)
-    low, high = kind.size_range
+    words = words_of(member, members)
+    low, high = sizes_of(kind_of(member.category), words)
     x, y, z = (min(max(s, a), b) for s, a, b in zip(size, low, high, strict=True))
-    return make_thing(member.category, seed=0, attributes=words_of(member, members), size=(x, y, z))
+    return make_thing(member.category, seed=0, attributes=words, size=(x, y, z))
 
 
 def height_over(member: Member, members: Members) -> float | None:

@@ -10,7 +10,7 @@ from thinkblox.assets.make import make_thing
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.planning.loads import height_over, in_it, size_under, top_for_loads, usual_size, words_of
+from thinkblox.planning.loads import height_over, in_it, size_under, top_for_loads, usual_size, width_of, words_of
 from thinkblox.planning.members import Member, Members
 from thinkblox.scene.asset import Surface
 from thinkblox.value import Vec2, Vec3
@@ -79,7 +79,7 @@ def _for_contents(member: Member, members: Members, kind: Category) -> tuple[flo
     bottoms = [s for s in inner if s.headroom is None]
     if not bottoms:
         return None if kind.large else _for_tiers(inner, [usual_size(held, members) for held in inside], usual, kind)
-    across = [float(np.hypot(*usual_size(held, members)[:2])) for held in inside]
+    across = [width_of(held, members) for held in inside]
     needed = across[0] + _APART if len(across) == 1 else _PACKED * sum(d * d for d in across) ** 0.5
     bottom = min(bottoms[0].size) if bottoms[0].round or len(across) == 1 else float(np.prod(bottoms[0].size)) ** 0.5
     most = kind.size_range[1]

@@ -26,7 +26,7 @@ HIDES, HIDDEN = 0.5, 2.0
 AGAINST_LIGHT = 1.2
 """Cost of a screen before a window, against whose light one looks."""
 FACES_LIGHT = 0.8
-"""Cost of a seat from which a screen will be seen against a window across the room."""
+"""Cost of a seat from which a screen will be seen against a window across the room, where there is floor to choose."""
 IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
@@ -72,7 +72,7 @@ def _faces_light(situation: Situation, rects: Rects, follower: Target) -> Array:
         along = (rects.centre - np.array(wall.start)) @ np.array(wall.along)
         middle = window.offset + window.width / 2
         lit |= (front @ np.array(wall.inward) < -0.9) & (np.abs(along - middle) < half + window.width / 2)
-    return np.where(lit, FACES_LIGHT, 0.0)
+    return np.where(lit, FACES_LIGHT * max(0.0, 2.0 * situation.spare - 1.0), 0.0)
 
 
 def _too_deep(situation: Situation, rects: Rects, depth: float) -> Array:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import product
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
@@ -69,6 +70,8 @@ SIDE_GAP, SEATED_BEFORE = 0.01, 0.8
 """Free distance between cases side by side, and least free floor for a chair between them and a desk [m]."""
 BEYOND_DESK = 2.5
 """Cost of standing on the visitors' side of a desk, where it is to be behind who works there."""
+OFF_MIDDLE = 0.3
+"""Cost of standing beside the middle of a rug, besides the distance."""
 PILED = 4.0
 """Cost of lying on what is inside a container, rather than on its bottom."""
 SEATED = 0.2
@@ -471,7 +474,7 @@ def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     yield from ideas
     piled = Tie(kind="on", anchors=(anchor.id,))
     for content in situation.inside(anchor) if ideas else ():
-        for idea in surfaces.on_surfaces(situation, content, piled):
+        for idea in (*surfaces.on_surfaces(situation, content, piled), *surfaces.on_its_like(situation, content)):
             yield _dearer(replace(idea, why=f"it lies on what is in {anchor.id}"), PILED)
     if not ideas:
         yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
@@ -499,8 +502,16 @@ def _back_to_back(situation: Situation, anchor: Placement, tie: Tie) -> Iterator
 
 
 def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
+    why = f"it stands on {rug.id}"
     for idea in beside.between(situation, (rug,)):
-        yield replace(idea, words=idea.words[1:], why=f"it stands on {rug.id}", ignore=(rug.id,))
+        yield replace(idea, words=idea.words[1:], why=why, ignore=(rug.id,))
+    for share_x, share_y in product((-0.3, -0.15, 0.0, 0.15, 0.3), repeat=2):
+        local = (share_x * rug.size[0], share_y * rug.size[1])
+        cost = OFF_MIDDLE + math.hypot(*local)
+        for turn in (0.0, 90.0):
+            yield beside.beside_at(
+                situation, rug, local, yaw=rug.yaw + turn, words=(), why=why, cost=cost, ignore=(rug.id,)
+            )
 
 
 def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:

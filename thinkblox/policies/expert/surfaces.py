@@ -30,7 +30,7 @@ CROWDED, CROWDED_BY_ONES = 0.3, 0.5
 BESIDE_OTHERS = 0.5
 """Cost of standing right beside what is on a shelf."""
 CLOSE = 0.004
-"""Left between things in a ring, and to the wall around them [m]."""
+"""Left between things in a ring, and to the wall around what is in a hollow [m]."""
 TIGHT = 2.0
 """Cost of lying so that not all of its kind have room."""
 LONG = 1.8
@@ -41,6 +41,8 @@ ALIKE = 0.01
 """Lengths that differ by less are the same [m]."""
 LOWER = 3.0
 """Cost of a shelf of what has a top, for what is to be on it; and of the top of shelves, for what nobody asked for."""
+FLAT = 0.5
+"""Share of its shorter side that a thing is high at most, of which others like it lie on it."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -79,6 +81,22 @@ def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple
         yield from ideas
         if ideas and bool((depth_in_others(situation, ideas, boxes(situation, ideas)) <= TOUCH).any()):
             return
+
+
+def on_its_like(situation: Situation, lower: Placement) -> Iterator[Idea]:
+    """Right on another of its request that lies flat, as a cookie does on a cookie, where nothing lies on that."""
+    flat = lower.size[2] <= FLAT * min(lower.size[:2])
+    alike = lower in situation.siblings and not situation.scene.asset_of(lower).surfaces
+    if not (flat and alike) or situation.scene.resting_on(lower.id):
+        return
+    x, y, _ = lower.position
+    words = (
+        Constraint(kind="on", anchors=(lower.id,)),
+        Constraint(kind="offset", anchors=(lower.id,), values=(0.0, 0.0)),
+        turned(lower.yaw),
+    )
+    passed = (lower.id, *situation.enclosing(lower))
+    yield Idea((x, y, lower.top), lower.yaw, words, f"it lies on {lower.id}", 0.0, passed, lower.size)
 
 
 def _serves(surface: Surface, tie: Tie) -> bool:
@@ -233,7 +251,8 @@ def _free_half(plan: Vec2, surface: Surface) -> Vec2 | None:
     half = ((surface.size[0] - plan[0]) / 2, (surface.size[1] - plan[1]) / 2)
     if min(half) < -OVERHANG:
         return None
-    margin_x, margin_y = min(EDGE, max(0.0, half[0]) / 2), min(EDGE, max(0.0, half[1]) / 2)
+    edge = CLOSE if surface.within and not surface.round else EDGE
+    margin_x, margin_y = min(edge, max(0.0, half[0]) / 2), min(edge, max(0.0, half[1]) / 2)
     return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))
 
 
@@ -254,8 +273,8 @@ def _spots(
             marked = ((situation.facts.spots[0][0], marked[0][1]),)
     if aside := _leaving_room(situation, surface):
         marked = ((marked[0][0] if marked else 0.0, aside),)
-    elif tie.kind == "on" and surface.headroom is None:
-        marked = _share_of(situation, anchor, surface, free) or marked
+    elif surface.headroom is None and (tie.kind == "on" or (tie.kind == "inside" and not surface.round)):
+        marked = _share_of(situation, anchor, surface, free, tie) or marked
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
     columns = max(3, min(21, round(free[1] / 0.06)))
@@ -361,12 +380,12 @@ def _ring(count: int, index: int, reach: Vec2) -> tuple[Vec2, ...]:
     return ((reach[0] * math.cos(angle), reach[1] * math.sin(angle)),)
 
 
-def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> tuple[Vec2, ...]:
+def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: Vec2, tie: Tie) -> tuple[Vec2, ...]:
     """Where the target stands among the kinds of things that crowd one top: each kind has a stretch of it, in lines.
 
     Empty where the top is not crowded, or one kind alone is on it.
     """
-    groups = _kinds_on(situation, anchor)
+    groups = _kinds_on(situation, anchor, tie)
     own = next((n for n, group in enumerate(groups) if situation.target in group), None)
     central = any(tie.kind == "in_centre" and anchor.id in tie.anchors for tie in situation.target.ties)
     if own is None or len(groups) < 2 or central or _looks_ahead(situation):
@@ -389,11 +408,11 @@ def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: V
     return ((across, along),) if lengthwise else ((along, across),)
 
 
-def _kinds_on(situation: Situation, anchor: Placement) -> list[list[Target]]:
-    """What the plan has on the anchor, by request, in its order."""
+def _kinds_on(situation: Situation, anchor: Placement, tie: Tie) -> list[list[Target]]:
+    """What the plan has on the anchor, or in it as the tie says, by request, in its order."""
     groups: dict[str, list[Target]] = {}
     for target in situation.observation.plan.targets:
-        if any(tie.kind == "on" and anchor.id in tie.anchors for tie in target.ties):
+        if any(other.kind == tie.kind and anchor.id in other.anchors for other in target.ties):
             groups.setdefault(target.request, []).append(target)
     return list(groups.values())
 
