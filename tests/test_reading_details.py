@@ -384,6 +384,10 @@ from thinkblox.reading import read_brief
         ("A fireplace in the corner and a rug in front of the fire.", ["1 rug in_front_of fireplace"]),
         ("Four tables with two chairs each. On every table a vase and one glass per chair.",
          ["8 glass on dining_table"]),
+        ("A sofa. A desk with a lamp and a radio, a bookcase on each side of the desk and a basket by the sofa.",
+         ["1 basket next_to sofa"]),
+        ("Three tables with three chairs each, a fireplace with two armchairs in front of it.",
+         ["2 armchair in_front_of fireplace"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),
