@@ -379,6 +379,11 @@ from thinkblox.reading import read_brief
          ["1 mop in_corner corner", "1 broom in_corner corner"]),
         ("On the counter there's a jar of pickles, salt and a stack of plates.", ["1 salt on counter"]),
         ("Art class: five easels.", ["5 easel"]),
+        ("Three dress forms by the window wearing three jackets.", ["3 dress_form next_to window"]),
+        ("A table with six chairs on each side and a lamp every two seats.", ["6 table_lamp on dining_table"]),
+        ("A fireplace in the corner and a rug in front of the fire.", ["1 rug in_front_of fireplace"]),
+        ("Four tables with two chairs each. On every table a vase and one glass per chair.",
+         ["8 glass on dining_table"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),

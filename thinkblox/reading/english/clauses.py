@@ -121,7 +121,7 @@ class Clauses(Audit):
         self._as_seat(noun)
         self._as_shade(noun)
         self.draft.style += noun.styles if not self.excluding else []
-        if noun.kind == "thing" and self._is_label(noun):
+        if noun.kind == "thing" and (self._is_label(noun) or self._is_for_every(noun)):
             self._spend(noun)
             return
         readers: Mapping[NounKind, Callable[[Noun], None]] = {
@@ -137,6 +137,16 @@ class Clauses(Audit):
         readers[noun.kind](noun)
         if noun.kind != "room":
             self.separator = ""
+
+    def _is_for_every(self, noun: Noun) -> bool:
+        """Read "a lamp every two seats" as one for every two of them."""
+        if not (noun.every and noun.counted) or self.separator or not isinstance(self._before(), Noun):
+            return False
+        self.at -= 1
+        if self._gives_one_for_every(Connector("prepositions", "per", noun.start, noun.start, "every")):
+            return True
+        self.at += 1
+        return False
 
     def _part(self, noun: Noun) -> None:
         """Read a part without a preposition: "a flag either side of the door"."""

@@ -514,9 +514,11 @@ class PhraseReader(Heads):
 
     def _is_verb(self, at: int, units: Units) -> bool:
         """Whether an unknown word looks like the verb of the noun before it."""
-        word = self.tokens[at].text
+        word, last = self.tokens[at].text, units.nouns[-1].known
         if not word.endswith(("s", "ed", "ing")) or word.endswith("ss"):
             return False
+        if last is not None and last.entry.sort == "place" and word.endswith("ing") and self._starts_noun(at + 1):
+            return True
         return (
             at + 1 < len(self.tokens)
             and (

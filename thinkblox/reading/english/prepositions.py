@@ -93,13 +93,15 @@ class Prepositions(Negation):
         if link.value not in ("for", "per") or noun is None or noun.kind != "thing" or thing is None:
             return False
         every = noun.every if noun.counted else noun.count if link.text.lower().endswith("every") else None
-        told = any(b.kind in ("on", "inside") for b in self.draft.bonds_of(thing))
+        lying = [b for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside")]
+        told = bool(lying) and not any(b.each for b in lying)
         one = noun.count is None and not noun.every and noun.det in ("each", "")
         placed = link.value == "per" and one and (told or self._is_placed_after(noun))
         every = every or (1 if placed else None)
         if not every or (every < _PAIR and not placed):
             return False
         whole = self.referents.named(replace(noun, every=0, det="the", count=None), besides=[thing])
+        whole = whole or (next(iter(self._seats()), None) if noun.word in grammar().lists["seats"] else None)
         self._go_past(noun)
         count = self.referents.total(whole) if whole is not None and whole is not thing else 0
         if whole is None or not count or count % every:

@@ -93,7 +93,8 @@ class Referents:
             for test in tests:
                 if (found := next(filter(test, things), None)) is not None:
                     return found
-        ending = (t for t in recent if len(word) > 3 and last_word(t).endswith(word))
+        joined = (str.endswith, str.startswith) if not noun.named else (str.endswith,)
+        ending = (t for t in recent if len(word) > 3 and any(test(last_word(t), word) for test in joined))
         return next((t for t in recent if t.group and t.group == word), None) or next(ending, None)
 
     def every(self, noun: Noun) -> list[Mention]:
