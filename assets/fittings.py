@@ -2,6 +2,7 @@
 
 from math import cos, pi, sin
 
+from thinkblox.assets.mounting import WALL_MOUNTED
 from thinkblox.assets.palette import (
     CREAM_PAINT,
     GREY_METAL,
@@ -10,13 +11,16 @@ from thinkblox.assets.palette import (
     STEEL,
     WHITE_METAL,
 )
+from thinkblox.assets.panels import mirror
 from thinkblox.assets.part import Build, Finish, Part
 from thinkblox.assets.shapes import around, box, capsule, cylinder, disc, oval, prism, rod, round_leg, sphere
 from thinkblox.assets.spec import Spec
 
 
 def standing_mirror(spec: Spec) -> Build:
-    """Return a long mirror that leans back on a strut."""
+    """Return a long mirror that leans back on a strut, or is flat to hang on a wall."""
+    if spec.has(WALL_MOUNTED):
+        return mirror(spec)
     x, y, z = spec.size
     frame = spec.wood
     lean, half = 0.22 * x, y / 2

@@ -1,7 +1,9 @@
 """Colours of real furniture, and styles that belong together: one seed gives one style to every category."""
 
-from collections.abc import Collection
+import tomllib
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
+from importlib.resources import files
 
 from thinkblox.assets.part import Finish
 from thinkblox.value import Vec3
@@ -125,6 +127,20 @@ COLOURS: dict[str, Vec3] = {
     "black": (0.09, 0.09, 0.10),
     "turquoise": (0.35, 0.62, 0.62),
 }
+
+
+def _shades() -> Iterator[tuple[str, str, Vec3]]:
+    """Every shade, the general word for it, and its colour."""
+    table = tomllib.loads(files("thinkblox.assets").joinpath("shades.toml").read_text("utf-8"))
+    for general, shades in table.items():
+        for name, code in shades.items():
+            red, green, blue = (int(code[at : at + 2], 16) / 255 for at in (1, 3, 5))
+            yield name, general, (round(red, 3), round(green, 3), round(blue, 3))
+
+
+SHADES = {name: general for name, general, _ in _shades()}
+"""The general word for each shade: "red" for "burgundy"."""
+COLOURS.update({name: colour for name, _, colour in _shades()})
 MAHOGANY = Finish((0.38, 0.19, 0.14), "wood")
 EBONY = Finish((0.14, 0.11, 0.10), "wood")
 CEDAR = Finish((0.62, 0.40, 0.28), "wood")
@@ -155,6 +171,7 @@ METALS = {
     "iron": IRON,
 }
 STONES = {
+    "brick": Finish((0.63, 0.34, 0.26), "stone"),
     "marble": MARBLE,
     "granite": Finish((0.42, 0.41, 0.41), "stone"),
     "slate": SLATE,
@@ -203,6 +220,11 @@ def style_of(seed: int) -> Style:
 def colour_of(words: Collection[str]) -> Vec3 | None:
     """Return the colour that one of `words` names."""
     return next((COLOURS[w] for w in sorted(words) if w in COLOURS), None)
+
+
+def with_general(words: Collection[str]) -> frozenset[str]:
+    """The words and, for every shade among them, the general word for its colour."""
+    return frozenset(words).union(SHADES[word] for word in words if word in SHADES)
 
 
 def wood_of(words: Collection[str]) -> Finish | None:

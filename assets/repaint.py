@@ -56,10 +56,18 @@ _FINISHES: dict[str, Finish] = {
     **METALS,
     **STONES,
 }
-LOOKS = frozenset({*COLOURS, *MATERIALS, *_FINISHES})
+TOPPED = {f"{word}-topped": word for word in _FINISHES}
+"""Words for what has a top of a material, and the word for that: "marble-topped"."""
+LOOKS = frozenset({*COLOURS, *MATERIALS, *_FINISHES, *TOPPED})
 """Words that say of which colour or material a thing is."""
 _FRAME = 0.12
 """Least share of the visible faces that a frame has; less are handles and hinges."""
+_PLAINLY = 0.3
+"""Share of the visible faces from which nobody would call a thing by another colour."""
+_COATED: tuple[Material, ...] = ("wood", "metal", "fabric", "leather", "plastic", "paper")
+"""What is painted or dyed where the largest finish alone shows little of a colour."""
+_SLAB, _THICK = 0.2, 0.006
+"""Least share of the largest shape's plan that a part of a top has, and how far below its highest one it ends [m]."""
 _KEPT: frozenset[Material] = frozenset({"light", "screen", "leaf"})
 """What gives light, shows a picture or grows keeps its look."""
 _DYED = ("leather", "fabric", "upholstered", "plastic", "ceramic", "wooden", "metal")
@@ -88,9 +96,21 @@ def repainted(links: Sequence[Link], words: Iterable[str]) -> tuple[Link, ...]:
         if not shows_finish(found, word):
             found = _dressed(found, finish.colour, finish.material)
     for word in named:
-        if word in COLOURS and not shows_colour(found, COLOURS[word]):
-            found = _dressed(found, COLOURS[word], None)
+        if word in TOPPED:
+            finish = _FINISHES[TOPPED[word]]
+            found = _recoloured(found, top_of(found).__contains__, finish.colour, finish.material)
+        if word in COLOURS:
+            found = _coated(found, COLOURS[word])
     return _dyed(found, named)
+
+
+def _coated(links: tuple[Link, ...], colour: Vec3) -> tuple[Link, ...]:
+    """The links with their largest finish in a colour, and the next largest too where that is little of the whole."""
+    if not shows_colour(links, colour):
+        links = _dressed(links, colour, None)
+    if share(links, lambda shape: dist(shape.colour, colour) <= SAME_COLOUR) < _PLAINLY:
+        links = _dressed(links, colour, None, of=_COATED, other_than=colour)
+    return links
 
 
 def dyed(words: Iterable[str]) -> tuple[str, str] | None:
@@ -160,6 +180,26 @@ def shows_finish(links: Iterable[Link], word: str) -> bool:
         made, lambda shape: shape.material == finish.material and dist(shape.colour, finish.colour) <= SAME_COLOUR
     )
     return near >= SHARE
+
+
+def shows_top(links: Iterable[Link], word: str) -> bool:
+    """Whether what a thing has on top is of the material that "marble-topped" names."""
+    finish = _FINISHES[TOPPED[word]]
+    top = top_of(links)
+    return bool(top) and all((s.material, s.colour) == (finish.material, finish.colour) for s in top)
+
+
+def top_of(links: Iterable[Link]) -> tuple[Shape, ...]:
+    """The flat shapes that make up the upper side of a table, a counter or a chest; none where it has no such side."""
+    shapes = [shape for link in links for shape in link.shapes if shape.collide]
+    whole = max((shape.size[0] * shape.size[1] for shape in shapes), default=0.0)
+    height = max((_top(shape) for shape in shapes), default=0.0)
+    wide = (s for s in shapes if s.kind in ("box", "cylinder", "hull") and s.size[0] * s.size[1] > _SLAB * whole)
+    return tuple(shape for shape in wide if _top(shape) > height - _THICK)
+
+
+def _top(shape: Shape) -> float:
+    return shape.position[2] + shape.size[2] / 2
 
 
 def share(links: Iterable[Link], shows: Callable[[Shape], bool]) -> float:

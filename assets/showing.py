@@ -13,12 +13,14 @@ from thinkblox.assets.repaint import (
     MATERIALS,
     SAME_COLOUR,
     SHARE,
+    TOPPED,
     dyed,
     faces,
     is_dyed,
     share,
     shows_colour,
     shows_finish,
+    shows_top,
 )
 from thinkblox.assets.sizing import COUNTED_PARTS, counted, people
 from thinkblox.assets.stand_ins import facts_of
@@ -53,6 +55,8 @@ def realised(asset: Asset, attribute: str) -> bool:
         if pair is not None and pair[0] == word:
             return shows_colour(asset.links, COLOURS[word]) and is_dyed(asset.links, *pair)
         return shows_colour(asset.links, COLOURS[word])
+    if word in TOPPED:
+        return shows_top(asset.links, word)
     if word in MATERIALS or word in KINDS:
         return shows_finish(asset.links, word)
     if rule is not None:

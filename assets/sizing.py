@@ -34,6 +34,8 @@ _SCALES: dict[str, Vec3] = {
 }
 
 
+UPRIGHT = "upright"
+"""What is said of a long thing that stands on its end."""
 _SMALL_VARIED = 1.8
 """How much more than furniture differs in size what stands on it or hangs."""
 COUNTED_PARTS = ("drawer", "door")
@@ -56,6 +58,10 @@ def people(words: Collection[str]) -> int:
     return 0
 
 
+_EVEN = frozenset({"round", "square", "circular"})
+"""Words for what is as wide as it is deep, or on a wall as it is high."""
+
+
 def size_for(category: Category, words: frozenset[str], rng: np.random.Generator) -> Vec3:
     """Return a size for the attributes `words`, varied by `rng`, within what can be made [m]."""
     size = next((category.variants[w] for w in sorted(words) if w in category.variants), None)
@@ -73,7 +79,22 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     fx, fy, fz = (1 + share * float(v) for v in rng.uniform(-1, 1, 3))
     if abs(x - y) < 1e-9:
         fy = fx
-    return _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
+    if category.mount == "wall" and _EVEN & words:
+        side = float(np.sqrt(y * z)) * fy
+        return _within(category, (x * fx, side, side))
+    size = _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
+    return lain(category, size) if is_stood(category, words) else size
+
+
+def is_stood(category: Category, words: Collection[str]) -> bool:
+    """Whether a long thing that usually lies, and has no upright form of its own, is stood on its end."""
+    return UPRIGHT in words and UPRIGHT not in category.variants and category.long_axis is not None
+
+
+def lain(category: Category, size: Vec3) -> Vec3:
+    """The extents of a long thing lying from those that it has on its end, and the other way round [m]."""
+    x, y, z = size
+    return (z, y, x) if category.long_axis == 0 else (x, z, y)
 
 
 def scale_of(words: Collection[str]) -> Vec3:
@@ -100,8 +121,8 @@ def _seated(category: Category, size: Vec3, count: int, words: Collection[str]) 
 
 
 def _plan(category: Category, x: float, y: float, words: Collection[str]) -> tuple[float, float]:
-    """Make the plan round or square where the words say so; a wall thing's round face is handled by its generator."""
-    if category.mount == "wall" or not {"round", "square", "circular"} & set(words):
+    """Make the plan round or square where the words say so; of a wall thing they say that of its face."""
+    if category.mount == "wall" or not _EVEN & set(words):
         return x, y
     side = float(np.sqrt(x * y))
     return side, side
@@ -117,9 +138,11 @@ def _within(category: Category, size: Vec3) -> Vec3:
     return (x, y, z)
 
 
-def checked_size(category: Category, size: Vec3) -> Vec3:
+def checked_size(category: Category, size: Vec3, words: Collection[str] = ()) -> Vec3:
     """Return `size` to a tenth of a millimetre; raises InputError naming the range when it cannot be made."""
     least, most = category.size_range
+    if is_stood(category, words):
+        least, most = lain(category, least), lain(category, most)
     x, y, z = (round(float(s), 4) for s in size)
     if not all(lo - 1e-9 <= s <= hi + 1e-9 for s, lo, hi in zip((x, y, z), least, most, strict=True)):
         ranges = ", ".join(

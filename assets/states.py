@@ -1,5 +1,8 @@
 """States in which a prompt wants to find things ("open", "folded"), as far as how they are made shows them."""
 
+from thinkblox.assets.catalogue import CATALOGUE
+from thinkblox.assets.plain import shape_of
+from thinkblox.assets.stand_ins import facts_of
 from thinkblox.scene.asset import Asset
 
 _ALWAYS: dict[str, frozenset[str]] = {
@@ -28,4 +31,8 @@ def shows_state(asset: Asset, state: str) -> bool:
         return False
     if word in _SHUT:
         return any(link.joint is not None for link in asset.links)
+    if word in asset.attributes and word in facts_of(asset.category).forms.values():
+        return True
+    if word == "folded" and asset.category in CATALOGUE and shape_of(CATALOGUE[asset.category]) == "cloth":
+        return True
     return asset.category in _ALWAYS.get(word, frozenset())

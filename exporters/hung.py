@@ -23,6 +23,7 @@ from thinkblox.sim.geometry.solid import shape_area, shape_volume
 from thinkblox.sim.geometry.walls import wall_depth, wall_slabs
 from thinkblox.sim.settings import Physics
 from thinkblox.sim.verdict.settle import SettledState
+from thinkblox.value import Vec2
 
 LEAF = "door leaf"
 """The link that turns."""
@@ -154,14 +155,25 @@ def _door(opening: Opening, depth: float, surfaces: Surfaces) -> tuple[Link, Lin
     lever = min(_LEVER, high / 2)
     away = sorted((-sign * (side - 0.2 * min(side, 0.3)), -sign * (side - 0.7 * min(side, 0.3))))
     rose = sorted((-sign * (side - 0.2 * min(side, 0.3)), -sign * (side - 0.3 * min(side, 0.3))))
+    inward = opening.opens == "in"
+
+    def deep(low: float, high: float) -> Vec2:
+        """A range of depths within the wall, from the face that the leaf turns out of."""
+        return (low, high) if inward else (-1.0 - high, -1.0 - low)
+
     leaf = (
-        boxes.box((face - thick, face), (-side, side), (gap, top), surfaces.door),
-        boxes.box((face, -0.14), (rose[0], rose[1]), (lever - 0.01, lever + 0.01), _METAL, material="metal"),
-        boxes.box((-0.14, -0.02), (away[0], away[1]), (lever - 0.01, lever + 0.01), _METAL, material="metal"),
+        boxes.box(deep(face - thick, face), (-side, side), (gap, top), surfaces.door),
+        boxes.box(deep(face, -0.14), (rose[0], rose[1]), (lever - 0.01, lever + 0.01), _METAL, material="metal"),
+        boxes.box(deep(-0.14, -0.02), (away[0], away[1]), (lever - 0.01, lever + 0.01), _METAL, material="metal"),
     )
+    out = 1.0 if inward else -1.0
     joint = Joint(
-        kind="hinge", axis=(0.0, 0.0, sign), anchor=((face + 0.5) * depth, sign * side, 0.0), lower=0.0, upper=OPENS
-    )  # fmt: skip
+        kind="hinge",
+        axis=(0.0, 0.0, sign * out),
+        anchor=(out * (face + 0.5) * depth, sign * side, 0.0),
+        lower=0.0,
+        upper=OPENS,
+    )
     return Link(name="frame", shapes=frame), Link(name=LEAF, shapes=leaf, joint=joint)
 
 

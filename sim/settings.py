@@ -96,7 +96,7 @@ class Walking(CheckedValue, kw_only=True, frozen=True):
         reach: arm's length, from the walker's middle to an object [m].
         large: footprint from which a standing object must be reachable [m2].
         movable: what weighs less is moved aside (a chair) and bars no way [kg].
-        door_zone: depth of the clear zone inside a door, in door widths.
+        door_zone: depth of the clear zone inside a door, in door widths; of one that opens outwards, in steps.
         window_zone: depth of the zone before a window [m].
         window_share: share of a window's width that may be covered.
         window_width: floor-standing pieces narrower than this leave enough of a window free [m].

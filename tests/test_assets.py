@@ -150,6 +150,14 @@ def test_attributes_change_what_is_made() -> None:
     assert len(shapes_of(books)) > len(shapes_of(make_asset("bookcase", seed=0))) + 10
 
 
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("category", ["mirror", "clock", "picture"])
+def test_what_is_round_or_square_on_a_wall_is_as_high_as_wide(category: str, seed: int) -> None:
+    for word in ("round", "square"):
+        _, wide, high = make_asset(category, seed=seed, attributes=(word,)).size
+        assert wide == pytest.approx(high, rel=0.03)
+
+
 def test_unknown_attributes_are_ignored() -> None:
     assert make_asset("chair", seed=1, attributes=("quixotic",)).size == make_asset("chair", seed=1).size
 

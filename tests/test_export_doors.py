@@ -102,6 +102,14 @@ def test_the_hinge_is_where_the_room_has_it(hinge: str) -> None:
     assert y > 0.6
 
 
+def test_a_door_that_opens_outwards_turns_out_of_the_room() -> None:
+    out = Opening(id="door_1", kind="door", wall=0, offset=0.5, width=0.7, height=2.0, opens="out")
+    scene = Scene(room=rectangle(2.0, 2.0, openings=(out,)))
+    model = thinkblox.to_mjmodel(scene, doors=True)
+    assert at_rest(model).site(f"{LEAF}_handle").xpos[1] > -0.3
+    assert pushed(model).site(f"{LEAF}_handle").xpos[1] < -0.5
+
+
 def test_every_format_has_them(folder: Path) -> None:
     stage = Usd.Stage.Open(str(folder / "scene.usda"))
     joint = UsdPhysics.RevoluteJoint(stage.GetPrimAtPath(f"/World/Objects/door_1_frame/Joints/{LEAF}"))

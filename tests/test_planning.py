@@ -157,6 +157,16 @@ def test_rooms_have_a_door_and_are_neither_tiny_nor_halls(prompt: str, seed: int
     assert 5.0 <= room.polygon.area <= 70.0
 
 
+def test_closets_have_narrow_doors_that_open_outwards() -> None:
+    tiny, usual = (
+        plan_room(read_brief(f"A {size} room with a stool."), rng=0) for size in ("1.2 by 1.5 m", "3 by 3 m")
+    )
+    (door,) = (o for o in tiny.openings if o.kind == "door")
+    assert (door.opens, door.width) == ("out", 0.7)
+    assert door.swept < 0.5
+    assert {o.opens for o in usual.openings if o.kind == "door"} == {"in"}
+
+
 def test_a_room_is_as_large_as_it_is_said_to_be() -> None:
     assert plan_room(read_brief("a bedroom, 4 m by 5 m"), rng=0).extent == (4.0, 5.0)
     assert plan_room(read_brief("a studio of 18 square metres"), rng=0).polygon.area == pytest.approx(18.0, abs=0.05)

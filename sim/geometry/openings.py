@@ -20,8 +20,8 @@ STANDING = 0.05
 
 @lru_cache(maxsize=256)
 def door_zone(room: Room, door: Opening, walking: Walking) -> BaseGeometry:
-    """The floor inside a door that stays free: as wide as the door, `walking.door_zone` times as deep."""
-    return _zone(room, door, door.width * walking.door_zone)
+    """The floor inside a door that stays free: as wide as the door, `walking.door_zone` times as deep as it sweeps."""
+    return _zone(room, door, door.swept * walking.door_zone)
 
 
 @lru_cache(maxsize=256)

@@ -82,11 +82,12 @@ def _mark_door(marks: Marks, wall: Wall, opening: Opening) -> None:
     hinge, away = (start, end) if opening.hinge == "start" else (end, start)
     step = 1 if away > hinge else -1
     turns = [math.pi / 2 * i / 24 for i in range(25)]
-    arc = [wall.point(hinge + step * opening.width * math.cos(t), opening.width * math.sin(t)) for t in turns]
+    deep = opening.width if opening.opens == "in" else -opening.width
+    arc = [wall.point(hinge + step * opening.width * math.cos(t), deep * math.sin(t)) for t in turns]
     marks.area(_gap(wall, opening), colour=(214, 204, 190))
     marks.area([wall.point(hinge), *arc], colour=_PAPER, alpha=46)
     marks.line(arc, colour=INK, width=0.8)
-    leaf = [wall.point(hinge), wall.point(hinge, opening.width), wall.point(hinge + 0.04 * step, opening.width)]
+    leaf = [wall.point(hinge), wall.point(hinge, deep), wall.point(hinge + 0.04 * step, deep)]
     marks.area([*leaf, wall.point(hinge + 0.04 * step)], colour=INK)
 
 

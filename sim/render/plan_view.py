@@ -89,9 +89,15 @@ def _plan(scene: Scene, size: int, poses: Mapping[str, Pose] | None, legend: Leg
 
 
 def plan_of(room: Room, *, margin: float = _MARGIN) -> Camera:
-    """The camera that looks down at a whole room."""
+    """The camera that looks down at a whole room, and at the doors that turn out of it."""
     corners = np.array(room.floor)
-    outer = np.concatenate([corners - THICKNESS, corners + THICKNESS])
+    outward = [
+        room.walls[door.wall].point(along, -door.width)
+        for door in room.openings
+        if door.opens == "out"
+        for along in (door.offset, door.offset + door.width)
+    ]
+    outer = np.concatenate([corners - THICKNESS, corners + THICKNESS, np.array(outward).reshape(-1, 2)])
     return plan_camera(outer, margin=margin)
 
 

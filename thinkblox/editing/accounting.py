@@ -32,6 +32,7 @@ _SORTS = (
     "shares",
     "done",
     "conditions",
+    "all_over",
 )
 """Phrases of the instructions' grammar that may be said in other words, or go without saying."""
 _OF_READER = ("prepositions", "joins", "verbs", "fillers", "mutual", "pronouns", "parts", "people")

@@ -13,6 +13,7 @@ from thinkblox.editing.acting import centred, looking, mark_names, prefer_sides,
 from thinkblox.editing.carrying import usual_ties
 from thinkblox.editing.finding import SAME_SIZE, Finder
 from thinkblox.editing.goals import Apart, At, Goal, Related
+from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
@@ -70,6 +71,8 @@ def _fix_it(finder: Finder, order: Order) -> None:
 
 def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Where]) -> list[str]:
     noun = phrase.noun
+    if is_row(noun):
+        return add_rows(work, finder, order, phrase, places)
     _check(noun)
     if noun.definite and not noun.id and noun.det == "the" and (there := finder.matching(noun)):
         raise InputError(f"'{noun.text}' is there already: {', '.join(p.id for p in there)}; add 'a' or 'another' one")
@@ -161,7 +164,8 @@ def _check(noun: Noun) -> None:
     """
     words = noun.value.split("_")
     known = any(word in known_things() or f"any_{word}" in GENERAL_WORDS for word in map(singular, words[:-1]))
-    if noun.kind != "thing" or noun.det in ("no", "none") or (not noun.named and known):
+    bare = not noun.named and not (noun.det or noun.count or noun.plural or noun.id)
+    if noun.kind != "thing" or noun.det in ("no", "none") or (not noun.named and known) or bare:
         raise InputError(f"'{noun.text}' is no thing that can be added")
     if noun.rows or noun.groups:
         raise InputError(f"'{noun.text}': rows and groups are not added as such; say how many, and where each goes")

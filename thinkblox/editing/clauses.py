@@ -20,6 +20,8 @@ _GONE = ("go", "leave", "disappear")
 _WANTS = ("want",)
 _BRINGS = ("add", "want", "ensure")
 _NEWS = ("add", "put", "want")
+_ANNOUNCING = ("want", "make", "rearrange", "ensure", "clear", "free")
+_AGAIN = ("it", "its", "them", "their", "they")
 _NOT = Token("not", "not", "word", start=-1)
 _TO = Token("to", "to", "word", start=-1)
 _NOTHING = ("nothing",)
@@ -28,6 +30,7 @@ _THE = Token("the", "the", "word", start=-1)
 _CHAIRS = Token("chairs", "chairs", "word", start=-1)
 _TOGETHER = Token("together", "together", "word", start=-1)
 _APART = Token("apart", "apart", "word", start=-1)
+_ON = Token("on", "on", "word", start=-1)
 _OF = Token("of", "of", "word", start=-1)
 _IN = frozenset(("in", "inside", "with"))
 _FROM = Token("from", "from", "word", start=-1)
@@ -103,13 +106,37 @@ def clauses(tokens: Sequence[Token], named: Mapping[int, str], unknown: list[str
             start = replace(start, doing="replace")
         if start.whose:
             body = _had(body, start.whose)
-        clause = _settled(_turned_about(Clause(start.doing, start.change, body, text)))
+        clause = _settled(_turned_about(_of_lacking(Clause(start.doing, start.change, body, text))))
         if start.denied and start.doing in _BRINGS:
             continue
         if start.denied and clause.doing in ("put", "keep", "make", "free"):
             raise InputError(f"'{text}' says what is not to be done; say what is")
         made.append(Clause("keep", "", clause.tokens, text) if start.denied else clause)
     return made
+
+
+def without_announcements(tokens: Sequence[Token]) -> list[Token]:
+    """The tokens without what only announces the orders behind a colon: "I'd like more light: add two wall lamps".
+
+    Of "clear the table: only the vase should stay" the second part is of what is on the table.
+    """
+    at = next((n for n, token in enumerate(tokens) if token.text == ":"), None)
+    if at is None:
+        return list(tokens)
+    begin = next((n + 1 for n in range(at - 1, -1, -1) if tokens[n].text in ENDS), 0)
+    lead, rest = list(tokens[begin:at]), without_announcements(tokens[at + 1 :])
+    first, said = _first(rest), _start(lead, _first(lead), first=True) if _first(lead) < len(lead) else None
+    start = _start(rest, first, first=True) if first < len(rest) else None
+    if start is None:
+        return [*tokens[:begin], *lead, *rest]
+    end = next((n for n in range(first, len(rest)) if rest[n].text in ENDS), len(rest))
+    again = any(token.text in _AGAIN for token in rest[first:end])
+    if again or (said is not None and said.doing not in _ANNOUNCING):
+        return [*tokens[:begin], *lead, replace(tokens[at], text="."), *rest]
+    if said is not None and start.doing == "keep" and start.before:
+        subject = first + len(start.before)
+        return [*tokens[:begin], *rest[:subject], _ON, *lead[said.body :], *rest[subject:]]
+    return [*tokens[:begin], *rest]
 
 
 def _pointed(tokens: Sequence[Token], named: Mapping[int, str]) -> list[Token]:
@@ -191,6 +218,12 @@ def _is_last(tokens: Sequence[Token], at: int) -> bool:
     return at >= len(tokens) or tokens[at].text in (*ENDS, ",", "please")
 
 
+def _of_lacking(clause: Clause) -> Clause:
+    """A clause by which something is added to those that have none, as one by which each is to have it."""
+    lacking = _without(clause.tokens, "lacking") if clause.doing in ("add", "put") else None
+    return Clause("ensure", "", lacking, clause.text) if lacking is not None else clause
+
+
 def _turned_about(clause: Clause) -> Clause:
     """A clause as one of the orders that are carried out: "give the desk a lamp" adds one to it."""
     tokens = clause.tokens
@@ -225,16 +258,30 @@ def _gathered_or_spread(clause: Clause) -> Clause:
     Raises:
         InputError: they are to be spread over somewhere.
     """
-    tokens = [t for t in clause.tokens if t.text not in ("together", "apart")]
+    tokens = [t for t in clause.tokens if t.text not in ("together", "apart", "out")]
     in_rows = {m for n in range(len(tokens)) if (row := longest("rows", tokens, n)) for m in range(n, n + row[1])}
     said = (grammar().at(tokens, n, "prepositions") for n in range(len(tokens)) if n not in in_rows)
     placed = {str(found.value) for found in said if found is not None} - {"of"}
     if clause.doing == "gather":
         word = () if placed - _IN else (_TOGETHER,)
         return Clause("move", "", (*tokens, *word), clause.text)
+    if clause.doing == "spread" and (over := _without(tokens, "all_over")) is not None:
+        return Clause("spread", "", over, clause.text)
     if placed - {"by", "from"}:
         raise InputError(f"'{clause.text}': how things are spread over a place is not followed; say where each goes")
     return Clause("move", "", (*tokens, _APART), clause.text)
+
+
+def _without(tokens: Sequence[Token], section: str) -> tuple[Token, ...] | None:
+    """The tokens without the phrases of a section; None where there is none of them."""
+    left: list[Token] = []
+    index, found = 0, False
+    while index < len(tokens):
+        phrase = longest(section, tokens, index)
+        found |= phrase is not None
+        left += tokens[index : index + 1] if phrase is None else []
+        index += phrase[1] if phrase is not None else 1
+    return tuple(left) if found else None
 
 
 def _fewer(clause: Clause) -> Clause | None:
@@ -267,6 +314,9 @@ def _seated(clause: Clause) -> Clause:
         InputError: it is not said how many.
     """
     people = next((n for n, t in enumerate(clause.tokens) if grammar().knows(t.text, "people")), None)
+    if clause.tokens and means("markers", clause.tokens[0].text) == "only":
+        clause = replace(clause, tokens=clause.tokens[1:])
+        people = people - 1 if people is not None else None
     counted = bool(clause.tokens) and (
         clause.tokens[0].kind == "number" or grammar().at(clause.tokens, 0, "count") is not None
     )
@@ -310,7 +360,7 @@ def _spares(tokens: Sequence[Token], at: int) -> bool:
 def spoken(tokens: Sequence[Token], named: Mapping[int, str]) -> str:
     """Words as they were written, without the marks at their ends."""
     text, skip, end = "", 0, -1
-    for token in tokens:
+    for token in sorted(tokens, key=lambda token: token.start):
         if token.start < skip:
             continue
         shown = named.get(token.start, token.shown)
@@ -349,7 +399,8 @@ def _gathered(tokens: Sequence[Token]) -> list[Token]:
         if before not in (*ENDS, *_LINKS) and not (index and _is_filler(left[:index], left[index - 1])):
             continue
         for after in range(index + 2, len(left)):
-            if left[after].text in (*ENDS, *_LINKS):
+            joined = left[after].text in _LINKS and not _start_of_verb(left, after + 1)
+            if left[after].text in (*ENDS, *_LINKS) and not joined:
                 break
             if means("particles", left[after].text) and _parted(left, index, after):
                 left.insert(index + 1, left.pop(after))
@@ -360,7 +411,7 @@ def _gathered(tokens: Sequence[Token]) -> list[Token]:
 def _parted(tokens: Sequence[Token], at: int, after: int) -> bool:
     """Whether a verb of two words begins and goes on at two places; what brings something is not parted."""
     found = longest("verbs", (tokens[at], tokens[after]), 0)
-    if found is None or found[1] < 2 or found[0] == "add":
+    if found is None or found[1] < 2 or found[0] == "add" or longest("out_of", tokens, after) is not None:
         return False
     return _ends(tokens, after + 1) or grammar().at(tokens, after + 1, "prepositions") is not None
 
@@ -425,7 +476,7 @@ def _starts(tokens: Sequence[Token]) -> list[_Start]:
     starts: list[_Start] = []
     index, fresh, first = 0, True, True
     while index < len(tokens):
-        start = _start(tokens, index, first=first) if fresh else _without(tokens, index)
+        start = _start(tokens, index, first=first) if fresh else _sparing(tokens, index)
         if start is not None:
             starts.append(start)
             index, fresh, first = _coordinated(tokens, start), False, False
@@ -475,7 +526,7 @@ def _start(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
         if verb is not None and longest("verbs", tokens, at) is None:
             return _Start(at, at + denied[1] + verb[2], verb[0], verb[1], denied=True)
     if denied is not None and denied[0] == "without":
-        return _without(tokens, at)
+        return _sparing(tokens, at)
     verb = _verb(tokens, at, first=first)
     filler = longest("fillers", tokens, at)
     if verb is not None and filler is not None and filler[1] > verb[2]:
@@ -485,7 +536,7 @@ def _start(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
     return _wish(tokens, at, first=first)
 
 
-def _without(tokens: Sequence[Token], at: int) -> _Start | None:
+def _sparing(tokens: Sequence[Token], at: int) -> _Start | None:
     """Read "without moving the sofa", in the middle of an order."""
     found = longest("denials", tokens, at)
     if found is None or found[0] != "without":
@@ -530,6 +581,8 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
         return _Start(at, told, "put", before=tuple(tokens[at + 1 : verb]))
     for index in _within(tokens, at + 1):
         found = longest("wishes", tokens, index)
+        if found is not None and not first and _is_list(tokens[at:index]):
+            return None
         if tokens[index].text in _RELATIVE or (found is None and _verb(tokens, index, first=False) is not None):
             return None
         if (
@@ -540,6 +593,12 @@ def _wish(tokens: Sequence[Token], at: int, *, first: bool) -> _Start | None:
             continue
         return _wished(tokens, at, index, *found)
     return None
+
+
+def _is_list(subject: Sequence[Token]) -> bool:
+    """Whether it ends with what follows a comma alone: "(remove the lamp and) the chair, the desk (can stay)"."""
+    commas = [n for n, token in enumerate(subject) if token.text == ","]
+    return bool(commas) and not any(token.text == "and" for token in subject[commas[-1] :])
 
 
 def _wished(tokens: Sequence[Token], at: int, index: int, key: str, length: int) -> _Start:

@@ -1,7 +1,7 @@
 """What goes along with a thing that is moved or turned because the order says so: "the table with its chairs"."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import facts_of
@@ -29,8 +29,55 @@ REACH = 0.8
 
 
 def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable[[], None]) -> None:
-    """Do something with one thing, and bring what the order names along to the same places beside it."""
+    """Do something with one thing, and bring what the order names along to the same places beside it.
+
+    Where nothing is named, the seats that are drawn up to it go along if it cannot be done without them.
+    """
     mates = company_of(work, finder, order, id)
+    if mates:
+        bring_together(work, id, mates, do)
+        return
+    before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
+    do()
+    seats = [] if order.rest or order.company else seats_at(before, id, besides={*finder.named, *work.kept})
+    shifted = order.doing == "turn" and math.dist(before[id].position, work.scene[id].position) > ASIDE
+    if not seats or (len(work.failed) == said[0] and not shifted):
+        _say_left(work, id, seats)
+        return
+    alone = work.world, work.failed[said[0] :], work.notes[said[1] :], work.done[saved[1] :], work.wishes[saved[2] :]
+    work.restore(saved)
+    del work.failed[said[0] :], work.notes[said[1] :]
+    bring_together(work, id, seats, do)
+    if len(work.failed) == said[0]:
+        if work.scene[id] != before[id]:
+            work.notes.append(f"{', '.join(seats)} went along, as {id} cannot be there without them.")
+        return
+    work.restore(saved)
+    work.world, work.failed[said[0] :], work.notes[said[1] :] = alone[:3]
+    work.done += alone[3]
+    work.wishes += alone[4]
+    _say_left(work, id, seats)
+
+
+def seats_at(scene: Scene, id: str, *, besides: Collection[str]) -> list[str]:
+    """The seats that are drawn up to a thing and to nothing else."""
+    if not facts_of(scene[id].category).is_in("tables", "desks", "counters"):
+        return []
+    others = [p.id for p in scene.placements if p.category == scene[id].category and p.id != id]
+    seats = [p.id for p in scene.placements if facts_of(p.category).is_in("seating") and p.id not in besides]
+    drawn = [seat for seat in seats if measure(scene, "at", seat, (id,)).holds]
+    return [seat for seat in drawn if not any(measure(scene, "at", seat, (other,)).holds for other in others)]
+
+
+def _say_left(work: Work, id: str, seats: Sequence[str]) -> None:
+    """Note which seats a thing has left."""
+    left = [seat for seat in seats if seat in work.scene and not measure(work.scene, "at", seat, (id,)).holds]
+    if left:
+        work.notes.append(f"{', '.join(left)} stayed, away from {id} now: what is to go along has to be named.")
+
+
+def bring_together(work: Work, id: str, mates: Sequence[str], do: Callable[[], None]) -> None:
+    """Do something with one thing, and bring others to the same places beside it; all of it or nothing."""
     if not mates:
         do()
         return

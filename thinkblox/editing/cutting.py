@@ -157,6 +157,9 @@ class ClauseCutter:
                 starts = [token.start for token in run[chunk.start : chunk.end]]
                 chunk.id = next((self._named[s] for s in starts if s in self._named), chunk.id)
                 self.ranks[id(chunk)] = next((self._ranked[s] for s in starts if s in self._ranked), "")
+                if chunk.kind == "number" and chunk.det in _RANKED and means("sizes", chunk.degree):
+                    chunk.unshown = [word for word in chunk.unshown if word != chunk.degree]
+                    self.ranks[id(chunk)] = chunk.degree = means("sizes", chunk.degree)
                 chunk.degree = chunk.degree or self.ranks[id(chunk)]
                 chunk.degree = next((self._near[s] for s in starts if s in self._near), chunk.degree)
                 self.shares[id(chunk)] = next((self._shared[s] for s in starts if s in self._shared), 0.0)

@@ -17,6 +17,7 @@ from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.heeding import check_heeded
 from thinkblox.editing.making import make
+from thinkblox.editing.more_rows import is_row
 from thinkblox.editing.moving import move, resite
 from thinkblox.editing.orders import INSTEAD, Instruction, NounPhrase, Order
 from thinkblox.editing.reading import read_instruction
@@ -24,6 +25,7 @@ from thinkblox.editing.rearranging import free, rearrange
 from thinkblox.editing.removing import clear, keep_only, remove, take_away
 from thinkblox.editing.replacing import replace
 from thinkblox.editing.spacing import space
+from thinkblox.editing.spreading import spread
 from thinkblox.editing.standing import as_made, carried_over
 from thinkblox.editing.swapping import swap
 from thinkblox.editing.turning import turn
@@ -334,6 +336,8 @@ def _is_known(phrase: NounPhrase) -> bool:
     """Whether a phrase points at something that is there."""
     noun = phrase.noun
     pointed = noun.definite or noun.det in ("each", "all", "both", "half")
+    if is_row(noun) and not (pointed or noun.ordinal):
+        return False
     return bool(
         phrase.id or pointed or noun.of_known or noun.kind in ("pronoun", "number") or phrase.rank or noun.ordinal
     )
@@ -386,6 +390,7 @@ _DOERS: dict[str, Doer] = {
     "ensure": ensure,
     "only": keep_only,
     "gap": space,
+    "spread": spread,
     "put": _put,
     "move": _bring,
     "turn": turn,

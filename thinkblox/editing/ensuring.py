@@ -3,7 +3,7 @@
 import dataclasses
 
 from thinkblox.editing.acting import related
-from thinkblox.editing.adding import add
+from thinkblox.editing.adding import add, category_of
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.grammar import means
 from thinkblox.editing.making import make
@@ -23,7 +23,10 @@ def bring(work: Work, finder: Finder, order: Order) -> None:
         along = [Where("with", phrase.noun, text="with") for phrase in order.company]
         last = dataclasses.replace(order.things[-1], places=[*order.things[-1].places, *along])
         order = dataclasses.replace(order, things=[*order.things[:-1], last], company=[])
-    if order.text.lower().startswith("hang ") and not any(p.places for p in order.things) and not order.places:
+    placed = any(p.places for p in order.things) or order.places or order.there
+    kinds = [category_of(work, p.noun, ()) for p in order.things if p.noun.kind == "thing"]
+    hung = all(work.source.usual(kind)[1] != "ceiling" for kind in kinds)
+    if order.text.lower().startswith("hang ") and not placed and hung:
         wall = Noun("place", "wall", 0, 0, "a wall", det="a")
         order = dataclasses.replace(order, places=[Where("on", wall, text="on")])
     known = [p for p in order.things if p.noun.of_known and p.noun.kind == "thing" and finder.matching(p.noun)]

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from thinkblox.assets import facts_of
+from thinkblox.assets.palette import with_general
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import means, rank_of, whose
 from thinkblox.editing.orders import NounPhrase
@@ -78,7 +79,7 @@ class Finder:
         noun = phrase.noun
         if phrase.id or noun.id:
             return (phrase.id or noun.id,)
-        if noun.kind == "pronoun":
+        if noun.kind == "pronoun" or self._is_of_others(noun):
             return self._part(phrase, self._spoken_of(noun))
         if noun.rows and noun.kind == "number":
             return tuple(p.id for p in row_of(self.scene, (), noun, phrase.member))
@@ -111,6 +112,10 @@ class Finder:
         if self.vacated is None:
             raise InputError(f"'{text}': nothing was taken away before, whose place that could be; say a place")
         return self.vacated
+
+    def _is_of_others(self, noun: Noun) -> bool:
+        """Whether it is "the remaining ones" of what was spoken of."""
+        return noun.kind == "number" and noun.det == "other" and not noun.ordinal and bool(self.recent)
 
     def _part(self, phrase: NounPhrase, ids: Sequence[str]) -> tuple[str, ...]:
         """So many of these as a phrase says, where it does not say which; that is said."""
@@ -191,13 +196,16 @@ class Finder:
         return ordered[:1] if means("nearest", noun.degree) == "nearest" else ordered[-1:]
 
     def _of_somebody(self, noun: Noun, found: Sequence[Placement]) -> list[Placement]:
-        """The teacher's desk: the one that is turned to all others of its kind.
+        """The teacher's desk, the one that is turned to all others of its kind; the pupils' desks, which are these.
 
         Raises:
             InputError: none is, or several are.
         """
         gazes = {p.id: things(self.scene, p.id)[0].gaze for p in found}
         facing = [p for p in found if sum(turn_between(gazes[p.id], gaze) > ACROSS for gaze in gazes.values()) > 1]
+        owner = singular(whose(noun.text).removesuffix("'s").removesuffix("'"))
+        if means("audience", owner) and len(facing) <= 1 and (noun.many or noun.each or noun.det == "all"):
+            return [p for p in found if p not in facing]
         if len(facing) != 1 or len(found) < 3:
             raise InputError(
                 f"'{noun.text}': which of {_ids(found)} is {whose(noun.text)} is not known; name it by its id"
@@ -277,7 +285,8 @@ class Finder:
         """
         kinds = {id.rpartition("_")[0] for id in self.recent}
         left = [p.id for p in self.scene.placements if p.id.rpartition("_")[0] in kinds and p.id not in self.recent]
-        if len(left) != (noun.count or 1):
+        all_of_them = not noun.count and noun.text.lower().endswith(("others", "ones"))
+        if not left or (len(left) != (noun.count or 1) and not all_of_them):
             raise InputError(f"'{noun.text}' could be {_listed(left)}; say which, by its place or its id")
         return tuple(left)
 
@@ -294,7 +303,7 @@ class Finder:
 
     def _has(self, placement: Placement, word: str) -> bool:
         asset = self.scene.asset_of(placement)
-        said = {*asset.attributes, *asset.description.lower().replace(",", " ").split()}
+        said = {*with_general(asset.attributes), *asset.description.lower().replace(",", " ").split()}
         return word in said or word.replace(" ", "-") in said
 
     def _as_many(self, noun: Noun, found: list[Placement], picks: Sequence[Picks]) -> list[Placement]:

@@ -39,6 +39,8 @@ BEFORE_SEAT = 0.9
 """How far from the middle of a seat what lies before it is at most [m]."""
 LEAST = 0.02
 """Least by which something comes nearer or goes away, where there is so much room [m]."""
+AWAY = 0.1
+"""Least by which something goes away that is to do so, and not only a bit [m]."""
 INTO_ROOM = 45.0
 """Largest angle between a front and the way into the room [degrees]."""
 ELSEWHERE, ELSEWHERE_SMALL = 0.75, 0.15
@@ -256,7 +258,8 @@ class Nearing(Untied):
         change = old - new if self.nearer else new - old
         if self.by is not None and not self.nearer and old < LEAST and self._is_less_over(before, after, id):
             change = max(change, min(self.by, math.dist(before[id].position[:2], after[id].position[:2])))
-        wanted = self.by - EXACT if self.by is not None else min(LEAST, old / 3) if self.nearer else LEAST
+        least = LEAST if self.slight else AWAY
+        wanted = self.by - EXACT if self.by is not None else min(LEAST, old / 3) if self.nearer else least
         step = math.dist(before[id].position[:2], after[id].position[:2])
         turn = turn_between(before[id].yaw, after[id].yaw)
         exact = self.by is None or (change <= self.by + EXACT and step <= ASIDE * self.by and turn <= TURN_EXACT)

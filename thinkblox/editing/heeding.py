@@ -38,10 +38,11 @@ HEEDED: Mapping[str, tuple[str, ...]] = {
     "clear": ("things", "places", "room", "rest", "spared", "away"),
     "keep": ("things", "places", "rest", "room", "spared", "total", "away"),
     "only": ("things", "places", "total", "spared"),
+    "spread": ("things", "places", "spared"),
     "gap": ("things", "places", "lengths", "change", "space", "room"),
 }  # fmt: skip
 """What each kind of order does something about, as fields of an Order."""
-_WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite")
+_WHOLE = ("rearrange", "gap", "free", "make", "only", "replace", "swap", "resite", "spread")
 """Orders that are not begun where a word of them means nothing."""
 SAID = {
     "instead": "what comes in place of it", "places": "where", "closer": "closer or further away", "apart": "how far",

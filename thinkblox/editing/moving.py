@@ -243,7 +243,7 @@ def _foremost_first(work: Work, finder: Finder, order: Order, ids: Sequence[str]
             return ids
         gap = Nearing(mark_names(finder, phrase), nearer)
         return sorted(ids, key=lambda id: gap.of(work.scene, id) * (1.0 if nearer else -1.0))
-    x, y, _ = ways_of(work.scene[ids[0]])[order.direction]
+    x, y, _ = _way(work, order, work.scene[ids[0]])
     return sorted(ids, key=lambda id: -(work.scene[id].position[0] * x + work.scene[id].position[1] * y))
 
 
@@ -253,6 +253,11 @@ def _move_and_turn(work: Work, order: Order, id: str, goals: Sequence[Goal]) -> 
         move_one(work, order, id, goals)
     if order.turn is not None:
         turn_by(work, id, order)
+
+
+def _is_told(order: Order) -> bool:
+    """Whether an order says how far or which way things go, or what they are to face."""
+    return bool(order.closer or order.apart or order.direction or order.facing or order.backs or order.seated)
 
 
 def _check_says_where(order: Order, places: Sequence[Where]) -> None:
@@ -291,6 +296,9 @@ def _moved(work: Work, finder: Finder, order: Order) -> Iterator[tuple[tuple[str
         phrase = _for_each(finder, phrase, destination)
         ids = named(finder, phrase, qualifiers, picks=_picks(finder, order, phrase, destination))
         leaves = any(w.word == "from" and w.noun is not None and w.noun.kind == "place" for w in qualifiers)
+        if leaves and not destination and not _is_told(order):
+            out = [w for w in qualifiers if w.word == "from" and w.noun is not None and w.noun.kind == "place"]
+            destination = [dataclasses.replace(w, word="in", negated=True) for w in out]
         order.leaves |= leaves and bool(destination)
         yield work.touched(ids), destination
 
@@ -378,7 +386,8 @@ def _picks(finder: Finder, order: Order, phrase: NounPhrase, places: Sequence[Wh
 def _is_seen_from_it(where: Where) -> bool:
     """Whether a place depends on what is moved: "to the other side", "the nearest wall", "in each corner"."""
     noun = where.noun
-    return noun is not None and (noun.det == "other" or noun.each or bool(means("nearest", noun.degree)))
+    seen = noun is not None and (noun.det == "other" or noun.each or bool(means("nearest", noun.degree)))
+    return seen or (noun is not None and noun.kind == "place" and "opposite" in noun.text.lower().split())
 
 
 def _goals(
@@ -543,6 +552,8 @@ def _is_so(work: Work, goal: Goal, id: str) -> bool:
         or isinstance(goal, Midway)
         or middle_off(work.scene, id, goal.kind, goal.anchors) <= MIDDLE
     )
+    if type(goal) is At and goal.reach >= THERE:
+        near = math.dist(work.scene[id].position[:2], goal.point) <= MIDDLE
     return near and goal.check(work.before, work.scene, id)[0]
 
 
@@ -644,13 +655,18 @@ def ways_of(placement: Placement) -> dict[str, Vec3]:
     }
 
 
-def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
-    """In a direction: its own left, right, front and back; up and down; or by the compass."""
-    way = ways_of(placement)[order.direction]
-    if order.direction in ("forward", "back") and any(phrase.noun.rows for phrase in order.things):
+def _way(work: Work, order: Order, placement: Placement) -> Vec3:
+    """The unit vector of the direction of an order for one thing; of what is of a row, forward is where it looks to."""
+    if order.direction in _TO_FRONT and any(phrase.noun.rows for phrase in order.things):
         gaze = math.radians(things(work.scene, placement.id)[0].gaze)
         sign = 1.0 if order.direction == "forward" else -1.0
-        way = (sign * math.cos(gaze), sign * math.sin(gaze), 0.0)
+        return (sign * math.cos(gaze), sign * math.sin(gaze), 0.0)
+    return ways_of(placement)[order.direction]
+
+
+def _by_step(work: Work, order: Order, placement: Placement) -> tuple[Iterator[Pose], list[Goal]]:
+    """In a direction: its own left, right, front and back; up and down; or by the compass."""
+    way = _way(work, order, placement)
     if order.direction in ("up", "down") and work.asset_of(placement.id).free:
         raise InputError(
             f"{placement.id} stands on {placement.support}; only what hangs can be moved {order.direction}"

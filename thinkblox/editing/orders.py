@@ -8,7 +8,7 @@ from thinkblox.reading.english.nodes import Where
 
 Doing = Literal[
     "add", "ensure", "put", "move", "turn", "replace", "remove", "swap", "rearrange", "resite", "make", "free", "clear",
-    "keep", "only", "gap"
+    "keep", "only", "gap", "spread"
 ]  # fmt: skip
 
 

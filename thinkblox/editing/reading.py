@@ -8,14 +8,14 @@ from typing import cast
 
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.accounting import unaccounted
-from thinkblox.editing.clauses import Clause, clauses
+from thinkblox.editing.clauses import Clause, clauses, without_announcements
 from thinkblox.editing.cutting import ClauseCutter, Item, OrderMark
 from thinkblox.editing.ellipsis import each_order
 from thinkblox.editing.grammar import is_filler, means, sections, verbs
 from thinkblox.editing.heeding import SAID, check_heeded
 from thinkblox.editing.lengths import is_number
 from thinkblox.editing.orders import INSTEAD, SAME, Doing, Instruction, NounPhrase, Order
-from thinkblox.editing.rewording import reworded, uncontracted, with_ids
+from thinkblox.editing.rewording import reworded, uncontracted, with_ids, with_owners
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.errors import InputError
 from thinkblox.reading.english.chunker import cut
@@ -53,7 +53,7 @@ _WITH_ALONG = ("move", "put", "turn", "resite", "swap")
 """Orders on which other things can go along: "the table with its chairs"."""
 _OWN_WORDS = ("verbs", "fillers", "comparatives", "resizing", "sizes", "distances", "asked", "done")
 _ASIDE = ("by", "next_to", "near", "at", "of", "beside", "to")
-_AT_BACK = (*_ASIDE, "on", "against")
+_AT_BACK = (*_ASIDE, "on", "against", "under")
 _TOWARDS = ("to", "to face", "facing", "face", "towards", "toward")
 _OF_THOSE = ("remove", "replace", "make")
 """Orders whose places say which things are meant."""
@@ -61,6 +61,8 @@ _SIDED = ("end", "side", "long_side", "short_side")
 """Parts that a thing has two of."""
 _IT = ("it", "them", "this", "that", "these", "those")
 _INTO = ("to", "onto", "into")
+_TO_WALL = ("put", "move", "turn")
+"""Orders by which a back comes to be against a wall."""
 _AREAS = ("area", "zone")
 """Words for the surroundings of a thing."""
 _OF_WALL = ("opposite", "behind", "facing")
@@ -80,7 +82,8 @@ def read_instruction(text: str, ids: Collection[str] = ()) -> Instruction:
     _check(text)
     lexicon = load("en")
     plain, named = _without_ids(with_ids(lexicon, uncontracted(text), ids), ids)
-    tokens = _without_commas(_included(reworded([_corrected(lexicon, token) for token in lexicon.tokens(plain)])))
+    read = [_corrected(lexicon, token) for token in lexicon.tokens(plain)]
+    tokens = without_announcements(_without_commas(_included(reworded(with_owners(lexicon, read)))))
     kinds = frozenset(id.rpartition("_")[0] for id in ids)
     orders, unknown = _orders(lexicon, tokens, named, kinds)
     if not orders:
@@ -178,7 +181,7 @@ def _is_too(tokens: Sequence[Token], at: int) -> bool:
 def _with_rows(tokens: list[Token]) -> list[Token]:
     """Read "the front row" and "the back row" as the first and the last, and "a round one" as no preposition."""
     words = {"front": "first", "back": "last", "rear": "last", "final": "last"}
-    tokens = _each_row(tokens)
+    tokens = _one_more(_each_row(tokens))
     read = list(tokens)
     for index, token in enumerate(tokens[:-1]):
         rows = tokens[index + 2].text == "rows" if index + 2 < len(tokens) and is_number(tokens[index + 1]) else False
@@ -201,9 +204,20 @@ def _each_row(tokens: list[Token]) -> list[Token]:
         if row is None or row.text not in ("row", "rows") or tokens[at + 1].text != "and":
             continue
         if _is_ordinal(tokens[at]) and _is_ordinal(tokens[second]):
-            the = Token("the", "the", "word", start=-1)
+            the = tokens[at + 2] if second > at + 2 else Token("the", "the", "word", start=-1)
             read[second + 1] = replace(row, text="row")
             read[at + 1 : second] = [replace(row, text="row", start=-1), tokens[at + 1], the]
+    return read
+
+
+def _one_more(tokens: list[Token]) -> list[Token]:
+    """The tokens with "a sixth table" as another one, of which it is not a part."""
+    read = list(tokens)
+    for at in reversed(range(len(tokens) - 2)):
+        counted = tokens[at].text == "a" and _is_ordinal(tokens[at + 1]) and tokens[at + 1].text != "last"
+        if counted and tokens[at + 2].kind == "word" and tokens[at + 2].text not in ("of", "one"):
+            words = f"{tokens[at].shown} {tokens[at + 1].shown}"
+            read[at : at + 2] = [replace(tokens[at], text="another", shown=words)]
     return read
 
 
@@ -386,6 +400,8 @@ class _OrderReader:
             order.doing, order.places = "gap", about[:1]
             more = self._more and not order.lengths and not order.change
             order.change = "wider" if more else order.change
+            compared = bool(order.change) and not order.change.endswith("=") and not self._up_to
+            order.by |= compared and bool(order.lengths) and not order.bound
         if order.doing == "put" and order.space and order.places and not order.things:
             order.doing = "free"
 
@@ -599,8 +615,11 @@ class _OrderReader:
         """Take what is said of a result, of what is not to be blocked or comes instead; whether it was one of these."""
         order, noun = self.order, phrase.noun
         if (self._is_back(noun) or self._is_head(noun)) and (behind := self._behind()) is not None:
-            if behind.text == "against" and behind.noun is not None and order.doing in ("put", "move") and order.things:
+            at_it = behind.text == "against" or behind.word == "under"
+            if at_it and behind.noun is not None and order.doing in _TO_WALL and order.things:
+                order.doing = "move" if order.doing == "turn" else order.doing
                 order.things[-1].places.append(behind)
+                order.backs += [behind.noun] if behind.word == "under" else []
             elif behind.noun is not None:
                 order.backs.append(behind.noun)
         elif self._mode == "so":
@@ -1058,7 +1077,7 @@ class _OrderReader:
             return
         if "possible" in where.text.lower().split():
             self._utmost(where)
-        if self._is_on_new(where):
+        if self._is_on_new(where) or self._is_like_those(where):
             return
         order.centred |= where.word == "between" and bool(means("halfway", where.text.lower().split()[0]))
         on_it = where.noun is not None and _is_it(where.noun)
@@ -1082,6 +1101,11 @@ class _OrderReader:
         new = order.doing in ("add", "put", "ensure") and along and bool(order.things)
         it = noun is not None and noun.kind == "pronoun" and noun.value in ("it", "them", "each")
         return new and it and where.word in ("on", "on_top") and not order.things[-1].noun.definite
+
+    def _is_like_those(self, where: Where) -> bool:
+        """Whether a new thing is to be "like the others", as it is anyway."""
+        other = where.noun is not None and where.noun.det == "other"
+        return where.word == "as" and other and self.order.doing == "add"
 
     def _narrowed(self) -> None:
         """After "but only" places say which things are meant: "change the chairs for stools but only at a desk"."""
@@ -1265,7 +1289,7 @@ class _OrderReader:
         if not noun.value.startswith("wall") or not self._is_wall_of(noun, link, beside):
             return False
         self._at += 2
-        where.noun = replace(noun, text="the wall by", states=[], unshown=[])
+        where.noun = replace(noun, text="the wall with", states=[], unshown=[])
         where.whole = cast(Noun, beside)
         return True
 

@@ -88,6 +88,7 @@ def _size(work: Work, old: Asset, order: Order, factor: float) -> Vec3:
     sides = {"depth": deep, "width": wide, "height": high}
     change, absolute = order.change.removesuffix("="), order.change.endswith("=")
     long = "depth" if deep > wide else "width"
+    change = "lower" if change == "shorter" and high > max(deep, wide) else change
     for metres, axis in order.lengths or ([(0.0, "")] if change else []):
         named = axis or _AXES.get(change, "")
         if named == "diameter":

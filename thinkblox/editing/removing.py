@@ -73,6 +73,9 @@ def keep_only(work: Work, finder: Finder, order: Order) -> None:
         take_away(work, work.touched(id for id in rows if id not in stay))
         return
     order.spared = [*order.spared, *order.things]
+    resting = [w for p in order.things for w in p.places if w.word in ("on", "in", "inside", "on_top")]
+    if not order.places and resting and all(p.places[-1:] == resting[-1:] or not p.places for p in order.things):
+        order.places = resting[-1:]
     take_away(work, left_over(work, finder, order))
 
 

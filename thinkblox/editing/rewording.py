@@ -7,6 +7,7 @@ from dataclasses import replace
 from thinkblox.assets.plurals import singular
 from thinkblox.editing.grammar import longest
 from thinkblox.editing.lengths import DEGREES
+from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.lexicon import Lexicon
 from thinkblox.reading.sizes import read_size
 from thinkblox.reading.tokens import Token, tokenise
@@ -18,6 +19,7 @@ _NUMBER = re.compile(r" (?:no|nr|number)$", re.I)
 _SERIES = re.compile(r"\b([a-z]+s) ([0-9]{1,3}(?:, ?[0-9]{1,3})*,? (?:and|&) [0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _RANGE = re.compile(r"\b([a-z]+s) ([0-9]{1,3}) ?(?:to|through|-|–) ?([0-9]{1,3})\b(?!\s*[.,]?[0-9])", re.I)
 _CONTRACTED = re.compile(r"\b(it|they)['’](?:s|re)\b", re.I)
+_ARTICLES = ("the", "my", "our", "your", "this", "that", "each", "every")
 _SHARES = (*DEGREES, "%", "percent", "times", "x")
 """After a number that is an angle or a share."""
 _DETERMINERS = ("a", "an", "the", "another", "some", "my", "our", "is", "it")
@@ -41,6 +43,34 @@ def reworded(tokens: Sequence[Token]) -> list[Token]:
         left += [replace(token, start=-1) for token in more]
         at += found[1]
     return left
+
+
+def with_owners(lexicon: Lexicon, tokens: Sequence[Token]) -> list[Token]:
+    """The tokens with "the left nightstand's lamp" as "the lamp of the left nightstand"."""
+    left = list(tokens)
+    for at in reversed(range(len(tokens) - 1)):
+        begin = next((n for n in range(at - 1, max(at - 4, -1), -1) if left[n].text in _ARTICLES), None)
+        if not left[at].owner or begin is None or not _is_thing(lexicon, left, at):
+            continue
+        named = lexicon.longest(left, at + 1)
+        if named.entry("object") is None or grammar().at(left, at + 1, "parts") is not None:
+            continue
+        end = at + 1 + named.length
+        one = singular(left[at].text)
+        whole = [*left[begin:at], replace(left[at], owner=False, text=one, shown=one)]
+        the = Token("the", "the", "word", start=-1)
+        left[begin:end] = [the, *left[at + 1 : end], Token("of", "of", "word", start=-1), *whole]
+    return left
+
+
+def _is_thing(lexicon: Lexicon, tokens: Sequence[Token], at: int) -> bool:
+    """Whether a thing of the catalogue is named by the tokens that end there."""
+    token = replace(tokens[at], owner=False)
+    return any(
+        (found := lexicon.longest([*tokens[begin:at], token], 0)).entry("object") is not None
+        and found.length == at + 1 - begin
+        for begin in range(max(0, at - 2), at + 1)
+    )
 
 
 def uncontracted(text: str) -> str:

@@ -6,9 +6,11 @@ from thinkblox.editing.acting import mark_names, reach_goals, say
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import Apart, Goal, Nearing
 from thinkblox.editing.grammar import means
+from thinkblox.editing.moving import move
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.rearranging import vacate
+from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.editing.scattering import scatter
 from thinkblox.editing.spots import Pose, by_gap
 from thinkblox.editing.work import Work
@@ -30,6 +32,9 @@ def space(work: Work, finder: Finder, order: Order) -> None:
     if several := _several(finder, order):
         scatter(work, several, by=None, slight=order.slight)
         finder.recent = list(several)
+        return
+    if rows := _rows(order):
+        _space_rows(work, finder, order, rows)
         return
     one, other = _two(finder, order)
     if not order.lengths and not order.change:
@@ -59,6 +64,38 @@ def space(work: Work, finder: Finder, order: Order) -> None:
     work.failed.append(f"{one} and {other} were left where they are, {gap:.2f} m apart: {why}")
 
 
+def _rows(order: Order) -> list[NounPhrase]:
+    """The two rows between which the distance is; none where it is between other things."""
+    nouns = [order.places[0].noun, order.places[0].second]
+    rows = [NounPhrase(noun) for noun in nouns if noun is not None and noun.rows and noun.ordinal]
+    return rows if len(rows) == len(nouns) else []
+
+
+def _space_rows(work: Work, finder: Finder, order: Order, rows: Sequence[NounPhrase]) -> None:
+    """Move the row that is further to the front forward as a whole, or the other one back; less is the other way."""
+    ids = [finder.ids(row) for row in rows]
+    gap = min(_gap(work, one, other) for one in ids[0] for other in ids[1])
+    goal = _goal(order, gap, ids[1][0])
+    by = goal.away - gap
+    if goal.bound and (by <= 0.0) == (goal.bound == "ge"):
+        work.done.append(f"it is so already ({gap:.2f} m between the two rows)")
+        return
+    saved, said = work.saved(), (len(work.done), len(work.failed))
+    numbers = [row.noun.ordinal for row in rows]
+    ahead = min((0, 1), key=lambda n: numbers[n] if numbers[n] > 0 else MIDDLE_ROW + 1)
+    for row, way in ((rows[ahead], "forward"), (rows[1 - ahead], "back")):
+        way = way if by > 0.0 else {"forward": "back", "back": "forward"}[way]
+        step = Order("move", order.text, things=[row], direction=way, lengths=[(abs(by), "")])
+        finder.scene = work.scene
+        move(work, finder, step)
+        if len(work.failed) == said[1]:
+            return
+        why = work.failed[said[1]]
+        work.restore(saved)
+        del work.done[said[0] :], work.failed[said[1] :]
+    work.failed.append(f"the two rows were left {gap:.2f} m apart: {why}")
+
+
 def _several(finder: Finder, order: Order) -> tuple[str, ...]:
     """The things that are to be further apart, where they are more than two: "more space between the tables"."""
     where = order.places[0]
@@ -79,10 +116,10 @@ def _goal(order: Order, gap: float, other: str) -> Apart:
             return Apart((other,), PASSAGE, "ge")
         return Apart((other,), max(0.0, gap - STEPS[0]), "le") if less else Apart((other,), gap + STEPS[0], "ge")
     length = order.lengths[0][0]
-    if not order.bound and any(means("ways", word) for word in order.text.lower().split()[:3]):
-        return Apart((other,), length, "ge")
     if order.by:
         return Apart((other,), max(0.0, gap + (-length if less else length)))
+    if not order.bound and any(means("ways", word) for word in order.text.lower().split()[:3]):
+        return Apart((other,), length, "ge")
     return Apart((other,), length, order.bound)
 
 

@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
-from shapely import Polygon
+from shapely import Point, Polygon
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
-from thinkblox.editing.goals import BEFORE_SEAT, Abreast, Goal, Laid, OnWall, Related
+from thinkblox.editing.goals import BEFORE_SEAT, Abreast, Goal, Laid, MidOf, OnWall, Related
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
@@ -29,6 +29,8 @@ ABOUT = 12.0
 """Between places that are tried about a round table [degrees]."""
 STEP = 0.05
 """Between places that are tried along a side [m]."""
+LINE = 100
+"""So many of these steps at most."""
 GRID = 0.2
 """Between places on the whole floor [m]."""
 BACK = (0.02, 0.1, 0.25)
@@ -47,18 +49,34 @@ def spots(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
             continue
         if goal.kind in ("around", "at") and goal.anchors and goal.anchors[0] in scene:
             yield from _seats(scene, asset, scene[goal.anchors[0]])
-        elif goal.anchors == ("window",) and goal.kind in ("under", "next_to", "near"):
-            yield from _before_windows(scene, asset)
+        elif goal.kind in ("under", "next_to", "near") and len(goal.anchors) == 1:
+            named = goal.anchors[0]
+            yield from _before_windows(
+                scene, asset, [o for o in scene.room.openings if o.kind == "window" and named in (o.kind, o.id)]
+            )
 
 
 def likely(scene: Scene, asset: Asset, goals: Sequence[Goal]) -> Iterator[Pose]:
     """Poses at what the goals name, free ones first, then the first of all, which says what is in the way."""
     for goal in goals:
+        if isinstance(goal, MidOf) and asset.mount == "floor":
+            yield from _free(scene, asset, list(_on_line(scene, goal)))
         if not isinstance(goal, Related) or goal.negated or not goal.anchors:
             continue
         poses = list(_at(scene, asset, goal))
         yield from _free(scene, asset, poses)
         yield from poses[:1]
+
+
+def _on_line(scene: Scene, goal: MidOf) -> Iterator[Pose]:
+    """On the line through the middle of a thing, the nearest first, turned to it, away from it and as it is."""
+    mark = things(scene, goal.anchor)[0]
+    way = math.radians(mark.yaw + (90.0 if goal.across else 0.0))
+    for off in (sign * STEP * n for n in range(2, LINE) for sign in (1, -1)):
+        x, y = mark.centre[0] + off * math.cos(way), mark.centre[1] + off * math.sin(way)
+        if scene.room.polygon.contains(Point(x, y)):
+            for turn in (180.0, 0.0, 90.0, 270.0):
+                yield (round(x, 4), round(y, 4), 0.0), round((math.degrees(way) + turn) % 360.0, 3) % 360.0
 
 
 def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
@@ -104,7 +122,21 @@ def _hanging(scene: Scene, asset: Asset, goal: OnWall) -> Iterator[Pose]:
         reach = wall.length / 2 - asset.size[1] / 2
         for off in sorted(np.arange(-reach, reach + 1e-6, 2 * STEP), key=abs):
             x, y = wall.point(wall.length / 2 + float(off), BACK_GAP + asset.size[0] / 2)
-            yield (round(x, 4), round(y, 4), height), wall.yaw
+            pose: Pose = (round(x, 4), round(y, 4), height), wall.yaw
+            if not hides_opening(scene, asset, wall, pose):
+                yield pose
+
+
+def hides_opening(scene: Scene, asset: Asset, wall: Wall, pose: Pose) -> bool:
+    """Whether something that hangs at a pose on a wall covers a part of a door or window."""
+    (x, y, z), _ = pose
+    along, _ = wall.coordinates((x, y))
+    begin, end = along - asset.size[1] / 2, along + asset.size[1] / 2
+    there = (o for o in scene.room.openings if scene.room.walls[o.wall].name == wall.name)
+    return any(
+        begin < o.offset + o.width and o.offset < end and z < o.sill + o.height and o.sill < z + asset.size[2]
+        for o in there
+    )
 
 
 def _before_seat(scene: Scene, asset: Asset, table: Placement, seat: Placement) -> Iterator[Pose]:
@@ -281,12 +313,10 @@ def _at_side(table: Placement, turn: float, away: float, along: float) -> Pose:
     return (round(x, 4), round(y, 4), 0.0), round((table.yaw + turn + 180.0) % 360.0, 3) % 360.0
 
 
-def _before_windows(scene: Scene, asset: Asset) -> Iterator[Pose]:
+def _before_windows(scene: Scene, asset: Asset, windows: Sequence[Opening]) -> Iterator[Pose]:
     """With the back to the wall below a window: free places first, then one that says what is in the way."""
     poses: list[Pose] = []
-    for opening in scene.room.openings:
-        if opening.kind != "window":
-            continue
+    for opening in windows:
         wall = scene.room.walls[opening.wall]
         for gap in BACK:
             for share in SHARES:

@@ -55,17 +55,25 @@ def _on_each(finder: Finder, order: Order) -> list[tuple[str, ...]]:
     return [named(finder, NounPhrase(one), [place]) for place in (where, second)]
 
 
+def _without_riders(scene: Scene, groups: Sequence[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """The groups without what rests on what is in one: "the stand with the TV" goes with it anyway."""
+    named_too = {id for group in groups for id in group}
+    left = [tuple(id for id in group if not named_too & set(scene.carriers(id))) for group in groups]
+    return [group for group in left if group]
+
+
 def swap(work: Work, finder: Finder, order: Order) -> None:
     """Let two things change places, with what the order names along."""
     if order.company:
         _swap_with_company(work, finder, order)
         return
     groups = _on_each(finder, order) or [named(finder, phrase, phrase.places) for phrase in order.things]
+    groups = _without_riders(work.scene, groups)
     ids = list(dict.fromkeys(id for group in groups for id in group))
     if len(work.touched(ids)) < len(ids) and ids:
         return
     if len(ids) > 2 and (len(groups) == 2 or order.split):
-        split = order.split or 1
+        split = min(order.split or 1, len(groups) - 1)
         swap_groups(work, [i for g in groups[:split] for i in g], [i for g in groups[split:] for i in g])
         finder.recent = ids
         return

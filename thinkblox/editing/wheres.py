@@ -155,7 +155,9 @@ def spot_of(where: Where, id: str, start: Scene, finder: Finder) -> Placement:
     """
     noun, now = where.noun, finder.scene
     old = dataclasses.replace(finder, scene=start)
-    ids = old.ids(NounPhrase(noun, id=noun.id)) if noun is not None else ()
+    spoken = noun is not None and noun.kind == "number"
+    among = [start[i] for i in finder.recent if i in start] if spoken else None
+    ids = old.ids(NounPhrase(noun, id=noun.id), among=among or None) if noun is not None else ()
     says = f"where {noun.text if noun is not None else 'it'} is"
     if len(ids) != 1:
         raise InputError(f"'{says}' could be the place of {', '.join(ids)}; say of which")
@@ -191,7 +193,7 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     if noun.kind == "place":
         name = noun.value.split()[0]
         if name == "corner":
-            return [Bound("in_corner", walls) for walls in _each_corner(finder, where, noun)]
+            return [Bound("in_corner", walls) for walls in _each_corner(finder, where, noun, category)]
         one = bound(dataclasses.replace(where, noun=dataclasses.replace(noun, det="the", count=None)), category, finder)
         marks = [mark.name for mark in things(scene, name)]
         if noun.count and noun.count != len(marks):
@@ -205,7 +207,7 @@ def slots_of(where: Where, category: str, finder: Finder) -> list[Bound]:
     return [_upon(dataclasses.replace(found, anchors=(anchor,)), category, finder) for anchor in found.anchors]
 
 
-def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ...]]:
+def _each_corner(finder: Finder, where: Where, noun: Noun, category: str) -> list[tuple[str, ...]]:
     """The walls of every corner that is meant: of all, of those at a door's or window's wall, of those that are empty.
 
     Raises:
@@ -215,21 +217,44 @@ def _each_corner(finder: Finder, where: Where, noun: Noun) -> list[tuple[str, ..
         finder.scene,
         [tuple(c.name.removeprefix("corner of ").split(" and ")) for c in corners(finder.scene.room)],
     )
+    if "opposite" in noun.text.lower().split():
+        return _farthest_corners(scene, found, besides=category)
     spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
     if where.whole is not None and where.whole.kind != "room":
         openings = [o for o in scene.room.openings if o.kind == where.whole.value]
         found = [walls for walls in found if {scene.room.walls[o.wall].name for o in openings} & set(walls)]
-    if noun.states == ["empty"]:
+    told = [word for word in (*noun.states, *noun.unshown) if not means("clear", word)]
+    if (noun.states or noun.unshown) and not told:
         taken = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < OVER_HEAD]
         away = {
             walls: min((p.footprint.distance(Point(spots[walls])) for p in taken), default=EMPTY) for walls in found
         }
         found = [walls for walls in found if away[walls] >= EMPTY]
-    elif noun.states or noun.unshown or noun.degree:
+    elif told or noun.degree:
         raise InputError(f"'{noun.text}': which corners those are is not known; say 'the corner by the window'")
     if not found or (noun.count and noun.count != len(found)):
         raise InputError(f"'{_text(where)}': the room has {len(found)} of them")
     return found
+
+
+def _farthest_corners(scene: Scene, found: Sequence[tuple[str, ...]], *, besides: str) -> list[tuple[str, ...]]:
+    """The two corners that are farthest from each other, of several such pairs that of which more floor is free.
+
+    Things of the category `besides` take no floor: they are what goes there.
+    """
+    spots = {walls: c.centre for walls, c in zip(found, corners(scene.room), strict=True)}
+    standing = [p for p in scene.placements if scene.asset_of(p).collides and p.position[2] < OVER_HEAD]
+    taken = [*(p.footprint for p in standing if p.category != besides), *(d.footprint for d in things(scene, "door"))]
+    free = {walls: min((outline.distance(Point(spots[walls])) for outline in taken), default=EMPTY) for walls in found}
+
+    pairs = [(one, other) for one in found for other in found if one < other]
+
+    def far_and_free(pair: tuple[tuple[str, ...], tuple[str, ...]]) -> tuple[float, float]:
+        one, other = pair
+        return round(math.dist(spots[one], spots[other]), 1), min(free[one], EMPTY) + min(free[other], EMPTY)
+
+    best = max(pairs, key=far_and_free)
+    return list(best)
 
 
 def _speaks_of_each(where: Where, noun: Noun) -> bool:
@@ -276,7 +301,8 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
 
 
 def _text(where: Where) -> str:
-    whole = f" of {where.whole.text}" if where.whole is not None else ""
+    joined = where.noun is not None and where.noun.text.endswith((" by", " with"))
+    whole = f"{'' if joined else ' of'} {where.whole.text}" if where.whole is not None else ""
     return f"{where.text} {where.noun.text if where.noun else ''}{whole}".strip()
 
 
@@ -391,6 +417,8 @@ def _place(where: Where, noun: Noun, finder: Finder) -> Bound | None:
         meaning = _wall(where, noun, name, finder)
     if meaning is None:
         return None
+    if name in _COMPASS and meaning.anchors == (name,) and meaning.kind in ("against_wall", "on"):
+        meaning = dataclasses.replace(meaning, anchors=(name, *(wall for wall in walls if wall in _COMPASS)))
     anchors = tuple(_walls_of(finder.scene, str(anchor)) for anchor in meaning.anchors)
     return Bound(cast(RelationKind, meaning.kind), anchors, where.negated)
 

@@ -24,6 +24,8 @@ _CORNER = 0.2
 """Least distance of an opening to a corner [m]."""
 _FILLED_CORNER = 0.9
 """Least distance of an opening to a corner in which something will stand [m]."""
+_CLOSET, _SHORT = 4.0, 1.7
+"""Floor [m2] and shorter side [m] below which a room is entered by a narrow door that opens outwards."""
 _LEAST_DOOR, _LEAST_WINDOW = 0.7, 0.4
 """An opening is made narrower, down to this, before it is left out [m]."""
 _DOORS_APART = 3.0
@@ -186,7 +188,9 @@ class _Openings:
 
     def _fit(self, wanted: _Wanted, index: int, share: float) -> Opening | None:
         wall, kind = self.room.walls[index], wanted.kind
-        usual = DOOR[0] if kind == "door" else self._window_width(wall.length / wanted.count)
+        closet = self._is_closet()
+        door = _LEAST_DOOR if closet else DOOR[0]
+        usual = door if kind == "door" else self._window_width(wall.length / wanted.count)
         width = round(max(_LEAST_DOOR if kind == "door" else _LEAST_WINDOW, share * usual), 2)
         number = sum(opening.kind == kind for opening in self.openings) + 1
         offset = self._offset(wanted, index, width)
@@ -203,6 +207,7 @@ class _Openings:
                 width=width,
                 height=min(DOOR[1], top),
                 hinge=hinge,
+                opens="out" if closet else "in",
             )
         sill = min(_SILL, top - 0.5)
         height = min(_WINDOW_HEIGHT * max(1.0, self.room.height / _USUAL_HEIGHT), top - sill)
@@ -215,6 +220,11 @@ class _Openings:
             height=round(height, 3),
             sill=sill,
         )
+
+    def _is_closet(self) -> bool:
+        """Whether a door that opened inwards would take most of the floor."""
+        sides = np.ptp(np.array(self.room.floor), axis=0)
+        return bool(self.room.polygon.area < _CLOSET and sides.min() < _SHORT) if len(self.room.floor) == 4 else False
 
     def _window_width(self, space: float) -> float:
         """A third to a half of a wall, but neither a slit nor a shop front."""

@@ -29,6 +29,10 @@ Upward = Annotated[float, Meta(ge=0.0, le=1000.0)]
 Width = Annotated[float, Meta(gt=0.0, le=1000.0)]
 
 
+STEP_IN = 0.45
+"""Depth of the floor that stays free inside a door which opens to the outside [m]."""
+
+
 class Opening(CheckedValue, frozen=True, kw_only=True):
     """A door or window in a wall.
 
@@ -38,6 +42,7 @@ class Opening(CheckedValue, frozen=True, kw_only=True):
         offset: from the wall's start to the near edge of the opening, along the wall [m].
         sill: height of its lower edge above the floor [m]; 0 for a door.
         hinge: which end of the opening a door turns about, seen along the wall from its start.
+        opens: whether a door turns into the room or, as those of closets do, out of it.
     """
 
     id: Annotated[str, Meta(pattern=r"^[a-z][a-z0-9_]*\Z", max_length=80)]
@@ -48,6 +53,12 @@ class Opening(CheckedValue, frozen=True, kw_only=True):
     height: Width
     sill: Upward = 0.0
     hinge: Literal["start", "end"] = "start"
+    opens: Literal["in", "out"] = "in"
+
+    @property
+    def swept(self) -> float:
+        """How deep the floor inside a door stays free for its leaf, or for who steps in [m]."""
+        return self.width if self.opens == "in" else min(self.width, STEP_IN)
 
 
 class Wall(Value, frozen=True, kw_only=True):

@@ -111,10 +111,10 @@ class Situation:
 
     @cached_property
     def door_zones(self) -> Rects:
-        """The floor that each door swings over, and must stay free."""
+        """The floor that each door swings over, or is entered by, and must stay free."""
         return Rects.of(
             [
-                zone_before(self.room, opening, depth=opening.width, bottom=0.0, top=opening.height)
+                zone_before(self.room, opening, depth=opening.swept, bottom=0.0, top=opening.height)
                 for opening in self.room.openings
                 if opening.kind == "door"
             ]

@@ -159,6 +159,7 @@ def _at_size(
     """Places for a thing of a size; with a foot, it may reach past the edges with all that is not its foot."""
     shelves = len(_alike(surfaces)) if tie.count > 1 else 1
     passed = (anchor.id, *situation.seats, *situation.enclosing(anchor))
+    discs = _discs_on(situation, anchor) if _is_disc(situation.asset.front, size) else ()
     (ox, oy), stands = foot or _Foot((0.0, 0.0), (size[0], size[1]))
     for rank, surface in enumerate(surfaces):
         for turn in _turns(situation, anchor, surface):
@@ -173,8 +174,27 @@ def _at_size(
                 dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0) + crowding
                 spot = (x + forward - (ox * c - oy * s), y - (ox * s + oy * c))
                 idea = _idea(situation, anchor, surface, spot, turn, dearer, size, passed)
+                if discs:
+                    idea = replace(idea, ignore=(*idea.ignore, *_clear_of(discs, idea, size[0] / 2)))
                 if tie.kind != "inside" or idea.cost < OFF:
                     yield idea
+
+
+def _is_disc(front: str, size: Vec3) -> bool:
+    return front == "any" and abs(size[0] - size[1]) < ALIKE
+
+
+def _discs_on(situation: Situation, anchor: Placement) -> tuple[Placement, ...]:
+    """What is round and stands on or in a thing: the corners of its box are free."""
+    riders = situation.scene.resting_on(anchor.id)
+    return tuple(p for p in riders if _is_disc(situation.scene.asset_of(p).front, p.size))
+
+
+def _clear_of(discs: Sequence[Placement], idea: Idea, own: float) -> Iterator[str]:
+    """Those discs that a round thing does not meet at an idea's place, though their boxes may."""
+    for p in discs:
+        if math.dist(p.position[:2], idea.position[:2]) >= own + p.size[0] / 2:
+            yield p.id
 
 
 def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surface, ...]:
@@ -229,7 +249,7 @@ def _spots(
     if surface.headroom is not None and tie.kind == "on":
         yield from _beside_others(situation, anchor, surface, free, plan)
     if tie.count > 1 and not (marked and 1 < shelves >= tie.count):
-        marked = _spread(tie, surface, free, shelves, plan)
+        marked = _spread(tie, surface, free, shelves, plan, turns=situation.asset.front == "any")
         if _looks_ahead(situation) and marked[0][0] == 0.0:
             marked = ((situation.facts.spots[0][0], marked[0][1]),)
     if aside := _leaving_room(situation, surface):
@@ -303,14 +323,15 @@ def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:
                 yield (x, y), 0.2 * ring
 
 
-def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int, plan: Vec2) -> tuple[Vec2, ...]:
+def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int, plan: Vec2, *, turns: bool) -> tuple[Vec2, ...]:
     """Evenly along the longer side for up to six on one of the shelves, in two staggered lines for more.
 
-    On a disc, in a ring; what is long lies there side by side.
+    On a disc, in a ring, to its very edge what `turns` as a disc does; what is long lies there side by side.
     """
     count, index = -(-tie.count // shelves), tie.index // shelves
     if surface.round and max(plan) < LONG * min(plan) and (surface.within or count > 3):
-        away = max(0.0, min(surface.size) / 2 - _round_own(plan) - CLOSE)
+        own = _round_own(plan) if turns else math.hypot(*plan) / 2
+        away = max(0.0, min(surface.size) / 2 - own - CLOSE)
         return _ring(count, index, (away / max(free[0], 1e-9), away / max(free[1], 1e-9)))
     lengthwise = 1 if (plan[1] <= plan[0] if surface.round else surface.size[1] >= surface.size[0]) else 0
     lines = _lines(count, plan[lengthwise], surface.size[lengthwise])

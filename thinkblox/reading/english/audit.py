@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from thinkblox.assets import CATALOGUE
 from thinkblox.assets.catalogue import GENERAL_WORDS
-from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.palette import COLOURS, SHADES
 from thinkblox.assets.stand_ins import stand_in
 from thinkblox.reading.adjectives import adjective_kinds
 from thinkblox.reading.draft import MISSING, Mention
@@ -60,7 +60,11 @@ class Audit(Doubts):
     def _find_each(self, thing: Mention) -> None:
         """Say of "each basin" that no basins were named."""
         noun = self.named_by.get(thing)
-        counted = noun is not None and noun.count is not None and not noun.text.lower().startswith("each of")
+        counted = (
+            noun is not None
+            and noun.count is not None
+            and not noun.text.lower().startswith(("each of the", "each of my"))
+        )
         if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
             self.account.mark(noun.start, noun.end, "not_understood")
             self.draft.unknown.append(f"{noun.text} (none named)")
@@ -68,6 +72,7 @@ class Audit(Doubts):
     def _contradicts(self, thing: Mention) -> None:
         """Say of a thing that was given two colours at different places that it cannot have both."""
         colours = [a for a in dict.fromkeys(thing.attributes) if a in COLOURS]
+        colours = [a for a in colours if a not in {SHADES.get(b) for b in colours}]
         noun = self.named_by.get(thing)
         if len(colours) < 2 or (noun is not None and set(colours) <= set(noun.attributes)):
             return

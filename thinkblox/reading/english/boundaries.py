@@ -1,12 +1,20 @@
 """Where clauses begin and end: marks, conjunctions, brackets."""
 
+from dataclasses import replace
+
 from thinkblox.assets import kind_of
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
-from thinkblox.reading.english.referents import is_small
-from thinkblox.reading.english.state import State
+from thinkblox.reading.english.referents import FURNITURE, is_small
+from thinkblox.reading.english.state import LOOKAHEAD, State
+
+
+def _is_plain_thing(noun: str) -> bool:
+    """Whether nobody made its kind, and it is no furniture."""
+    return kind_of(noun).plain and not load_habits().is_in(noun, *FURNITURE)
 
 
 class Boundaries(State):
@@ -16,7 +24,11 @@ class Boundaries(State):
         match link.value:
             case "colon" if self._is_told_after():
                 self.separator = ""
+            case "dash" if self.dashed or self._is_aside():
+                self._mark(replace(link, value="close" if self.dashed else "open"))
+                self.dashed = not self.dashed
             case "stop" | "semicolon" | "colon" | "dash":
+                self.dashed = False
                 self._end(link.value)
             case "open":
                 self.bracket = (list(self.frontier), self.clause, self.subject, self.predicate)
@@ -27,6 +39,16 @@ class Boundaries(State):
                 self._release()
             case "comma" | "close" | "and":
                 self._separate("and" if link.value == "and" else "comma")
+
+    def _is_aside(self) -> bool:
+        """Whether a dash begins what another ends in the same sentence: "two lamps - one of them red - by the door"."""
+        noun = self._next_noun()
+        if noun is None or noun.kind not in ("number", "pronoun") or not self.frontier:
+            return False
+        for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
+            if self._is_link(chunk, "mark"):
+                return self._is_link(chunk, "mark", "dash")
+        return False
 
     def _is_told_after(self) -> bool:
         """Whether a colon only parts a thing from where it is: "The lathe: under the window."."""
@@ -112,7 +134,7 @@ class Boundaries(State):
         carries = self.habits.is_in(thing.noun, "surfaces", "storage")
         carries |= self.habits.tie(listed.value, thing.noun) in ("on", "inside")
         lies = self._belongs(listed.value, "small") or self.habits.is_in(listed.value, "lamps")
-        lies |= listed.named and kind_of(listed.value).mount == "surface"
+        lies |= listed.named and (kind_of(listed.value).mount == "surface" or _is_plain_thing(listed.value))
         return Node([thing]) if carries and lies and not (listed.definite or is_small(thing)) else None
 
     def _begin_again(self) -> None:

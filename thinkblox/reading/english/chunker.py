@@ -210,7 +210,8 @@ class Cutter:
     def _is_decade(self) -> bool:
         """Whether a number says when: "the 1950s"."""
         token, after = self.tokens[self.at], self._text_at(self.at + 1)
-        return token.kind == "number" and token.value > 1000 and after == "s"
+        short = token.kind == "number" and self._text_at(self.at - 1) == "the" and token.value in range(10, 100, 10)
+        return after == "s" and (short or (token.kind == "number" and token.value > 1000))
 
     def _quoted(self) -> Connector | None:
         """Go past words in quotation marks, unless they name what comes right after."""
@@ -314,6 +315,8 @@ class Cutter:
         if self._text_at(self.at) == "to" and self._text_at(self.at + 1) == "be":
             done = self._text_at(self.at + 2).endswith("ed") and grammar().at(self.tokens, self.at + 2, *_LINKS) is None
             return Connector("fillers", "words", self.at, self.at + 2 + done, "to be")
+        if self._text_at(self.at) == "to" and (length := self._purpose()):
+            return Connector("fillers", "words", self.at, self.at + length, "to")
         wished = self.at > 0 and self._text_at(self.at - 1) in grammar().lists["wishes"]
         if not wished or self._text_at(self.at) != "to" or self.at + 1 >= len(self.tokens):
             return None
@@ -322,6 +325,13 @@ class Cutter:
         if named or self.tokens[after].kind != "word":
             return None
         return Connector("fillers", "words", self.at, after, token.shown)
+
+    def _purpose(self) -> int:
+        """How many tokens "to check posture" has, which says what something is for; 0 where it is no such thing."""
+        noun = self._phrases.read(self.at + 1) if self.at + 1 < len(self.tokens) and self._after_noun() else None
+        if noun is None or noun.kind != "thing" or noun.named or noun.det or noun.count is not None:
+            return 0
+        return noun.end - self.at if noun.end > self.at + 2 and not (noun.unshown or noun.attributes) else 0
 
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None

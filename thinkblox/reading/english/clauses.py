@@ -9,8 +9,8 @@ from thinkblox.reading.english.audit import Audit
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun, NounKind, SaidSurface, Stray
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
-from thinkblox.reading.english.state import LOOKAHEAD
 from thinkblox.reading.english.referents import FURNITURE
+from thinkblox.reading.english.state import LOOKAHEAD
 
 
 def _sorts(text: str) -> list[tuple[str, str]]:
@@ -92,6 +92,10 @@ class Clauses(Audit):
         said = next((at for at, word in enumerate(words) if word in grammar().lists["manners"]), None)
         named = self.frontier or self.subject is not None or self.clause.members
         if said is None or not named:
+            return
+        node = self.frontier[-1] if self.frontier else self.subject
+        on = self._is_link(self.peek(), "prepositions", "on", "on_top")
+        if words[said] == "stacked" and on and node is not None and not any(thing.many for thing in node.things):
             return
         if words[said] in ("grouped", "clustered") and self._is_link(self.peek(), "prepositions", "around"):
             return

@@ -113,7 +113,7 @@ class Groups(Descriptions):
                 break
             if isinstance(chunk, Noun) and self.habits.is_in(chunk.value, *_MAIN):
                 return True
-        return len(group.text.split()) < _MODIFIED
+        return len(group.text.split()) < _MODIFIED and last_word(group) not in grammar().lists["made_up"]
 
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""
@@ -144,8 +144,8 @@ class Groups(Descriptions):
                 self.clause.members += found
                 self.each = True
                 return
-        trailing = following is None or (isinstance(following, Connector) and following.sort in ("mark", "joins"))
-        if trailing:
+        ends = isinstance(following, Connector) and following.sort in ("mark", "joins")
+        if following is None or ends or self._is_each_of_list(following):
             self._trailing_each()
             return
         if nodes:
@@ -154,6 +154,15 @@ class Groups(Descriptions):
         elif parts := self._all_parts():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.each = True
+
+    def _is_each_of_list(self, following: Chunk | None) -> bool:
+        """Whether "each" ends what several have, and a place comes: "racks with 48 bottles each along the wall"."""
+        said, node = self._before(), self.frontier[-1] if self.frontier else None
+        counted = isinstance(said, Noun) and bool(said.count) and isinstance(following, Connector)
+        head = node.frame.head if node is not None and node.frame is not None else None
+        place = self._next_noun(1) if counted and self._is_link(following, "prepositions") else None
+        many = head is not None and any(thing.many for thing in head.things)
+        return many and place is not None and place.kind == "place"
 
     def _is_each_person(self) -> bool:
         """Take "each" for each of the people named just now, or alone: "an office for three, each with a desk"."""
@@ -178,6 +187,12 @@ class Groups(Descriptions):
         families = (self.referents.family(thing) for thing in things)
         return next((family for family in families if len(family) > 1), [])
 
+    def _told_together(self, node: Node, frame: Listed) -> list[Mention]:
+        """What is listed in one place with the things of a node: "on the desks a sheet and a pencil each"."""
+        where = [(b.kind, b.anchors) for thing in node.things for b in self.draft.bonds_of(thing)]
+        there = [m for m in frame.members if any((b.kind, b.anchors) in where for b in self.draft.bonds_of(m))]
+        return list(dict.fromkeys([*there, *node.things])) if self.front else node.things
+
     def _trailing_each(self) -> None:
         """Read "two bins with five balls each", "four chairs each"."""
         node = self.frontier[-1] if self.frontier else None
@@ -188,7 +203,7 @@ class Groups(Descriptions):
         if before and before[0].many and node.things == node.frame.members[-1:]:
             tie = relation_kind(self.habits.tie(node.things[0].noun, before[0].noun) or "next_to")
             bind(self.draft, Bond(tie, node.things[0], (before[0],), each=True, implied=True))
-        for thing in node.frame.members if head is not None else node.things:
+        for thing in node.frame.members if head is not None else self._told_together(node, node.frame):
             loose = head is not None and head.things and not self.draft.bonds_of(thing)
             if head is not None and loose and head.things[-1].many:
                 bind(self.draft, Bond("next_to", thing, (head.things[-1],), implied=True))

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from thinkblox.assets.repaint import TOPPED
 from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.knowledge.vocabulary import name_of
 from thinkblox.reading.draft import Mention
@@ -12,6 +13,8 @@ from thinkblox.reading.english.nodes import Listed, Node
 from thinkblox.reading.english.referents import last_word
 
 _PAIR = 2
+_MADE_OF = ("consist", "made up", "composed", "compris")
+"""How words begin that tell what something is made up of."""
 
 
 class Having(Groups):
@@ -22,14 +25,14 @@ class Having(Groups):
         self.negating = False
         self._turn_wall_round(kind)
         noun = self._next_noun()
-        if kind == "with" and noun is not None and self._is_no_list(noun):
-            return
-        if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
-            self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
         node = next((n for n in reversed(self.frontier) if n.things), None)
         if noun is not None and node is not None and kind == "with" and self._is_feature(noun, node.things[-1]):
             self._features(node, noun)
             return
+        if kind == "with" and noun is not None and self._is_no_list(noun):
+            return
+        if kind in ("inside", "on") and isinstance(said := self.peek(), Adjective):
+            self.chunks[self.at] = Noun("thing", said.text.lower(), said.start, said.end, said.text, named=False)
         self._go_back_to_framed(node if kind == "with" else None)
         if kind == "with" and noun is not None and self._is_among(noun):
             return
@@ -47,7 +50,11 @@ class Having(Groups):
             self._turn_by_part(noun)
             return
         thing = head.thing
-        group = thing is not None and thing in self.groups.values() and (self.each or head.each)
+        told = self._before(0)
+        made = isinstance(told, Connector) and told.text.lower().startswith(_MADE_OF)
+        made |= thing is not None and last_word(thing) in grammar().lists["made_up"]
+        group = thing is not None and (thing in self.groups.values() or (made and thing.many))
+        group &= self.each or head.each
         if kind == "with" and thing is not None and group and self._is_told_of_parts(thing):
             self._dissolve(thing)
             return
@@ -173,7 +180,8 @@ class Having(Groups):
     def _is_feature(self, noun: Noun, thing: Mention) -> bool:
         """Whether it is a part that furniture comes with: "a cabinet with three drawers", "a vanity with two sinks"."""
         own = noun.kind == "part" and noun.det == "my"
-        part = noun.word in grammar().lists["features"] or self._is_bowl_of(noun, thing)
+        part = noun.word in grammar().lists["features"]
+        part = part or self._is_bowl_of(noun, thing) or self._is_seat_of(noun, thing)
         called = name_of(noun.text.lower().split()) if part and noun.named else None
         return part and not (self.each or own or (called is not None and called.length > 1))
 
@@ -181,6 +189,11 @@ class Having(Groups):
         """Whether it is the sink of a vanity: what one washes at has one of its own."""
         basin = self.habits.is_in(thing.noun, "basins") or last_word(thing) in grammar().lists["basins"]
         return basin and noun.kind == "thing" and not noun.definite and noun.word in grammar().lists["bowls"]
+
+    def _is_seat_of(self, noun: Noun, thing: Mention) -> bool:
+        """Whether it is the seat of a chair, the shade of a lamp."""
+        whole = {"seat": ("seats", "chairs"), "shade": ("lamps",)}.get(noun.word, ())
+        return bool(whole) and self.habits.is_in(thing.noun, *whole) and not noun.definite
 
     def _features(self, node: Node, noun: Noun) -> None:
         """Take "two doors and three drawers" for parts of a thing; what is listed after them it may have as well."""
@@ -199,7 +212,10 @@ class Having(Groups):
         self._spend(noun)
         plain, bowl = not (noun.attributes or noun.unshown or noun.size), self._is_bowl_of(noun, thing)
         noun.kind = "abstract"
-        if bowl and plain and noun.count in (None, 1, _PAIR):
+        tops = [f"{look}-topped" for look in noun.attributes] if noun.word == "top" else []
+        if tops and TOPPED.keys() >= {*tops} and not (noun.unshown or noun.size):
+            thing.attributes += tops
+        elif bowl and plain and noun.count in (None, 1, _PAIR):
             thing.attributes += ["double"] if noun.count == _PAIR and "double" not in thing.attributes else []
         elif noun.count and noun.word in COUNTED_PARTS and plain:
             thing.attributes.append(f"{noun.count}-{noun.word}s")
@@ -255,10 +271,23 @@ class Having(Groups):
             self.pending.grouped = True
         self.each = False
 
+    def _as_had_before(self, noun: Noun, index: int) -> Noun:
+        """Take "a yellow one" for another of what one has: "one has a pink blanket, the other a yellow one"."""
+        kin = [t for node in self.frontier[:1] for thing in node.things for t in self.referents.family(thing)]
+        had = (b.subject for b in reversed(self.draft.bonds) if b.implied and any(a in kin for a in b.anchors))
+        last = next(had, None)
+        if last is None or noun.det != "a" or noun.word != "one" or not (noun.attributes or noun.unshown):
+            return noun
+        text = f"{noun.text.rpartition(' ')[0]} {last_word(last)}"
+        self.chunks[index] = named = replace(noun, kind="thing", value=last.noun, text=text)
+        return named
+
     def _again(self, verb: str) -> None:
         """Let the verb before stand for one left out: "one holds a bust, another a horse"."""
         comma = self._is_link(self.peek(), "mark", "comma")
         after = self.peek(1) if comma else self.peek()
+        if isinstance(after, Noun) and after.kind == "number":
+            after = self._as_had_before(after, self.at + comma)
         if verb in ("hold", "carry", "have") and isinstance(after, Noun) and after.kind == "thing":
             self.at += comma
             self.subject = self.frontier[0]

@@ -139,6 +139,7 @@ class Meanings:
         if kind == "between":
             last = next((t for t in likely if t not in subjects), None)
             two = self._two_sides([last]) if last is not None else ()
+            two = two or ((last,) if last is not None and self.referents.total(last) == _SIDES else ())
             return Meaning(kind, two or self._several(kind, subjects, noun), told=True)
         found = self._single(kind, subjects, likely, noun)
         return Meaning(kind, (found,), told=True) if found is not None else None
@@ -178,7 +179,9 @@ class Meanings:
                 return Meaning(kind, self._several(kind, subjects, noun), told=True)
             if said.value == "one":
                 return self._one_of(kind, subjects, noun)
-            last = self.referents.last(subjects) if said.text.lower() in ("that", "all this", "all that") else None
+            small = is_small(subjects[-1]) if subjects else noun != "" and is_small_name(noun)
+            those = said.text.lower() in ("that", "all this", "all that")
+            last = self.referents.last(subjects, lying=small and kind in _TOWARDS) if those else None
             found = last or self._single(kind, subjects, likely, noun, one=said.value == "it")
             told = Meaning(kind, (found,), told=True) if found is not None else None
             return self._fitting(told, subjects, noun, where.word) if told is not None else None
@@ -372,7 +375,7 @@ class Meanings:
         ends = said.text.lower().endswith((" end", " edge"))
         if said.value not in ("left", "right", "front", "back", "side", "end") or said.det == "other":
             return False
-        if said.det == "my" and not ends:
+        if said.det == "my" and not (ends or said.text.lower().endswith(" side")):
             return False
         name = subjects[-1].noun if subjects else noun
         lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))
@@ -395,7 +398,7 @@ class Meanings:
         if plural:
             sides = said.value in ("left", "right", "front", "back")
             return Meaning("on", plural[:1], each=plural[0].many and not sides, told=True)
-        if (other := self._other_side(said, subjects)) is not None:
+        if (other := self._other_side(where, said, subjects)) is not None:
             return Meaning("on", (other,), told=True)
         if self._is_part_of_room(where, said, subjects, likely, noun):
             return self._of_room(said, subjects)
@@ -417,9 +420,9 @@ class Meanings:
             "on", (found,), each=found.many and found.count is not None and carried and found in likely, told=True
         )
 
-    def _other_side(self, said: Noun, subjects: list[Mention]) -> Mention | None:
+    def _other_side(self, where: Where, said: Noun, subjects: list[Mention]) -> Mention | None:
         """Read "one to the left of the stool, the other to the right": of what the other side was told."""
-        again = said.det == "my" and (bool(subjects) or self._sides_told > 0)
+        again = said.det == "my" and (bool(subjects) or self._sides_told > 0) and not where.paired
         if self.sided is None or again or {self.sided[0], said.value} != {"left", "right"}:
             return None
         return self.sided[1] if self.sided[1] not in subjects else None
@@ -565,6 +568,7 @@ class Meanings:
             anchors = (*anchors, *second)
         each = said.each or where.word == "per" or (kind == "between" and said.plural and are_neighbours(said))
         each |= kind in _APART and said.det in ("all", "both") and said.plural and bool(subjects)
+        each |= kind in _APART and said.of_known and (said.count or 0) > 1 and bool(subjects)
         each &= kind not in _APART or said.each or all(s.count in (None, 1) for s in subjects)
         if kind in ("left_of", "right_of"):
             self.sided = (kind.removesuffix("_of"), anchors[0])

@@ -1,6 +1,7 @@
 """Adjectives, and words that hyphens join."""
 
 from thinkblox.assets.plurals import singular
+from thinkblox.assets.repaint import TOPPED
 from thinkblox.assets.sizing import COUNTED_PARTS
 from thinkblox.brief import Fate
 from thinkblox.reading.adjectives import adjective_kinds
@@ -34,6 +35,8 @@ class Modifiers(Quantities):
             as_long = known is not None and known.length == thing.length
             if not as_long or not self._starts_noun(at + thing.length):
                 return 0
+        if topped := self._topped(noun, at, known):
+            return topped
         if known is not None and known.length >= longest:
             self._describe(noun, at, known, is_state=state is not None and state.length == known.length)
             return known.length
@@ -44,6 +47,19 @@ class Modifiers(Quantities):
             return 0
         self._idle(noun, at, at + evaluative.length)
         return evaluative.length
+
+    def _topped(self, noun: Noun, at: int, known: Known | None) -> int:
+        """Read "marble-topped", "glass top" before a noun."""
+        if known is None:
+            return 0
+        end = at + known.length
+        word = f"{known.entry.value}-topped"
+        if self._text(end, end + 1).lower() not in ("topped", "top") or word not in TOPPED:
+            return 0
+        if not self._starts_noun(end + 1):
+            return 0
+        noun.attributes.append(word)
+        return known.length + 1
 
     def _describe(self, noun: Noun, at: int, known: Known, *, is_state: bool) -> None:
         """Take what the lexicon knows as an adjective."""
@@ -101,8 +117,9 @@ class Modifiers(Quantities):
         name = "-".join(token.shown for token in self.tokens[at : end + 1]).lower()
         if self._seats(noun, at, end) or self._counts_parts(noun, at, end):
             return end + 1 - at
-        if last is not None and last.entry.sort == "attribute":
-            noun.attributes.append(last.entry.value)
+        topped = self._topped(noun, at, self._known(at, "attribute")) > 0
+        if topped or (last is not None and last.entry.sort == "attribute"):
+            noun.attributes += [last.entry.value] if last is not None and not topped else []
             units.adjectives += 1
         elif self._starts_noun(end + 1) and self._has_noun(end + 1):
             evaluative = grammar().at(self.tokens, at, "evaluative")

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from thinkblox.assets import CATALOGUE, kind_of
+from thinkblox.assets.palette import with_general
 from thinkblox.reading.adjectives import LOOKS_BY_DEGREE, degree_of
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Noun
@@ -30,7 +31,7 @@ class Naming(Several):
             return self._every(noun)
         if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
             return list(seats)
-        if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
+        if noun.det == "each" or (noun.det in ("all", "both", "none") and noun.plural):
             return self._all_named(noun)
         if noun.total > (noun.count or 0) and noun.kind == "thing" and self.referents.named(noun) is None:
             self._new(replace(noun, count=noun.total, plural=True, ordinal=0, of_known=False, total=0))
@@ -214,7 +215,7 @@ class Naming(Several):
                 return tuple(every)
         if noun.det in ("a", "") and not noun.plural and noun.count in (None, 1):
             found = self.referents.named(noun, besides)
-            modest = found is not None and set(noun.attributes) <= set(found.attributes) and not noun.unshown
+            modest = found is not None and set(noun.attributes) <= with_general(found.attributes) and not noun.unshown
             if found is not None and modest and found.noun == noun.value and (found.many or not noun.det):
                 self.referents.speak(found)
                 return (found,)

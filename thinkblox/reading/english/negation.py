@@ -88,19 +88,12 @@ class Negation(Positions):
         after = self.peek()
         but = self.peek(2)
         besides = self._is_link(but, "joins", "but") or self._is_link(but, "prepositions", "except")
-        on = self._is_link(after, "prepositions", "on") and besides
-        if on and self.subject is not None:
-            self.at += 3
-            self._open_of_subject("carry")
-            return
-        if on and self.pending is not None and isinstance(on_it := self.peek(1), Noun) and on_it.kind == "pronoun":
-            self.at += 3
-            self.pending.kind = "carry"
-            return
-        if on and isinstance(after, Connector) and isinstance(on_it := self.peek(1), Noun) and on_it.kind == "pronoun":
-            self.at += 1
-            self._set_front(self._read_where(after))
-            self.at += 1
+        if (
+            besides
+            and isinstance(after, Connector)
+            and self._is_link(after, "prepositions", "on")
+            and self._only_on(after)
+        ):
             return
         if self._is_link(after, "prepositions", "except"):
             self.draft.empty = True
@@ -121,6 +114,24 @@ class Negation(Positions):
                 self._set_front(self._read_where(after))
         elif after is None or self._is_link(after, "mark") or self._is_link(after, "prepositions", "in"):
             self.draft.empty = True
+
+    def _only_on(self, on: Connector) -> bool:
+        """Read "(has) nothing on it but a bowl": what follows is there."""
+        if self.subject is not None:
+            self.at += 3
+            self._open_of_subject("carry")
+            return True
+        what = self.peek(1)
+        if not isinstance(what, Noun) or what.kind != "pronoun":
+            return False
+        if self.pending is not None:
+            self.at += 3
+            self.pending.kind = "carry"
+        else:
+            self.at += 1
+            self._set_front(self._read_where(on))
+            self.at += 1
+        return True
 
     def _only(self) -> None:
         noun = self._next_noun()

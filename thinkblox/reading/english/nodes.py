@@ -73,6 +73,7 @@ class Where:
         second: the other of "between A and B".
         negated: it is not so.
         start, text: its first token, and how it was written.
+        paired: what it is said of is joined to what was named before.
     """
 
     word: str
@@ -82,6 +83,7 @@ class Where:
     negated: bool = False
     start: int = 0
     text: str = ""
+    paired: bool = False
 
 
 @dataclass

@@ -23,7 +23,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun):
+        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun) or self._is_of_each_kind(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -48,6 +48,19 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _is_of_each_kind(self, noun: Noun) -> bool:
+        """Read "bowls, vases and plates, ten of each": so many of each kind that nobody counted."""
+        each = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if each is None or each.value != "each" or each.text.lower() != "each" or not noun.count or noun.of_known:
+            return False
+        said = self.chunks[self._clause_start() : self.at]
+        kinds = [t for chunk in said for t in self.meant.get(chunk.start, ()) if t.count is None and t.plural]
+        for thing in kinds:
+            thing.count = noun.count
+        if kinds:
+            self._go_past(each)
+        return bool(kinds)
 
     def _speak_of_rows(self, noun: Noun) -> bool:
         """Let what is told of "each row" hold so many times as there are rows."""
@@ -75,17 +88,22 @@ class Numbers(Verbs):
     def _is_look_of_last(self, noun: Noun) -> bool:
         """Take "the stove, a black cast-iron one" for what the stove is like."""
         thing = self.frontier[-1].thing if self.frontier else None
+        told = self._is_link(self._before(), "mark", "colon") and not self.frontier
+        thing = self.referents.spoken[-1] if told and self.referents.spoken else thing
         plain = noun.det == "a" and noun.word == "one" and not (noun.of_known or noun.ordinal or noun.side)
         if (
             thing is None
             or thing.many
             or not plain
-            or self.separator != "comma"
+            or self.referents.parted is not None
+            or not (self.separator == "comma" or told)
             or not (noun.attributes or noun.unshown or len(noun.text.split()) > len(("a", "one")))
         ):
             return False
         self._spend(noun)
         self._look(thing, noun)
+        if told:
+            self._resume([thing], noun)
         return True
 
     def _shares_out(self, noun: Noun) -> bool:
@@ -118,6 +136,10 @@ class Numbers(Verbs):
                 thing.count = noun.count
                 self.meant[noun.start] = [thing]
                 self.frontier, self.subject = [Node([thing], self.clause, known=True)], None
+                return True
+            if self._is_link(link, "prepositions", "per") and thing.count == noun.count * many and thing not in named:
+                self._spend(each)
+                self._go_past(each)
                 return True
         return False
 
@@ -231,7 +253,7 @@ class Numbers(Verbs):
         elif noun.ordinal > 2 and noun.det == "a" and self.whole is whole:
             self.referents.settle(whole)
             self._part_of(whole, max(1, (whole.count or 0) // noun.ordinal), noun)
-        elif noun.side or noun.ordinal:
+        elif noun.side or noun.ordinal or (noun.degree and noun.det == "the" and noun.count == 1):
             self._the_one(noun)
         else:
             self._part_of(whole, self._how_many(noun, whole), noun)

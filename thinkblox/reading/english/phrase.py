@@ -178,6 +178,12 @@ class PhraseReader(Heads):
 
     def _unit(self, noun: Noun, at: int, units: Units) -> int:
         """Take the next word or phrase; returns the tokens it takes, 0 where the noun phrase ends."""
+        if self._is_figure(noun, at, units):
+            units.nouns.append(Unit(self.tokens[at].shown))
+            return 1
+        return self._word(noun, at, units)
+
+    def _word(self, noun: Noun, at: int, units: Units) -> int:
         if self._ends_early(noun, at, units):
             return 0
         if units.nouns and units.nouns[-1].owner and (part := self._longest_part(at)) is not None:
@@ -227,6 +233,12 @@ class PhraseReader(Heads):
         bare = grammar().at(self.tokens, at + 1, "determiners") is None
         follows = self._starts_noun(at + 1) or (self._is_one(at + 1) and self._text(at - 1, at).lower() in ("a", "the"))
         return at < len(self.tokens) and self.tokens[at].text == "round" and bare and follows
+
+    def _is_figure(self, noun: Noun, at: int, units: Units) -> bool:
+        """Whether several of a singular noun have to be of a word for people: "seven tin | soldiers"."""
+        several = noun.count is not None and noun.count > 1 and len(units.nouns) == 1 and not units.nouns[0].owner
+        people = several and self.tokens[at].text.endswith("s") and grammar().knows(self.tokens[at].text, "people")
+        return people and singular(units.nouns[0].text.lower()) == units.nouns[0].text.lower()
 
     def _is_one_alone(self, at: int) -> bool:
         """Whether "one" stands for a noun, rather than before one: "under the bench | one basket"."""
@@ -339,7 +351,7 @@ class PhraseReader(Heads):
 
     def _despite(self, noun: Noun, at: int, stop: Function, units: Units) -> int:
         """Take a verb for a noun or adjective where a noun has to come: "the stand", "a hanging lamp"."""
-        if self._is_plural_head(noun, at, stop, units):
+        if self._is_plural_head(noun, at, stop, units) or self._is_singular_head(noun, at, stop, units):
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
         if units.nouns or not (noun.det or noun.count is not None) or not self._may_be_doing(noun, at, stop):
@@ -381,6 +393,20 @@ class PhraseReader(Heads):
         last = units.nouns[-1]
         return self.tokens[at].text not in ("is", "was", "has") and not last.owner and singular(last.text) == last.text
 
+    def _is_singular_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
+        """Whether a verb of several has to be a noun after a single one: "on a repair stand", "a molecule model"."""
+        single = noun.det in ("a", "another") and noun.count in (None, 1) and bool(units.nouns)
+        if (
+            not single
+            or stop.sort != "verbs"
+            or stop.length > 1
+            or self._text(noun.start - 1, noun.start).lower() == "and"
+        ):
+            return False
+        word, last = self.tokens[at].text, units.nouns[-1]
+        named = word in grammar().lists["heads"] or self.thing_at(at) is not None
+        return named and not word.endswith("s") and not last.owner and last.known is None
+
     def _open(self, noun: Noun, at: int, units: Units) -> int:
         """Take a word that no list has."""
         token = self.tokens[at]
@@ -405,21 +431,20 @@ class PhraseReader(Heads):
             return self._degree(noun, at, units)
         if units.nouns and self._ends_before(at, units):
             return 0
-        adjective = token.text.endswith(_ENDINGS) or token.text in grammar().lists["turned"]
-        adjective |= bool({"size", "build"} & adjective_kinds(token.text))
-        if not units.nouns and adjective and self._goes_on_to_noun(at + 1):
+        if not units.nouns and self._may_describe(noun, at):
             noun.unshown += [] if is_purpose(token.text) else [token.shown.lower()]
-            units.adjectives += 1
-            return 1
-        if not units.nouns and self._stands_before_look(noun, at):
-            noun.unshown.append(token.shown.lower())
             units.adjectives += 1
             return 1
         units.nouns.append(Unit(token.shown))
         return 1
 
-    def _stands_before_look(self, noun: Noun, at: int) -> bool:
-        """Whether a word can only be an adjective: "a fluffy white rug", "a Persian one"."""
+    def _may_describe(self, noun: Noun, at: int) -> bool:
+        """Whether a word that no list has is an adjective: "a worn bench", "a fluffy white rug", "a Persian one"."""
+        word = self.tokens[at].text
+        adjective = word.endswith(_ENDINGS) or word in grammar().lists["turned"]
+        adjective |= bool({"size", "build"} & adjective_kinds(word))
+        if adjective and self._goes_on_to_noun(at + 1):
+            return True
         if not (noun.det or noun.count is not None):
             return False
         coloured = self._is_colour(at + 1) and self.thing_at(at + 1) is None and self._goes_on_to_noun(at + 2)

@@ -21,6 +21,8 @@ _FRONTS = 20
 """Most relations that wait for their subject."""
 _AROUND_IT = ("next_to", "near", "by", "in_front_of", "behind", "opposite", "to", "at", "left_of", "right_of", "far")
 """Prepositions before a pronoun for what the clause before was about."""
+_COLOURS = {"colour", "color"}
+"""What several are in that are told apart right after: "six bins in two colours, three red and three blue"."""
 _OTHER_SIDE = {"left": "right", "right": "left", "front": "back", "back": "front"}
 _SIDEWARD = ("left_of", "right_of", "next_to", "in_front_of", "behind", "opposite")
 """Relations after which "on the other side" is one of the same thing."""
@@ -186,6 +188,7 @@ class Positions(Subjects):
         if where.noun is None and (where.text.lower() in ("in", "into") or self._is_one_of_two_places(where)):
             return
         self._reword(where)
+        where.paired = self._is_joined_before(self._began)
         if self._is_side_of_wall(where):
             return
         if where.word == "turned":
@@ -196,8 +199,14 @@ class Positions(Subjects):
         if self._is_side_of_owner(where):
             self._lose_where(where)
             return
-        if (where.noun is not None and self._is_elsewhere(where, where.noun)) or self._is_of_opening(where):
+        noun = where.noun
+        if noun is not None and (self._is_inside_label(where, noun) or self._is_elsewhere(where, noun)):
             return
+        if not self._is_of_opening(where):
+            self._place_there(where)
+
+    def _place_there(self, where: Where) -> None:
+        """Say where what was named is, or what comes."""
         if self._qualifies_front():
             anchors = [a for a in self.front[-1].anchors if isinstance(a, Mention)]
             self.front[-1].used = True
@@ -328,16 +337,12 @@ class Positions(Subjects):
             self._lose(where.start, noun.end)
             return True
         if noun.kind == "room":
-            if noun.count or noun.each or where.word not in _WITHIN:
+            if (noun.count or 1) > 1 or noun.each or where.word not in _WITHIN:
                 self._lose(where.start, noun.end)
             elif where.word == "in" and (not self.draft.room or (self.draft.room == "room" and not self.draft.things)):
                 self.draft.room = ""
                 self._room(noun)
                 self._go_on_with_room()
-            return True
-        if where.word == "in" and noun.kind == "thing" and self._is_inside_label(noun):
-            self._spend(noun)
-            self._room(replace(noun, kind="room", value="room"))
             return True
         if where.negated and noun.kind == "thing" and noun.det in ("a", "") and not self.referents.named(noun):
             self._spend(noun)
@@ -345,10 +350,15 @@ class Positions(Subjects):
             return True
         return False
 
-    def _is_inside_label(self, noun: Noun) -> bool:
-        """Whether a text begins with what the room is: "Inside of a photo booth, 1.1 m x 1.7 m: ..."."""
-        begins = not (self.draft.things or self.draft.room or self.front or noun.many)
-        return begins and self._is_link(self.peek(), "mark") and isinstance(self.peek(1), Measured)
+    def _is_inside_label(self, where: Where, noun: Noun) -> bool:
+        """Take what a text begins with for the room: "Inside of a photo booth, 1.1 m x 1.7 m: ..."."""
+        begins = where.word == "in" and noun.kind == "thing" and not (noun.many or self.draft.things or self.draft.room)
+        sized = self._is_link(self.peek(), "mark") and isinstance(self.peek(1), Measured)
+        if not (begins and sized) or self.front:
+            return False
+        self._spend(noun)
+        self._room(replace(noun, kind="room", value="room"))
+        return True
 
     def _is_of_opening(self, where: Where) -> bool:
         """Take where a door or window is, when it was named last."""
@@ -389,6 +399,9 @@ class Positions(Subjects):
     def _is_telling(self, noun: Noun) -> bool:
         """Whether a noun that is no thing says how something is to stand: "at right angles", "in three colours"."""
         words = {noun.text.rpartition(" ")[2].lower(), noun.word}
+        parts = self._next_noun(1) if self._is_link(self.peek(), "mark", "comma", "colon", "open", "dash") else None
+        if words & _COLOURS and parts is not None and parts.kind == "number" and parts.attributes:
+            return False
         return noun.kind == "abstract" and not words.isdisjoint(grammar().lists["telling"])
 
     def _place_node(self, node: Node, where: Where) -> None:
@@ -461,10 +474,12 @@ class Positions(Subjects):
         lists = [n.frame for n in self.frontier if n.frame is not None and n.frame.each and n.frame.head is node]
         head = frame.head if frame is not None and frame.each and frame.head is not None else None
         heads = head.things if head is not None else node.things if lists else []
-        times = frame.times if frame is not None and frame.grouped else 1
+        shared = frame is not None and (frame.grouped or (frame.head is None and frame.each))
+        times = frame.times if frame is not None and shared else 1
         for anchor in meaning.anchors if times > 1 else ():
-            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and anchor.count == 1:
-                anchor.count = times
+            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and anchor.count:
+                self.numbers.add(anchor.count)
+                anchor.count *= times
         for anchor in meaning.anchors if any(t.many for t in heads) else ():
             if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and not self.draft.bonds_of(anchor):
                 anchor.per += heads

@@ -8,6 +8,7 @@ from thinkblox.reading.attach import bind
 from thinkblox.reading.draft import Bond, Mention
 from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Noun
 from thinkblox.reading.english.grammar import grammar
+from thinkblox.reading.english.heads import is_purpose
 from thinkblox.reading.english.negation import Negation
 from thinkblox.reading.english.nodes import Node
 from thinkblox.reading.english.referents import is_small, last_word
@@ -380,6 +381,9 @@ class Prepositions(Negation):
     def _is_purpose(self, noun: Noun) -> bool:
         """Whether it only says what something is for: "a bin for paper", "a place for umbrellas"."""
         before = self._before()
+        doing = noun.text.lower().split()[0]
+        if noun.kind == "thing" and doing.endswith("ing") and is_purpose(doing):
+            return not noun.det and isinstance(before, Noun) and before.kind == "room"
         matter = not (noun.det or noun.plural) and noun.count is None and noun.text.lower()[-1:] != "s"
         matter |= noun.text.lower() == noun.material
         if noun.kind != "thing" or not isinstance(before, Noun) or noun.definite:
@@ -409,7 +413,8 @@ class Prepositions(Negation):
     def _is_contents(self, noun: Noun) -> bool:
         """Whether it is what something is for and holds: "a mug for pens"."""
         several = noun.count or noun.plural or (not noun.det and noun.text.lower().endswith("s"))
-        return not noun.definite and bool(several)
+        own = noun.det == "my" and self.referents.named(noun) is None
+        return (own or not noun.definite) and bool(several)
 
     def _as(self) -> None:
         noun = self._next_noun()

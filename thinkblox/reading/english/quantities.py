@@ -8,8 +8,10 @@ from thinkblox.reading.english.words import Words
 _OF_EVERY = ("out of every", "out of each", "of every", "in every", "of each")
 _STACKS = ("stack", "pile", "heap")
 """Measures that say how the things lie, besides how many they are."""
-_WHOLES = ("roll", "string", "bundle", "piece")
-"""Measures of which one is one thing: "a roll of paper"."""
+_OF_MATTER = ("sheet", "ball", "cube", "lump", "slice", "mountain")
+"""Measures of things that we know; of others they are things themselves: "a ball of fire"."""
+_WHOLES = ("roll", "string", "bundle", "piece", *_OF_MATTER[:-1], "loaf", "kind", "type", "sort")
+"""Measures of which one is one thing: "a roll of paper", "the kind of sofa"."""
 
 
 class Quantities(Words):
@@ -208,6 +210,8 @@ class Quantities(Words):
         several = word.endswith("s")
         if not (noun.det or noun.count is not None or several) or noun.rows or noun.groups:
             return 0
+        if word.rstrip("s") in _OF_MATTER and inner_thing is None:
+            return 0
         outer, noun.count = noun.count, None
         noun.plural = True
         match found.value:
@@ -217,6 +221,7 @@ class Quantities(Words):
                 noun.groups, noun.group = outer or (-1 if several else 1), singular(word)
             case _:
                 self._pile(noun, at, found.length, outer)
+        noun.plural = noun.count != 1 or noun.vague
         noun.det = "" if noun.det in ("a", "another") else noun.det
         inner = self._number(at + found.length)
         if inner is not None and noun.vague and not (noun.rows or noun.groups):

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from thinkblox.assets import kind_of
-from thinkblox.assets.palette import COLOURS
+from thinkblox.assets.palette import COLOURS, with_general
 from thinkblox.assets.plurals import singular
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.knowledge.senses import senses_of
@@ -68,7 +68,7 @@ class Referents:
         word = noun.word
         apart = grammar().lists["told_apart"]
         recent = [t for t in recent if word not in apart or last_word(t) in (word, "") or last_word(t) not in apart]
-        said = [t for t in recent if set(noun.attributes) <= set(t.attributes)]
+        said = [t for t in recent if set(noun.attributes) <= with_general(t.attributes)]
         meant = {sense.category for sense in senses_of(noun.value)}
         tests = (
             lambda t: t.noun == noun.value and last_word(t) == word,
@@ -78,13 +78,16 @@ class Referents:
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if lone and not t.many and last_word(t) == word]
+        single = [t for t in single if t.noun == noun.value] or single
         if single and recent and recent[0] not in self.parts and not self.is_apart(single[0]):
             return single[0]
         several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
         if noun.det == "the" and several and not any(self.family(t)[1:] for t in said if last_word(t) == word):
             return several[0]
         shades = COLOURS.keys() & set(noun.attributes)
-        others = [t for t in recent if shades and COLOURS.keys() & set(t.attributes) - shades]
+        others = [
+            t for t in recent if shades and any(not shades & with_general({a}) for a in t.attributes if a in COLOURS)
+        ]
         fitting = [t for t in recent if t not in others]
         for things in (said, fitting, recent) if noun.attributes else (recent,):
             for test in tests:
@@ -100,7 +103,7 @@ class Referents:
             return []
         word = noun.word
         same = [t for t in self.draft.things if t.noun == first.noun and t.asked]
-        looks = [t for t in same if noun.attributes and set(noun.attributes) <= set(t.attributes)]
+        looks = [t for t in same if noun.attributes and set(noun.attributes) <= with_general(t.attributes)]
         same = looks or same
         return [t for t in same if last_word(t) in (word, last_word(first))] or [first]
 
@@ -159,7 +162,7 @@ class Referents:
         found = [t for t in found if t not in others and t in kept]
         if subject is not None and kind in _STANDING and not is_small(subject):
             carried = self._carried(subject)
-            found = [t for t in found if t not in carried] or found
+            found = [t for t in found if t not in carried and t.owner is not subject] or found
         return [t for t in found if self._may_be_one(t, subject)] or found if one else found
 
     def _carried(self, thing: Mention | None) -> list[Mention]:
@@ -213,9 +216,11 @@ class Referents:
         found = [t for t in self.draft.things if t.asked and t not in besides][-number:]
         return tuple(found) if len(found) == number and not any(t.many for t in found) else ()
 
-    def last(self, subject: Sequence[Mention]) -> Mention | None:
-        """What was spoken of last, furniture before what lies on it."""
+    def last(self, subject: Sequence[Mention], *, lying: bool = False) -> Mention | None:
+        """What was spoken of last, furniture before what lies on it unless that is beside something `lying` there."""
         recent = [t for t in self._recent() if t not in subject]
+        if lying and recent:
+            return recent[0]
         return next((t for t in recent if not is_small(t)), recent[0] if recent else None)
 
     def both(self, subject: Sequence[Mention]) -> tuple[Mention, ...]:

@@ -12,7 +12,7 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Nou
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
-from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
+from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.lexicon import ENGLISH, load
 from thinkblox.reading.sizes import Size
@@ -53,6 +53,13 @@ class Rooms(Memberships):
             self._lose(noun.end, place.end)
             self._spend(place)
             self._go_past(place)
+        if (
+            self.draft.things
+            and noun.det == "a"
+            and self.separator
+            and self._is_link(self.peek(), "prepositions", "with")
+        ):
+            self._begin()
         if not self.draft.things:
             self._pass_whole()
             self.frontier = []
@@ -101,6 +108,8 @@ class Rooms(Memberships):
     def _is_another_room(self, noun: Noun) -> bool:
         """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
+            return False
+        if self.draft.room == "room" and not self.draft.things and self._is_link(self._before(), "verbs", "be"):
             return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
         listed = (
@@ -167,6 +176,7 @@ class Rooms(Memberships):
         )
         sized = self._is_link(self.peek(2), "mark") and isinstance(self.peek(3), Measured)
         ended = self._is_link(self.peek(2), "mark", "colon", "stop", "dash") or sized
+        ended |= self._is_link(self.peek(2), "prepositions", "with")
         return place if roomish and ended and isinstance(place, Noun) and place.kind == "thing" else None
 
     def _is_room_size(self, size: Size) -> bool:
@@ -183,6 +193,8 @@ class Rooms(Memberships):
 
     def _people(self, noun: Noun) -> None:
         counted = noun.det == "a" or noun.count is not None
+        if self._sits_somewhere(noun):
+            return
         if counted and self._is_link(self.peek(), "participles", "stand"):
             self._lose(noun.start, noun.end)
             return
@@ -200,6 +212,16 @@ class Rooms(Memberships):
                 self._lose(noun.start, noun.end)
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
+
+    def _sits_somewhere(self, noun: Noun) -> bool:
+        """Go past where somebody is, which is where no thing is said to be: "the doctor sits behind the desk, ..."."""
+        place = self._next_noun(2) if self._is_link(self.peek(1), "prepositions") else None
+        single = noun.det in ("the", "my") and noun.count is None and self._is_link(self.peek(), "verbs", "stand")
+        if place is None or not single or place.kind != "thing" or not place.definite:
+            return False
+        self._go_past(place)
+        self.frontier = [Node(list(self.anchors(place, [])[0]), None, known=True)]
+        return True
 
     def _for_people(self, noun: Noun) -> None:
         """The room is for so many, or for some; children have one of their own, and a family of six is six."""

@@ -358,7 +358,7 @@ def _is_many(chunk: Chunk) -> bool:
 def _is_side_of_either(place: SaidPosition) -> bool:
     """Whether a side may be the room's, and several that something has there: "a bar with six stools on the left"."""
     part = place.to if place.to is not None and place.to.kind == "part" and place.whole is None else None
-    if part is None or part.det != "the":
+    if part is None or part.det != "the" or part.owner:
         return False
     loose = part.value == "side" and place.link.value in ("along", "at")
     return loose or (part.value in ("left", "right") and place.held and place.of[0].many)
@@ -379,6 +379,8 @@ def _is_shared_out(chunk: Chunk) -> bool:
     """Whether a word tells of each of several, so that a number may be multiplied."""
     if isinstance(chunk, Noun):
         several = chunk.kind == "people" or (chunk.kind in ("place", "part") and chunk.many)
+        several |= chunk.of_known and (chunk.count or 0) > 1
+        several |= chunk.value == "other" and chunk.shared
         each = chunk.det in ("each", "either", "both", "all") or chunk.value in ("each", "all", "them")
         return several or each or chunk.every > 0 or chunk.kind == "number" or are_neighbours(chunk)
     return is_link(chunk, "prepositions", "per", "sides") or is_link(chunk, "mutual")

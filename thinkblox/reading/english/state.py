@@ -31,6 +31,7 @@ class State(Namer):
         fresh: what the sentence named for the first time as an anchor.
         verb, said: the verb of this clause, and of the one that a semicolon ended.
         bracket: what was spoken of before an open bracket.
+        dashed: whether that bracket is a dash.
         ordinals: which of a family is the first, the second, ...
         sides: which of two is the left one, which the right one.
         counted: things whose number was told as a part of several, and is not that of each side.
@@ -87,6 +88,7 @@ class State(Namer):
         self.said = ""
         self.verb = ""
         self.bracket: tuple[list[Node], Listed, Node | None, bool] | None = None
+        self.dashed = False
         self.ordinals: dict[Mention, dict[int, Mention]] = {}
         self.sides: dict[Mention, str] = {}
         self.counted: set[Mention] = set()

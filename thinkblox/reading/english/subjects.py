@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from thinkblox.assets import kind_of
+from thinkblox.assets.mounting import WALL_MOUNTED, mount_of
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
@@ -11,8 +12,11 @@ from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
 from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import FURNITURE, is_loose_lamp, is_small, last_word
+from thinkblox.reading.english.state import LOOKAHEAD
 
 _PAIR = 2
+_NO_PLACE = ("with", "of", "for", "per", "as")
+"""Prepositions that say nothing of where a thing is."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
 _BONDS = 20
@@ -68,11 +72,11 @@ class Subjects(Having):
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
             return head if self._contains(head.things[-1]) else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
-            return head
+            return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
-        """All of "two armchairs, one green and one blue, facing the sofa", "two boxes, one on the other, by the door"."""
+        """All of "two armchairs, one green and one blue, facing it", "two boxes, one on the other, by the door"."""
         comma = self._is_link(self.chunks[self._began - 1] if self._began else None, "mark", "comma")
         family = self.referents.family(node.things[-1])
         parted = comma and len(family) > 1 and len(node.things) == 1
@@ -95,7 +99,8 @@ class Subjects(Having):
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
-        if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
+        held = self._is_held(thing, frame) or frame.kind == "with"
+        if self._is_at_room_part(where) and held and not frame.each:
             return True
         if frame.contents and (len(frame.members) == 1 or frame.closing):
             return True
@@ -164,7 +169,7 @@ class Subjects(Having):
         noun = where.noun
         if noun is None:
             seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
-            return where.word in ("opposite", "behind") and seated and not frame.each
+            return where.word in ("opposite", "behind", "between") and seated and not frame.each
         if noun.kind != "pronoun" or noun.value != "it" or frame.each or not self._is_held(thing, frame):
             return False
         owner = head.things[-1]
@@ -190,9 +195,13 @@ class Subjects(Having):
     def _is_beside_whole(self, thing: Mention, frame: Listed, head: Node, where: Where) -> bool:
         """Whether the owner is at a side of another thing: "a nightstand with a clock on the left of the bed"."""
         whole = where.whole
+        if whole is None and where.noun is not None and where.noun.owner:
+            whole = Noun("thing", where.noun.owner, where.noun.start, where.noun.end, where.noun.owner, det="the")
         if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
-        if where.noun.value in ("middle", "top", "inside", "in_shelf"):
+        if where.noun.value in ("top", "inside", "in_shelf"):
+            return False
+        if where.noun.value == "middle" and not is_small(head.things[-1]):
             return False
         held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
         return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
@@ -274,7 +283,8 @@ class Subjects(Having):
         if where.word in ("above", "under"):
             held = self.habits.is_in(head.things[-1].noun, "wallpieces", "shelves")
             return bool(before) and held and where.noun is not None and where.noun.value == "it"
-        return where.word in ("behind", "in_front_of", "opposite") and bool(before)
+        counter = self.habits.is_in(head.things[-1].noun, "counters", "desks", "tables")
+        return where.word in ("behind", "in_front_of", "opposite") and bool(before) and not counter
 
     def _is_head(self, noun: Noun, head: Node) -> bool:
         found = self.referents.named(noun) if noun.definite or noun.each else None
@@ -287,7 +297,9 @@ class Subjects(Having):
         if noun.kind == "pronoun":
             return True
         if noun.kind == "part":
-            return where.whole is None or where.whole.kind == "pronoun"
+            return (where.whole is None and not noun.owner) or (
+                where.whole is not None and where.whole.kind == "pronoun"
+            )
         return False
 
     def _is_first_named(self, anchor: Node, where: Where) -> bool:
@@ -348,7 +360,8 @@ class Subjects(Having):
             return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
-        if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
+        middle = where.noun is not None and where.noun.value in ("middle", "centre")
+        if (len(frame.members) > _PAIR and middle) or not self._ends_list(node):
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
@@ -361,6 +374,7 @@ class Subjects(Having):
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
+        any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
         if (group is None or any_kind) and (pair := self._pair(node, frame, where)) is not None:
             return pair
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
@@ -370,13 +384,40 @@ class Subjects(Having):
         taken = self._taken(frame, thing)
         free: list[Mention] = []
         for member in reversed(frame.members[frame.begun :]):
-            lies = each and (is_small(member) or not member.many)
-            alike = leaning or lies or self._belongs(member.noun, group) or (on_thing and _may_lie(member))
-            alike |= on_thing and (last_word(member) in grammar().lists["set_on"] or is_loose_lamp(member))
-            if member is not thing and (member in taken or not alike):
+            alike = leaning or self._belongs(member.noun, group) or self._may_hang_there(member, where)
+            alike |= each and (is_small(member) or not member.many)
+            alike |= on_thing and self._may_lie_there(member)
+            if member is not thing and (member in taken or not alike or self._is_placed_itself(member)):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _is_placed_itself(self, thing: Mention) -> bool:
+        """Whether its own words say where it is, though nothing may have been made of that."""
+        named = self.named_by.get(thing)
+        for at in range(self._began - 1, max(self._began - LOOKAHEAD, 0), -1):
+            if self.chunks[at] is named:
+                link = self.chunks[at + 1]
+                return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", *_NO_PLACE)
+        return False
+
+    def _ends_list(self, node: Node) -> bool:
+        """Whether it was named right after an "and", which others are joined by to it."""
+        named = self.named_by.get(node.things[-1])
+        for at in range(self._began - 1, 0, -1):
+            if self.chunks[at] is named:
+                return self._is_link(self.chunks[at - 1], "joins") or self._is_link(self.chunks[at - 1], "mark", "and")
+        return True
+
+    def _may_lie_there(self, thing: Mention) -> bool:
+        """Whether it can stand or lie where other small things do."""
+        return _may_lie(thing) or last_word(thing) in grammar().lists["set_on"] or is_loose_lamp(thing)
+
+    def _may_hang_there(self, thing: Mention, where: Where) -> bool:
+        """Whether it can hang where it is said to be: a standing mirror "on the walls"."""
+        place = where.noun.value if where.noun is not None and where.noun.kind == "place" else ""
+        hangs = where.word == "on" and "wall" in place and not self.habits.is_in(thing.noun, "storage")
+        return hangs and mount_of(kind_of(thing.noun), (WALL_MOUNTED,)) == "wall"
 
     def _taken(self, frame: Listed, thing: Mention) -> list[Mention]:
         """What of a list has a place of its own, which it does not share with its last thing."""

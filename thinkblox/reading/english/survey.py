@@ -81,7 +81,7 @@ class _Surveyor:
         self._each: Noun | None = None
         self._owners: list[Noun] = []
         self._role: Role = "head"
-        self._here = self._after_told = False
+        self._here = self._after_told = self._between = False
         self._told = self._closing = self._parted = self._anchored = self._apart = False
         self._before: Chunk | None = None
         self._beside: Chunk | None = None
@@ -97,6 +97,8 @@ class _Surveyor:
     def _link(self, link: Connector) -> None:
         if is_link(link, "mark", "stop"):
             self._end_sentence()
+        elif is_link(link, "joins", "and") and self._between and self._anchored:
+            self._role, self._between = "anchor", False
         elif is_link(link, "mark") or is_link(link, "joins", "and", "but"):
             self._end_part(link)
         elif is_link(link, "joins", "which"):
@@ -105,6 +107,7 @@ class _Surveyor:
             self._have(link)
         elif is_spatial(link) or is_link(link, "prepositions", "to"):
             self._role, self._told, self._here = "anchor", True, True
+            self._between = is_link(link, "prepositions", "between")
             self._head = self._last if self._apart else self._head
             self.seen.links[link.start] = (self.seen.sentence, self.seen.part, link.value)
         elif is_link(link, "prepositions", "of"):

@@ -2,7 +2,7 @@
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
@@ -11,6 +11,8 @@ from thinkblox.reading.english.relating import Relating
 _ON_IT = ("prepositions", "on", "in", "inside", "on_top")
 """How a list ends of which all lies on, or in, what has it."""
 _CARRIED = ("on", "inside", "at", "around", "at_long_side", "at_short_side")
+_TELLING_NO_PLACE = ("with", "of", "for", "per")
+"""Prepositions that say nothing of where a thing is."""
 _BY_THEM = ("next_to", "near", "by", "between", "behind", "in_front_of", "opposite", "around")
 """Prepositions after which "them" are several together."""
 _CARRYING_NOTHING = ("lamps", "ceiling", "screens", "plants", "wallpieces", "covers", "lounges")
@@ -64,7 +66,7 @@ class Ties(Relating):
             return True
         holder = frame.head.thing if frame.head is not None else None
         apart = self.separator in ("comma", "comma_and") or (holder is not None and is_small(holder))
-        if frame.contents and noun.det and apart:
+        if ((frame.contents and apart) or self._is_past_contents(frame)) and (noun.det or noun.count is not None):
             return False
         if frame.each and noun.det == "the" and not noun.many and not self._is_told_by_pronoun():
             return False
@@ -81,6 +83,12 @@ class Ties(Relating):
             return False
         head = frame.head.thing if frame.head is not None else None
         return frame.times > 1 if head is None else self._fits_in(frame, head, thing)
+
+    def _is_past_contents(self, frame: Listed) -> bool:
+        """Whether one thing was said to be all over or in another: "a fridge covered with postcards, a sink"."""
+        first = self.named_by.get(frame.members[0]) if frame.members else None
+        bare = first is not None and first.plural and not first.det and first.count is None
+        return bare and frame.kind in ("on", "inside") and self.separator == "comma"
 
     def _fits_in(self, frame: Listed, head: Mention, thing: Mention) -> bool:
         """Whether a thing of which nothing is told may be one more of what the head has."""
@@ -115,7 +123,7 @@ class Ties(Relating):
             after = self.chunks[at + 1] if at + 1 < len(self.chunks) else None
             if not (comma or joined) or not isinstance(after, Noun) or after.kind != "thing" or after.definite:
                 return None
-            at += 2
+            at = self._past_modifiers(at + 2 - self.at) + self.at
         link, noun = (*self.chunks[at : at + 2], None, None)[:2]
         if not isinstance(link, Connector) or link.sort != "prepositions" or not isinstance(noun, Noun):
             return None
@@ -133,9 +141,16 @@ class Ties(Relating):
         goes_on = place is not None and place.kind == "place" and self._is_link(self.peek(at + 2), "prepositions")
         return at + 2 if goes_on else at
 
+    def _past_modifiers(self, at: int) -> int:
+        """How many chunks ahead it goes on after "of toys", "plugged in"."""
+        while self._is_link(self.peek(at), "prepositions", "of") and isinstance(self.peek(at + 1), Noun):
+            at += 2
+        return at + isinstance(self.peek(at), Adjective)
+
     def _told_of(self, frame: Listed, thing: Mention) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
+        index = self._past_modifiers(index)
         index = self._past_place(index) if frame.each and self._is_told_by_pronoun() else index
         link = self.peek(index)
         noun = self._next_noun(index + 1)
@@ -203,13 +218,17 @@ class Ties(Relating):
 
     def _lies_with(self, thing: Mention, head: Mention, frame: Listed, place: Noun) -> bool:
         """Whether it lies where the thing before it lies: "an altar with a statue and incense opposite the door"."""
-        low = is_small(thing) and not self.habits.is_in(thing.noun, "wallpieces", "ceiling")
-        pair = (
-            self.separator == "and"
-            and frame.kind == "with"
-            and (place.value.split()[0] not in ("wall", "floor", "ceiling") or _is_whole_place(place))
-        )
+        standing = self._is_beside_place() and max(kind_of(thing.noun).size) <= _SMALL
+        low = standing or (is_small(thing) and not self.habits.is_in(thing.noun, "wallpieces", "ceiling"))
+        upright = place.value.split()[0] not in ("wall", "floor", "ceiling") or _is_whole_place(place)
+        pair = self.separator == "and" and frame.kind == "with"
+        pair &= upright or standing or self._are_both_bare(thing, frame)
         return pair and low and self._carries_before(thing, head, frame)
+
+    def _are_both_bare(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it and what it is joined to are several without a number: "hooks with sausages and hams"."""
+        said = [self.named_by.get(t) for t in (*frame.members[-1:], thing)]
+        return len(said) > 1 and all(n is not None and n.plural and not n.det and n.count is None for n in said)
 
     def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
         """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""
@@ -253,9 +272,7 @@ class Ties(Relating):
     def _is_told_next(self) -> bool:
         """Whether the relation of the thing just named to something is told in words."""
         link = self.peek()
-        return self._is_link(link, "prepositions") and not self._is_link(
-            link, "prepositions", "with", "of", "for", "per"
-        )
+        return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", *_TELLING_NO_PLACE)
 
     def _shares(self, thing: Mention, head: Mention, tie: str, frame: Listed) -> bool:
         """Whether "two desks with a chair" means a chair at each."""
@@ -271,8 +288,16 @@ class Ties(Relating):
             return False
         if thing.count == 1 and any(m.count is None or m.plural for m in frame.members):
             return False
+        if tie in ("around", "at") and self._share_others(thing, head):
+            return True
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _share_others(self, thing: Mention, head: Mention) -> bool:
+        """Whether others that were told from these have so many each: "three with two chairs and two with four"."""
+        others = [t for t in self.referents.family(head) if t is not head]
+        alike = (b for b in self.draft.bonds if b.each and b.subject.noun == thing.noun and b.subject is not thing)
+        return any(a in others for bond in alike for a in bond.anchors)
 
     def _is_beside_all(self) -> bool:
         """Whether it is told to be beside "them": "three buckets with a can beside them" are beside one can."""
@@ -312,7 +337,7 @@ class Ties(Relating):
         return frame.kind
 
     def _ends_held_list(self, thing: Mention, frame: Listed) -> bool:
-        """Whether it ends a list of what something holds, and nothing else is said of it: "holds a dish and a sabre"."""
+        """Whether it ends a list of what something holds, and nothing else is said of it: "a dish and a sabre"."""
         last = self.separator == "and" and len(frame.members) > 0 and self._is_end(self.peek())
         return last and not self.habits.is_in(thing.noun, *FURNITURE)
 
@@ -350,10 +375,15 @@ class Ties(Relating):
 
     def _ends_small_list(self, thing: Mention, head: Mention, frame: Listed) -> bool:
         """Whether it is small and ends a list of what lies there: "a counter with a till and a ticket dispenser"."""
-        ends = self.separator == "and" and self._is_end(self.peek())
+        ends = self.separator == "and" and (self._is_end(self.peek()) or self._is_beside_place())
         low = max(kind_of(thing.noun).size) <= _SMALL or self.habits.is_in(thing.noun, "plants")
         ends |= self._has_shelves(head) and kind_of(thing.noun).plain and self.separator in ("comma", "and")
         return ends and low and self._carries_before(thing, head, frame)
+
+    def _is_beside_place(self) -> bool:
+        """Whether what comes says where furniture stands: "a cabinet with gloves and masks along the wall"."""
+        place = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "along", "against", "by") else None
+        return place is not None and place.kind == "place"
 
     def _carries_before(self, thing: Mention, head: Mention, frame: Listed) -> bool:
         """Whether what was listed before lies on the head."""

@@ -151,12 +151,12 @@ class Verbs(Prepositions):
         if self.subject is None:
             return
         following = self.peek()
-        if isinstance(following, Noun) and following.kind == "abstract":
-            self.at += 1
-            return
         thing = self.subject.thing
         if thing is not None and isinstance(following, Noun) and self._is_feature(following, thing):
             self._features(self.subject, following)
+            return
+        if isinstance(following, Noun) and following.kind == "abstract":
+            self.at += 1
             return
         if thing is not None and thing in self.groups.values() and (kind == "consist" or self.subject.each):
             self._dissolve(thing)

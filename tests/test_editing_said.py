@@ -1,0 +1,314 @@
+"""What people say of rooms that exist: told by what is wrong with a thing, by rows, ends, corners and the others."""
+
+import math
+
+import pytest
+
+from tests.edited_rooms import bedroom, built, dining, living, room
+from tests.test_editing_guard import classroom, done
+from thinkblox import Scene, edit_room
+from thinkblox.editing.reading import read_instruction
+from thinkblox.errors import InputError
+from thinkblox.scene.bearings import ground_gap
+from thinkblox.scene.landmarks import things
+from thinkblox.scene.relations import measure
+
+
+def gap(scene: Scene, one: str, other: str) -> float:
+    return ground_gap(things(scene, one)[0], things(scene, other)[0])
+
+
+def row(number: int) -> list[str]:
+    """Desks and chairs of a row of the classroom."""
+    return [f"{kind}_{3 * number + n}" for kind in ("school_desk", "chair") for n in (-2, -1, 0)]
+
+
+def test_stand_it_there_is_an_order_of_its_own() -> None:
+    before = built(room(), ("stool_1", 1.5, 2.5, 0.0, "floor"), ("stool_2", 2.1, 2.5, 0.0, "floor"))
+    after = done(before, "Remove stool 1 and stand stool 2 there").scene
+    assert [p.id for p in after.placements] == ["stool_2"]
+    assert math.dist(after["stool_2"].position, before["stool_1"].position) < 0.3
+    with pytest.raises(InputError, match="begins another order"):
+        read_instruction("Remove stool_1 and stand stools there")
+
+
+def test_what_is_too_near_or_too_far_says_from_what_and_to_what() -> None:
+    for text, nearer in (
+        ("The armchair is too far from the sofa, bring it closer", True),
+        ("The armchair is too close to the sofa, so move it away a bit", False),
+    ):
+        (order,) = read_instruction(text).orders
+        assert [(near, phrase.noun.value) for near, phrase in order.closer] == [(nearer, "sofa")], text
+        assert order.slight == ("a bit" in text)
+    before = living()
+    after = done(before, "The armchair is too far from the desk, bring it closer").scene
+    assert gap(after, "armchair_1", "desk_1") < gap(before, "armchair_1", "desk_1") - 0.1
+    assert read_instruction("The rug is too small, get a bigger one").orders[0].doing == "replace"
+
+
+def test_rows_are_told_by_two_numbers() -> None:
+    before = classroom()
+    wide = done(before, "Make the aisle between the first and second row 20 cm wider").scene
+    now, then = (gap(scene, "school_desk_1", "chair_1") for scene in (wide, before))
+    assert now == pytest.approx(then, abs=0.02)
+    moved = [id for id in row(1) + row(2) if wide[id] != before[id]]
+    assert sorted(moved) in (sorted(row(1)), sorted(row(2)))
+    assert gap(wide, "chair_1", "school_desk_4") == pytest.approx(
+        gap(before, "chair_1", "school_desk_4") + 0.2, abs=0.02
+    )
+    after = done(before, "Swap the front and back rows").scene
+    assert {round(after[id].position[0], 1) for id in row(1)[:3]} == {round(before["school_desk_4"].position[0], 1)}
+
+
+def test_a_row_goes_back_with_those_in_the_way_first() -> None:
+    before = classroom()
+    after = done(before, "Move the last row 15 cm back").scene
+    assert all(before[id].position[0] - after[id].position[0] == pytest.approx(0.15, abs=0.01) for id in row(2))
+
+
+def test_the_end_of_a_sideboard_is_on_it_and_the_other_end_too() -> None:
+    vases = [("vase_1", 5.7, 2.4, 180.0, "sideboard_1"), ("vase_2", 5.7, 2.6, 180.0, "sideboard_1")]
+    before = built(room(), ("sideboard_1", 5.7, 2.5, 180.0, "floor"), *vases)
+    after = done(before, "Move vase 1 to the left end of the sideboard and vase 2 to the right end").scene
+    assert [after[id].support for id in ("vase_1", "vase_2")] == ["sideboard_1"] * 2
+    left = [after["sideboard_1"].to_local(after[id].position[:2])[1] for id in ("vase_1", "vase_2")]
+    assert left[0] > 0.1 > -0.1 > left[1]
+
+
+def test_opposite_corners_are_those_farthest_apart() -> None:
+    before = built(room(), ("stool_1", 1.5, 2.5, 0.0, "floor"), ("stool_2", 2.1, 2.5, 0.0, "floor"))
+    after = done(before, "Put the stools in opposite corners").scene
+    assert math.dist(after["stool_1"].position, after["stool_2"].position) > 6.0
+
+
+def test_halfway_and_centred_are_at_the_middle() -> None:
+    before = living()
+    after = done(before, "Put the armchair halfway between the sideboard and the desk").scene
+    middle = (before["sideboard_1"].position[0] + before["desk_1"].position[0]) / 2
+    assert after["armchair_1"].position[0] == pytest.approx(middle, abs=0.11)
+    after = done(bedroom(), "Centre the wardrobe in front of the bed").scene
+    assert after["wardrobe_1"].position[0] == pytest.approx(bedroom()["bed_1"].position[0], abs=0.11)
+
+
+def test_along_two_walls_is_at_either() -> None:
+    before = built(room(), *((f"desk_{n}", 0.6 + 1.5 * n, 2.5, 90.0, "floor") for n in (1, 2, 3)))
+    after = done(before, "Line up all desks along the north and east wall").scene
+    walls = ("north_wall", "east_wall")
+    assert all(any(measure(after, "against_wall", f"desk_{n}", (w,)).holds for w in walls) for n in (1, 2, 3))
+
+
+def test_the_remaining_ones_are_those_that_were_not_spoken_of() -> None:
+    before = dining(4)
+    after = done(before, "Take away two chairs and move the remaining ones 10 cm to the south").scene
+    left = [p.id for p in after.placements if p.category == "chair"]
+    assert len(left) == 2
+    assert all(before[id].position[1] - after[id].position[1] == pytest.approx(0.1, abs=0.01) for id in left)
+
+
+def test_where_the_bigger_one_stood_is_of_those_that_were_named() -> None:
+    before = living()
+    after = done(before, "Remove the armchair and the desk and put a stool where the bigger one stood").scene
+    new = next(p for p in after.placements if p.id not in before)
+    assert math.dist(new.position[:2], before["desk_1"].position[:2]) < 0.8
+
+
+def test_a_lamp_on_each_new_table_and_a_table_beside_what_was_named() -> None:
+    (order,) = read_instruction("Add a side table on each side of the sofa, with a lamp on each").orders
+    assert [where.word for where in order.things[0].places] == ["on", "with"]
+    before = living()
+    after = done(before, "Have the armchair face the desk and put a stool with a pillow beside it").scene
+    stool = next(p.id for p in after.placements if p.category == "stool")
+    assert gap(after, stool, "armchair_1") < 0.6
+
+
+def test_what_rests_on_one_of_two_that_change_places_goes_with_it() -> None:
+    before = built(
+        room(),
+        ("sideboard_1", 5.7, 2.5, 180.0, "floor"),
+        ("vase_1", 5.7, 2.5, 180.0, "sideboard_1"),
+        ("bookcase_1", 0.2, 2.5, 0.0, "floor"),
+    )
+    after = done(before, "Swap the sideboard and the vase with the bookcase").scene
+    assert after["vase_1"].support == "sideboard_1"
+    assert after["sideboard_1"].position[0] < 1.0 < 5.0 < after["bookcase_1"].position[0]
+
+
+def test_a_shorter_wardrobe_is_a_lower_one() -> None:
+    before = bedroom()
+    after = done(before, "Make the wardrobe 20 cm shorter").scene
+    assert after["wardrobe_1"].size[2] == pytest.approx(before["wardrobe_1"].size[2] - 0.2, abs=0.01)
+    assert done(before, "Make the bed 10 cm shorter").scene["bed_1"].size[2] == before["bed_1"].size[2]
+
+
+def test_twenty_centimetres_wider_is_by_so_much() -> None:
+    before = living()
+    after = edit_room(before, "Make the aisle between the sofa and the coffee table 10 cm wider").scene
+    assert gap(after, "coffee_table_1", "sofa_1") == pytest.approx(
+        gap(before, "coffee_table_1", "sofa_1") + 0.1, abs=0.02
+    )
+
+
+def test_what_faces_a_thing_is_so_far_from_that() -> None:
+    (order,) = read_instruction("Move the armchair so that it faces the desk and is 2 m away from it").orders
+    assert [(away, phrase.noun.value) for away, phrase in order.apart] == [(2.0, "desk")]
+
+
+def test_seats_that_are_in_the_way_go_along_with_their_table_and_others_are_told_of() -> None:
+    rows = [("dining_table_1", 3.0, 2.5, 90.0, "floor")]
+    rows += [(f"chair_{n}", 2.6 + 0.8 * (n % 2), 1.75 if n < 3 else 3.25, 90.0 if n < 3 else 270.0, "floor")
+             for n in (1, 2, 3, 4)]  # fmt: skip
+    before = built(room(), *rows)
+    seats = [f"chair_{n}" for n in (1, 2, 3, 4)]
+    for said in ("Move the dining table 60 cm to the north", "Rotate the dining table by 90 degrees"):
+        result = done(before, said)
+        assert all(measure(result.scene, "at", id, ("dining_table_1",)).holds for id in seats), said
+        assert any("went along, as dining_table_1" in note for note in result.report.notes), said
+    result = done(dining(2), "Move the dining table 80 cm to the north")
+    assert any("chair_1, chair_2 stayed, away from dining_table_1" in note for note in result.report.notes)
+    assert result.scene["chair_1"] == dining(2)["chair_1"]
+    kept = edit_room(before, "Move the dining table 60 cm to the north but don't touch the chairs")
+    assert all(kept.scene[id] == before[id] for id in seats)
+
+
+def test_another_row_is_like_the_last_and_as_far_from_it() -> None:
+    rows: list[tuple[str, float, float, float, str]] = []
+    for number, (x, y) in enumerate(((5.9, 2.0), (5.9, 3.2), (4.3, 2.0), (4.3, 3.2))):
+        rows += [
+            (f"school_desk_{number + 1}", x, y, 180.0, "floor"),
+            (f"chair_{number + 1}", x - 0.45, y, 0.0, "floor"),
+        ]
+    before = built(room(7.0, 5.0), *rows)
+    after = done(before, "Add another row of desks with chairs at the back").scene
+    new = [p for p in after.placements if p.id not in before]
+    assert sorted(p.category for p in new) == ["chair", "chair", "school_desk", "school_desk"]
+    assert {round(p.position[0], 2) for p in new} == {2.7, 2.25}
+    behind = edit_room(before, "Add four more rows of desks behind the last row")
+    assert any("another row was not added" in text for text in behind.failed)
+    with pytest.raises(InputError, match="nothing stands in rows"):
+        edit_room(living(), "Add another row of chairs")
+
+
+def test_the_pupils_desks_are_all_but_the_teachers() -> None:
+    before = classroom()
+    after = done(before, "Put a laptop on each pupil's desk").scene
+    assert {p.support for p in after.placements if p.category == "laptop"} == {f"school_desk_{n}" for n in range(1, 7)}
+
+
+def test_what_is_spread_evenly_is_far_from_each_other() -> None:
+    stools = [
+        ("stool_1", 1.5, 2.5, 0.0, "floor"),
+        ("stool_2", 2.1, 2.5, 0.0, "floor"),
+        ("stool_3", 1.8, 3.1, 0.0, "floor"),
+    ]
+    before = built(room(), *stools)
+    for said, least in (
+        ("Spread the stools evenly around the room", 2.0),
+        ("Space the stools evenly along the east wall", 1.4),
+    ):
+        after = done(before, said).scene
+        spots = [after[id].position[:2] for id, *_ in stools]
+        assert min(math.dist(a, b) for a in spots for b in spots if a != b) > least, said
+    assert all(x > 5.5 for x, _ in spots)
+    pictures = [(f"picture_{n}", 2.0 + n, 4.984, 270.0, "wall") for n in (1, 2)]
+    after = done(built(room(), *pictures), "Spread the pictures evenly along the north wall").scene
+    assert all(not 3.6 - 0.38 < after[id].position[0] < 5.2 + 0.38 for id, *_ in pictures)
+    assert edit_room(before, "Spread the stools out a bit").complete
+
+
+def test_what_is_announced_before_a_colon_is_what_follows() -> None:
+    before = bedroom()
+    after = done(before, "I'd like more light: add a floor lamp").scene
+    assert len(after.placements) == len(before.placements) + 1
+    assert [
+        o.doing for o in read_instruction("Two changes: remove the rug, and turn the bed by 45 degrees").orders
+    ] == [
+        "remove",
+        "turn",
+    ]
+    assert len(read_instruction("Remove the bed: put a stool by the door").orders) == 2
+
+
+def test_what_alone_is_to_stay_on_a_thing_says_nothing_of_the_rest_of_the_room() -> None:
+    small = [("bowl_1", 3.0, 2.5, 0.0, "dining_table_1"), ("vase_1", 3.4, 2.5, 0.0, "dining_table_1")]
+    before = built(room(), ("dining_table_1", 3.0, 2.5, 90.0, "floor"), ("sofa_1", 3.0, 0.6, 90.0, "floor"), *small)
+    for said in (
+        "Clear the dining table: only the bowl should stay",
+        "Only a bowl should stay on the dining table",
+        "Keep only the bowl on the dining table",
+    ):
+        after = done(before, said).scene
+        assert {p.id for p in after.placements} == {"dining_table_1", "sofa_1", "bowl_1"}, said
+
+
+def test_what_is_no_name_of_a_thing_is_not_added() -> None:
+    with pytest.raises(InputError, match="no thing that can be added"):
+        edit_room(dining(2), "Add a rug under the table that is big enough for the chairs")
+
+
+def test_a_things_own_is_that_at_it() -> None:
+    before = bedroom()
+    after = done(before, "Move the left nightstand's lamp 5 cm to the left").scene
+    moved = [p.id for p in before.placements if after[p.id] != p]
+    assert moved == ["table_lamp_1"]
+    assert whose_desk("Remove the teacher's desk") == "desk"
+
+
+def whose_desk(text: str) -> str:
+    return read_instruction(text).orders[0].things[0].noun.value
+
+
+def test_each_that_has_none_gets_one() -> None:
+    desks = [("desk_1", 2.6, 0.5, 90.0, "floor"), ("desk_2", 4.6, 0.5, 90.0, "floor")]
+    before = built(room(), *desks, ("chair_1", 4.6, 1.1, 270.0, "floor"))
+    after = done(before, "Put a chair at every desk that has none").scene
+    new = [p.id for p in after.placements if p.id not in before]
+    assert len(new) == 1
+    assert measure(after, "at", new[0], ("desk_1",)).holds
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ("Turn the armchairs so they look at each other", ("turn", "facing")),
+        ("Push the sofa back until it touches the wall", ("move", "")),
+        ("Seat only six people at the table", ("ensure", "")),
+    ],
+)
+def test_other_words_for_the_same(said: str, words: tuple[str, str]) -> None:
+    (order,) = read_instruction(said).orders
+    assert (order.doing, order.mutual) == words
+    assert not read_instruction(said).unknown
+
+
+def test_away_is_more_than_a_hair() -> None:
+    before = built(room(), ("stool_1", 5.75, 4.75, 0.0, "floor"))
+    result = edit_room(before, "Move the stool away from the window")
+    assert not result.complete or math.dist(result.scene["stool_1"].position, before["stool_1"].position) >= 0.1
+
+
+def test_what_is_taken_down_or_out_of_a_corner() -> None:
+    (order, other) = read_instruction("Take the lamp and the vase away, the bowl can stay").orders
+    assert (order.doing, len(order.things), other.doing) == ("remove", 2, "keep")
+    (order, other) = read_instruction(
+        "Take plant_1 and plant_2 away, plant_3 can stay", ["plant_1", "plant_2", "plant_3"]
+    ).orders
+    assert ([p.id for p in order.things], [p.id for p in other.things]) == (["plant_1", "plant_2"], ["plant_3"])
+    assert read_instruction("Take the picture down").orders[0].doing == "remove"
+    before = built(room(), ("stool_1", 5.75, 4.75, 0.0, "floor"))
+    for said in ("Get the stool out of the corner", "Take the stool out of the corner"):
+        after = done(before, said).scene
+        assert not measure(after, "in_corner", "stool_1", ("corner",)).holds, said
+
+
+def test_a_back_that_comes_to_be_against_a_wall_is_at_it_also_where_it_turns() -> None:
+    before = bedroom()
+    after = done(before, "Turn the wardrobe so its back is against the south wall").scene
+    assert measure(after, "against_wall", "wardrobe_1", ("south_wall",)).holds
+
+
+def test_a_sixth_one_is_another_and_what_hangs_from_the_ceiling_is_hung_there() -> None:
+    before = dining(2)
+    after = done(before, "Add a third chair like the others").scene
+    assert [p.category for p in after.placements].count("chair") == 3
+    after = done(before, "Hang a chandelier").scene
+    assert next(p for p in after.placements if p.category == "chandelier").support == "ceiling"
