@@ -638,6 +638,15 @@ def test_a_room_whose_size_is_open_is_not_cramped() -> None:
     assert min(report.score.part("circulation").score or 0.0, report.score.part("clearance").score or 0.0) >= 0.9
 
 
+def test_toys_of_a_kids_corner_lie_on_its_rug_and_no_chair_stands_there() -> None:
+    room = made("A waiting room with six chairs and a kids' corner")
+    (rug,) = placed(room, "rug")
+    toys, chairs = placed(room, "toy"), placed(room, "chair")
+    assert len(toys) == 3
+    assert all(rug.footprint.covers(Point(toy.position[:2])) for toy in toys)
+    assert all(rug.footprint.intersection(chair.footprint).area < 0.1 for chair in chairs)
+
+
 def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
     room = generate_room(
         "A 4 by 3.5 m room with a table in the middle. A camera hangs from the ceiling, not above the table.",
@@ -649,12 +658,3 @@ def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
     aside = [abs(c - t) - size / 2 for c, t, size in zip(camera.position, table.position, table.size, strict=True)]
     assert max(aside[:2]) > 0.3
     assert room.report.complete
-
-
-def test_toys_of_a_kids_corner_lie_on_its_rug_and_no_chair_stands_there() -> None:
-    room = made("A waiting room with six chairs and a kids' corner")
-    (rug,) = placed(room, "rug")
-    toys, chairs = placed(room, "toy"), placed(room, "chair")
-    assert len(toys) == 3
-    assert all(rug.footprint.covers(Point(toy.position[:2])) for toy in toys)
-    assert all(rug.footprint.intersection(chair.footprint).area < 0.1 for chair in chairs)

@@ -623,3 +623,17 @@ def test_mats_face_what_is_flanked_and_are_nowhere_else() -> None:
 def test_what_a_table_is_made_of_is_no_thing() -> None:
     brief = read_brief("A low table made of crates.", fill="named")
     assert [(r.category, r.unshown) for r in brief.requests] == [("coffee_table", ("made of crates",))]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "room", "toilets"),
+    [
+        ("A tiny loo under the stairs, 0.9 by 1.7 m: a toilet against the back wall.", "toilet_room", 1),
+        ("loo, 0.9 x 1.7 m: toilet and basin", "toilet_room", 1),
+        ("A toilet next to the sink, and a mirror.", "room", 1),
+    ],
+)  # fmt: skip
+def test_a_closet_that_is_called_after_what_is_in_it_is_a_room(prompt: str, room: str, toilets: int) -> None:
+    brief = read_brief(prompt, fill="named")
+    assert brief.room_type == room
+    assert sum(r.count for r in brief.requests if r.category == "toilet") == toilets

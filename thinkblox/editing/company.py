@@ -24,6 +24,8 @@ ASIDE = 0.3
 """How far it may then stand from where it stood to that thing, at most half as far as it has come [m]."""
 SAME_GAP = 0.05
 """By how much further than from another of its kind something may stand from what it belongs to [m]."""
+TOO_FAR = 1.2
+"""From how far a thing that is only turned would have to be moved its seats go along, if it then need not be [m]."""
 REACH = 0.8
 """How far from a thing its company stands at most [m]."""
 
@@ -40,7 +42,7 @@ def with_company(work: Work, finder: Finder, order: Order, id: str, do: Callable
     before, saved, said = work.scene, work.saved(), (len(work.failed), len(work.notes))
     do()
     seats = [] if order.rest or order.company else seats_at(before, id, besides={*finder.named, *work.kept})
-    shifted = order.doing == "turn" and math.dist(before[id].position, work.scene[id].position) > ASIDE
+    shifted = order.doing == "turn" and math.dist(before[id].position, work.scene[id].position) > TOO_FAR
     if not seats or (len(work.failed) == said[0] and not shifted):
         _say_left(work, id, seats)
         return

@@ -29,6 +29,10 @@ COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
 
 
+_CLOSET = "toilet_room"
+"""The room that "a loo under the stairs" is."""
+
+
 class Rooms(Memberships):
     """Reads what is said of the room."""
 
@@ -139,7 +143,7 @@ class Rooms(Memberships):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
         if self._place_of_label(noun) is not None:
-            self._room(replace(noun, kind="room", value="room"))
+            self._room(replace(noun, kind="room", value=_room_of(noun)))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
@@ -161,7 +165,7 @@ class Rooms(Memberships):
         led = not (noun.det or noun.many) and (roomish or not noun.named) and self._colon_ahead()
         named_room = large or led or (roomish and self._is_link(after, "mark", "colon"))
         if named_room and noun.det in ("a", "") and not noun.many:
-            self._room(replace(noun, kind="room", value="room"))
+            self._room(replace(noun, kind="room", value=_room_of(noun)))
             return True
         if not noun.named and (roomish or introduces or with_ or self._is_link(after, "mark")) and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
@@ -170,7 +174,8 @@ class Rooms(Memberships):
 
     def _place_of_label(self, noun: Noun) -> Noun | None:
         """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""
-        roomish = noun.kind == "room" or (noun.text.lower().split()[-1] in grammar().lists["rooms"] and not noun.many)
+        rooms = {*grammar().lists["rooms"], *grammar().lists["closets"]}
+        roomish = noun.kind == "room" or (noun.text.lower().split()[-1] in rooms and not noun.many)
         place = (
             self.peek(1) if self._is_link(self.peek(), "prepositions", "under", "above", "behind", "next_to") else None
         )
@@ -380,3 +385,8 @@ class Rooms(Memberships):
             return
         self.subject = None
         self.frontier = []
+
+
+def _room_of(noun: Noun) -> str:
+    """The type of room that a label says: that of a closet that is called after what is in it, or any."""
+    return _CLOSET if noun.word in grammar().lists["closets"] else "room"
