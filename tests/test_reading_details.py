@@ -392,6 +392,7 @@ from thinkblox.reading import read_brief
         ("A sofa for three and a teepee with two pillows inside next to it.", ["1 play_tent next_to sofa"]),
         ("A sculpture at each end of the room.", ["2 sculpture against_wall short_wall"]),
         ("Two tables, a white cloth and flowers on every table.", ["2 cloth on dining_table"]),
+        ("Two tables with two chairs each, three rows of benches behind the tables.", ["9 bench behind dining_table"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),
