@@ -368,3 +368,38 @@ def test_two_that_are_to_be_larger_and_smaller_are_both_made_so() -> None:
     after = done(before, "Give me a bigger wardrobe and a smaller bed").scene
     assert after["wardrobe_1"].size[1] > before["wardrobe_1"].size[1]
     assert after["bed_1"].size[1] < before["bed_1"].size[1]
+
+
+def test_another_that_is_fetched_is_added_and_both_are_meant_then() -> None:
+    before = living()
+    after = done(before, "Get a second armchair and move both 10 cm to the south").scene
+    assert "armchair_2" in after
+    assert after["armchair_1"] != before["armchair_1"]
+
+
+@pytest.mark.parametrize(
+    "said", ["Remove the nightstand that is further from the door", "Remove the nightstand farther from the door"]
+)
+def test_the_further_of_two_is_told(said: str) -> None:
+    before = bedroom()
+    gaps = {id: gap(before, id, "door") for id in ("nightstand_1", "nightstand_2")}
+    assert max(gaps, key=lambda id: gaps[id]) not in edit_room(before, said).scene
+
+
+def test_beside_the_head_of_a_bed_is_at_that_end() -> None:
+    before = bedroom()
+    after = done(before, "Turn the bed around and put the nightstands beside its head").scene
+    bed = after["bed_1"]
+    assert all(bed.to_local(after[id].position[:2])[0] < 0.0 for id in ("nightstand_1", "nightstand_2"))
+
+
+def test_more_chairs_come_to_the_table_of_the_others() -> None:
+    after = done(dining(2), "Add two more chairs").scene
+    assert all(measure(after, "at", p.id, ("dining_table_1",)).holds for p in after.placements if p.category == "chair")
+
+
+def test_to_the_left_and_right_is_on_both_sides() -> None:
+    before = bedroom()
+    after = done(before, "Put a lamp to the left and right of the wardrobe").scene
+    new = [p for p in after.placements if p.id not in before]
+    assert [p.support for p in new] == ["floor", "floor"]

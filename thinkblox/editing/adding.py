@@ -31,6 +31,7 @@ from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import BACK_GAP, EYE
+from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
@@ -107,7 +108,8 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [At(finder.left_place(order.text), THERE)] if order.there else []
         goals += [At(spot_of(where, "", work.start, finder).position[:2], THERE) for where in spots_said]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
-        id = add_one(work, category, noun, goals)
+        id = _at_their_table(work, category, noun) if not goals else ""
+        id = id or add_one(work, category, noun, goals)
         if not id and several < 2:
             break
         added += [id] if id else []
@@ -115,6 +117,22 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _at_their_table(work: Work, category: str, noun: Noun) -> str:
+    """Add one more seat to the table that all others like it are drawn up to; empty where that cannot be."""
+    alike = [p.id for p in work.scene.placements if p.category == category]
+    if not alike or not facts_of(category).is_in("seating"):
+        return ""
+    tables = [p.id for p in work.scene.placements if facts_of(p.category).is_in("tables")]
+    theirs = [table for table in tables if all(measure(work.scene, "at", id, (table,)).holds for id in alike)]
+    saved, said = work.saved(), len(work.failed)
+    goals = [_related(work, Bound("around", (table,)), category, 0, 1) for table in theirs[:1]]
+    id = add_one(work, category, noun, goals) if goals else ""
+    if goals and not id:
+        work.restore(saved)
+        del work.failed[said:]
+    return id
 
 
 def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[Bound]]) -> list[list[Bound]]:
