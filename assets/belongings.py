@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from thinkblox.assets.open_forms import lidded
 from thinkblox.assets.palette import BRASS, BRIGHT, DARK_PLASTIC, IRON, STEEL
 from thinkblox.assets.part import Build, Finish, Part, Range, hull, turned
 from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, frustum, oval, prism, rod
@@ -41,7 +42,14 @@ def backpack(spec: Spec) -> Build:
 
 
 def suitcase(spec: Spec) -> Build:
-    """Return an upright wheeled case with ribs, its handle pulled out a little; or the same "lying" on its back."""
+    """Return an upright wheeled case with ribs, its handle pulled out a little.
+
+    It is the same "lying" on its back, or "open": one half lies, and the other stands up behind it.
+    """
+    if spec.has("open"):
+        shade = spec.choice(((0.20, 0.32, 0.44), (0.58, 0.22, 0.24), (0.24, 0.25, 0.27), (0.80, 0.66, 0.34)))
+        half = spec.main(Finish(shade, "plastic"))
+        return lidded(spec.size, half, half, 0.3 * spec.size[2])
     if spec.has("lying"):
         upright = Spec(spec.category, (spec.size[2], spec.size[0], spec.size[1]), frozenset(), spec.style, spec.rng)
         laid = [turned(part, 1, -90.0, (0.0, 0.0, 0.0)) for part in suitcase(upright).body]

@@ -8,7 +8,7 @@ from msgspec import structs
 
 from thinkblox.assets.palette import GLASS, IRON, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range
-from thinkblox.assets.shapes import around, box, leg, panel, top_surface
+from thinkblox.assets.shapes import around, box, inner_surface, leg, panel, top_surface
 from thinkblox.assets.sizing import counted
 from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Joint, Surface
@@ -128,6 +128,7 @@ def cabinet_parts(
     if plinth:
         build.body.append(box(finish, (x[0], front - 0.05), (y[0] + 0.01, y[1] - 0.01), (z[0], z[0] + plinth)))
     width = (y[1] - y[0]) / len(bays)
+    trays = all(cell.kind == "drawer" for bay in bays for cell in bay)
     for number, bay in enumerate(bays):
         span = (y[0] + number * width, y[0] + (number + 1) * width)
         if number:
@@ -147,6 +148,8 @@ def cabinet_parts(
             left_hung,
             number,
         )
+    if trays:
+        build.surfaces += [_in_drawer(moving) for moving in build.moving]
     return build
 
 
@@ -243,6 +246,13 @@ def drawer(face: _Face, back: float, inner: Range, clear: Range) -> MovingParts:
     centre = (x0, sum(face.y) / 2, sum(face.z) / 2)
     joint = Joint(kind="slide", axis=(1.0, 0.0, 0.0), anchor=centre, lower=0.0, upper=round(0.75 * (x0 - tail), 3))
     return MovingParts(face.name, tuple(parts), joint)
+
+
+def _in_drawer(moving: MovingParts) -> Surface:
+    """The bottom of the tray of a drawer that is shut."""
+    floor, left, _, back = moving.parts[-4:]
+    x, y = (back.hi[0], floor.hi[0]), (floor.lo[1] + 0.012, floor.hi[1] - 0.012)
+    return inner_surface(moving.name, x, y, floor.hi[2], headroom=left.hi[2] - floor.hi[2])
 
 
 def _bar_handle(face: _Face, *, along_y: bool, at: float | None = None) -> list[Part]:

@@ -10,6 +10,8 @@ from thinkblox.assets.spec import Spec
 from thinkblox.scene.asset import Mount
 from thinkblox.value import Vec3
 
+SLENDER, LONGEST = 2.5, 1.7
+"""Times its other sides from which a thing is long and thin, and how long it is at most to be stood on its end [m]."""
 Front = Literal["one", "two", "any"]
 FRONTS = get_args(Front)
 Generator = Callable[[Spec], Build]
@@ -55,6 +57,14 @@ class Category(Facts):
     low: float = 0.5
     high: float = 2.0
     plain: bool = False
+
+    @property
+    def long_axis(self) -> int | None:
+        """Along which level axis it lies where it is long and thin, such as a pencil; None for anything else."""
+        axis = 0 if self.size[0] >= self.size[1] else 1
+        others = max(self.size[1 - axis], self.size[2])
+        small = self.mount in ("floor", "surface") and not self.flat and self.size[axis] <= LONGEST
+        return axis if small and self.size[axis] >= SLENDER * others else None
 
     @property
     def size_range(self) -> tuple[Vec3, Vec3]:

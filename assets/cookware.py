@@ -36,25 +36,29 @@ def pan(spec: Spec) -> Build:
     rim = 0.8 * z
     at = -x / 2 + radius
     handle = rod(DARK_PLASTIC, (at + 0.94 * radius, 0, 0.78 * rim), (x / 2, 0, z - 0.014), 0.013)
-    return Build(body=[*hollow(metal, (at, 0.0), radius, rim, 0.82, 0.05 * radius), handle])
+    floor = bottom(radius, rim, 0.82, 0.05 * radius, (at, 0.0))
+    return Build(body=[*hollow(metal, (at, 0.0), radius, rim, 0.82, 0.05 * radius), handle], surfaces=[floor])
 
 
 def cooking_pot(spec: Spec) -> Build:
-    """Return a pot with a lid and two handles."""
+    """Return a pot with a lid and two handles; "open" without the lid."""
     x, y, z = spec.size
     metal, radius = spec.main(spec.choice((STEEL, STEEL, Finish((0.66, 0.22, 0.18), "metal"), IRON))), x / 2
-    rim = 0.76 * z
+    bare = spec.has("open")
+    rim = z if bare else 0.76 * z
     body: list[Part] = [
         disc(metal, (0, 0), radius, (0, rim)),
         frustum(metal, (0, 0), (rim, 0.86 * z), 1.02 * radius, 0.6 * radius),
         disc(DARK_PLASTIC, (0, 0), 0.13 * radius, (0.86 * z, z)),
     ]
+    if bare:
+        body = hollow(metal, (0, 0), radius, rim, 0.96, 0.03 * radius)
     for s in (-1, 1):
         bow = arc(
             (0.0, s * 0.96 * radius, 0.8 * rim), (0.4 * radius, s * (y / 2 - 0.97 * radius)), (0.0, 180.0), axis=2
         )
         body += tube(DARK_PLASTIC, bow, 0.06 * radius, sides=6)
-    return Build(body=body)
+    return Build(body=body, surfaces=[bottom(radius, rim, 0.96, 0.03 * radius)] if bare else [])
 
 
 def cutting_board(spec: Spec) -> Build:

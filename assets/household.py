@@ -22,6 +22,7 @@ from thinkblox.assets.shapes import (
     cylinder,
     disc,
     ellipsoid,
+    inner_surface,
     leg,
     prism,
     rod,
@@ -31,9 +32,11 @@ from thinkblox.assets.spec import Spec
 
 
 def aquarium(spec: Spec) -> Build:
-    """Return a tank with sand, plants and fish."""
+    """Return a tank with sand, plants and fish; "open" one without a lid and fish, for what is put into it."""
     x, y, z = spec.size
-    body = [
+    if spec.has("open"):
+        return _open_tank(spec)
+    body: list[Part] = [
         box(IRON, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.03)),
         box(Finish((0.82, 0.74, 0.58), "stone"), around(0, x - 0.014), around(0, y - 0.014), (0.03, 0.03 + 0.12 * z)),
         *(box(WATER, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - 0.006)), (0.03, z - 0.04)) for s in (-1, 1)),
@@ -54,6 +57,21 @@ def aquarium(spec: Spec) -> Build:
             )
         )
     return Build(body=body, surfaces=[top_surface("lid", (-x / 2, x / 2), (-y / 2, y / 2), z)])
+
+
+def _open_tank(spec: Spec) -> Build:
+    """A tank of glass that is open at the top: sand, and water that nothing is held up by."""
+    x, y, z = spec.size
+    sand, pane = 0.03 + 0.08 * z, 0.006
+    inner = (around(0, x - 2 * pane), around(0, y - 2 * pane))
+    body: list[Part] = [
+        box(IRON, (-x / 2, x / 2), (-y / 2, y / 2), (0, 0.03)),
+        box(Finish((0.82, 0.74, 0.58), "stone"), *inner, (0.03, sand)),
+        box(WATER, around(0, x - 4 * pane), around(0, y - 4 * pane), (sand, 0.86 * z), collide=False),
+        *(box(WATER, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - pane)), (0.03, z)) for s in (-1, 1)),
+        *(box(WATER, (s * x / 2, s * (x / 2 - pane)), inner[1], (0.03, z)) for s in (-1, 1)),
+    ]
+    return Build(body=body, surfaces=[inner_surface("sand", *inner, sand)])
 
 
 def ironing_board(spec: Spec) -> Build:

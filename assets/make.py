@@ -17,9 +17,10 @@ from thinkblox.assets.finish import fitted, links_of
 from thinkblox.assets.levels import found_surfaces
 from thinkblox.assets.masses import mass_of
 from thinkblox.assets.mounting import mount_of
+from thinkblox.assets.open_forms import FOR_LONG, opened, stood_up
 from thinkblox.assets.palette import style_of
 from thinkblox.assets.repaint import of_kind, repainted
-from thinkblox.assets.sizing import checked_size, size_for
+from thinkblox.assets.sizing import checked_size, is_stood, lain, size_for
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.stand_ins import kind_of
 from thinkblox.errors import InputError
@@ -53,7 +54,9 @@ def make_thing(name: str, *, seed: int, attributes: Sequence[str] = (), size: Ve
     if seed < 0:
         raise InputError(f"seed {seed} is negative; give 0 or more")
     kind = kind_of(name)
-    return _made(kind.name, seed, tuple(attributes), None if size is None else checked_size(kind, size), revision())
+    return _made(
+        kind.name, seed, tuple(attributes), None if size is None else checked_size(kind, size, attributes), revision()
+    )
 
 
 def fit_asset(asset: Asset, size: Vec3) -> Asset:
@@ -94,8 +97,12 @@ def _made(name: str, seed: int, attributes: tuple[str, ...], size: Vec3 | None, 
     rng = np.random.default_rng([seed, zlib.crc32(name.encode())])
     drawn = size_for(category, words, rng)
     size = size or drawn
-    made = category.generator(Spec(name, size, words, style_of(seed), rng))
-    build = fitted(made, size)
+    stood = is_stood(category, words)
+    made = category.generator(Spec(name, lain(category, size) if stood else size, words, style_of(seed), rng))
+    if stood and category.long_axis is not None:
+        made = stood_up(made, category.long_axis)
+    forms = words & {FOR_LONG, *(category.forms[role] for role in ("holds", "carries") if role in category.forms)}
+    build = fitted(opened(made, forms, round=(made.front or category.front) == "any") if forms else made, size)
     links, mount = links_of(build, size), mount_of(category, words)
     surfaces = tuple(build.surfaces) or _found(category, mount, links, size)
     asset = Asset(

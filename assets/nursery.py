@@ -11,6 +11,7 @@ from thinkblox.assets.shapes import (
     cylinder,
     disc,
     ellipsoid,
+    inner_surface,
     leg,
     oval,
     pad,
@@ -156,7 +157,7 @@ def pet_bed(spec: Spec) -> Build:
     thick = 0.2 * min(x, y)
     body: list[Part] = [
         prism(cloth, oval(0.94 * x, 0.94 * y, sides=28), (0, 0.2 * z)),
-        pad(lining, around(0, x - 1.3 * thick), around(0, y - 1.3 * thick), (0.2 * z, 0.55 * z), edge=0.3, flat=True),
+        prism(lining, oval(x - 1.3 * thick, y - 1.3 * thick, sides=28), (0.2 * z, 0.45 * z), smooth=True),
     ]
     count = 14
     for k in range(count):
@@ -165,7 +166,10 @@ def pet_bed(spec: Spec) -> Build:
         at = ((x - thick) / 2 * cos(angle), (y - thick) / 2 * sin(angle))
         lobe = cushion(cloth, around(at[0], thick), around(at[1], 0.34 * y), (0.04 * z, top), radius=0.45 * thick)
         body.append(turned(lobe, 2, angle * 180 / pi, (at[0], at[1], 0.0)))
-    return Build(body=body)
+    inner = (around(0, x - 2.1 * thick), around(0, y - 2.1 * thick), 0.45 * z)
+    return Build(
+        body=body, surfaces=[top_surface("cushion", *inner, round=True), inner_surface("nest", *inner, round=True)]
+    )
 
 
 def pet_carrier(spec: Spec) -> Build:

@@ -181,7 +181,7 @@ def mirror(spec: Spec) -> Build:
 
 
 def clock(spec: Spec) -> Build:
-    """Return a round clock at ten past ten."""
+    """Return a round clock at ten past ten; "propped" on a foot that it stands on."""
     x, y, z = spec.size
     size, mid = min(y, z), z / 2
     rim = spec.main(spec.choice((IRON, spec.style.wood, BRASS)))
@@ -202,6 +202,8 @@ def clock(spec: Spec) -> Build:
                 collide=False,
             )
         )
+    if spec.has("propped"):
+        body.append(box(rim, (-x / 2, x / 2), around(0, 0.6 * size), (0, 0.08 * size)))
     return Build(body=body)
 
 

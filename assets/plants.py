@@ -4,9 +4,9 @@ from math import cos, pi, radians, sin
 
 import numpy as np
 
-from thinkblox.assets.palette import LEAVES, PETALS, SOIL, STEEL, WICKER
-from thinkblox.assets.part import Build, Finish, Part, hull
-from thinkblox.assets.shapes import disc, ellipsoid, frustum, rod
+from thinkblox.assets.palette import LEAVES, PAPER, PETALS, SOIL, STEEL, WICKER
+from thinkblox.assets.part import Build, Finish, Part, hull, turned
+from thinkblox.assets.shapes import around, box, disc, ellipsoid, frustum, pad, rod
 from thinkblox.assets.spec import Spec
 from thinkblox.value import Vec2, Vec3
 
@@ -175,6 +175,54 @@ def potted_plant(spec: Spec) -> Build:
 def _blossom(petal: Finish, at: Vec3, radius: float) -> list[Part]:
     x, y, z = at
     return [ellipsoid(petal, (x - radius, x + radius), (y - radius, y + radius), (z - 0.5 * radius, z + 0.5 * radius))]
+
+
+def cut_flower(spec: Spec) -> Build:
+    """Return a flower on its stem that lies, its blossom to the left; "upright" it stands on its cut end."""
+    x, y, z = spec.size
+    petal = spec.main(spec.choice(PETALS))
+    if spec.has("upright"):
+        r = min(x, y) / 2
+        body: list[Part] = [
+            disc(LEAVES[2], (0, 0), 0.4 * r, (0, 0.004)),
+            disc(LEAVES[2], (0, 0), 0.12 * r, (0.004, z - r)),
+            ellipsoid(petal, (-r, r), (-r, r), (z - 1.4 * r, z)),
+        ]
+        body += [box(LEAVES[1], (s * 0.8 * r, 0.0), around(0, 0.3 * r), around(h * z, 0.004)) for s, h in _LEAVES]
+        return Build(body=body, front="any")
+    stem = min(0.008, 0.3 * z)
+    body = [
+        box(LEAVES[2], around(0, stem), (-y / 2, y / 2 - z), (0, stem)),
+        pad(petal, (-x / 2, x / 2), (y / 2 - 1.2 * x, y / 2), (0, z), flat=True),
+    ]
+    body += [box(LEAVES[1], (s * 0.4 * x, 0.0), around((h - 0.5) * y, 0.4 * x), (0, 0.003)) for s, h in _LEAVES]
+    return Build(body=body)
+
+
+_LEAVES = ((-1, 0.45), (1, 0.6))
+"""The leaves of a cut flower: at which side, and at which share of its length."""
+
+
+def bouquet(spec: Spec) -> Build:
+    """Return a bunch of flowers in paper that lies, its blossoms to the left; "upright" it stands on its stems."""
+    x, y, z = spec.size
+    if not spec.has("upright"):
+        lying = Spec(spec.category, (z, x, y), frozenset({"upright", *spec.words}), spec.style, spec.rng)
+        parts = [turned(part, 0, -90.0, (0.0, 0.0, 0.0)) for part in bouquet(lying).body]
+        wrap = box(PAPER, around(0, 0.8 * x), (0.3 * y, 0.97 * y), (-0.5 * x, -0.47 * x))
+        return Build(body=[*parts, wrap])
+    r = min(x, y) / 2
+    body: list[Part] = [
+        disc(LEAVES[2], (0, 0), 0.45 * r, (0, 0.1 * z)),
+        frustum(PAPER, (0, 0), (0.1 * z, 0.72 * z), 0.4 * r, 0.8 * r),
+        frustum(LEAVES[3], (0, 0), (0.72 * z, 0.8 * z), 0.8 * r, 0.9 * r),
+    ]
+    petal = spec.main(spec.choice(PETALS))
+    for k in range(9):
+        a, away = radians(137.5 * k), 0.7 * r * (k / 8) ** 0.5
+        tint = petal if k % 3 else spec.choice(PETALS)
+        body += _blossom(tint, (away * cos(a), away * sin(a), z - 0.14 * r - 0.1 * z * (k / 8) ** 2), 0.28 * r)
+    return Build(body=body, front="any")
 
 
 def flower_bucket(spec: Spec) -> Build:

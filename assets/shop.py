@@ -18,7 +18,19 @@ from thinkblox.assets.palette import (
 )
 from thinkblox.assets.part import Build, Finish, Part, hull, turned
 from thinkblox.assets.plants import kept_inside, leaf
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, frustum, prism, rod, top_surface
+from thinkblox.assets.shapes import (
+    around,
+    box,
+    cushion,
+    cylinder,
+    disc,
+    ellipsoid,
+    frustum,
+    inner_surface,
+    prism,
+    rod,
+    top_surface,
+)
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tubes import arc, tube
 
@@ -75,7 +87,7 @@ def podium(spec: Spec) -> Build:
 
 
 def fireplace(spec: Spec) -> Build:
-    """Return a mantelpiece with logs and fire."""
+    """Return a mantelpiece with logs and fire; "empty" without them."""
     x, y, z = spec.size
     stone = spec.main(spec.choice((MARBLE, CONCRETE, spec.style.paint)))
     inner, head = 0.3 * y, 0.7 * z
@@ -87,6 +99,10 @@ def fireplace(spec: Spec) -> Build:
         box(stone, (-x / 2, x / 2), (-y / 2 + 0.02, y / 2 - 0.02), (0, 0.04)),
         cushion(stone, (-x / 2, x / 2), (-y / 2, y / 2), (z - 0.05, z), radius=0.012),
     ]
+    if spec.has("empty"):
+        hearth = inner_surface("hearth", (-x / 2 + 0.05, 0.36 * x), (-inner, inner), 0.04, headroom=head - 0.04)
+        mantelpiece = top_surface("mantelpiece", (-x / 2, x / 2), (-y / 2, y / 2), z)
+        return Build(body=body, surfaces=[mantelpiece, hearth])
     log = Finish((0.36, 0.24, 0.16), "wood")
     body += [
         cylinder(log, around(a, 0.09), around(0, 0.42), around(h, 0.09), axis=1)
@@ -377,7 +393,7 @@ def terminal(spec: Spec) -> Build:
 
 
 def letter_tray(spec: Spec) -> Build:
-    """Return trays on each other, open to the front, with paper in them."""
+    """Return trays on each other, open to the front, with paper in them unless they are "empty"."""
     x, y, z = spec.size
     shell, count = spec.main(spec.choice((BLACK_PLASTIC, STEEL))), max(1, round(z / 0.09))
     step, wall = z / count, 0.004
@@ -388,6 +404,12 @@ def letter_tray(spec: Spec) -> Build:
             box(shell, (-x / 2, x / 2), (-y / 2, y / 2), (low, low + wall)),
             *(box(shell, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - wall)), (low + wall, low + step)) for s in (-1, 1)),
             box(shell, (-x / 2, -x / 2 + wall), around(0, y - 2 * wall), (low + wall, low + 0.6 * step)),
-            box(PAPER, around(0, 0.9 * x), around(0, 0.86 * y), (low + wall, low + 0.3 * step)),
         ]
+        if spec.has("empty"):
+            inner = ((-x / 2 + wall, x / 2), around(0, y - 2 * wall))
+            room = step - wall if k < count - 1 else None
+            build.surfaces.append(inner_surface(f"tray {k + 1}", *inner, low + wall, headroom=room))
+        else:
+            paper = box(PAPER, around(0, 0.9 * x), around(0, 0.86 * y), (low + wall, low + 0.3 * step))
+            build.body.append(paper)
     return build

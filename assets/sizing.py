@@ -34,6 +34,8 @@ _SCALES: dict[str, Vec3] = {
 }
 
 
+UPRIGHT = "upright"
+"""What is said of a long thing that stands on its end."""
 _SMALL_VARIED = 1.8
 """How much more than furniture differs in size what stands on it or hangs."""
 COUNTED_PARTS = ("drawer", "door")
@@ -80,7 +82,25 @@ def size_for(category: Category, words: frozenset[str], rng: np.random.Generator
     if category.mount == "wall" and _EVEN & words:
         side = float(np.sqrt(y * z)) * fy
         return _within(category, (x * fx, side, side))
-    return _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
+    size = _within(category, (x * fx, y * fy, z * (1 + 0.5 * (fz - 1))))
+    return lain(category, size) if is_stood(category, words) else size
+
+
+def is_stood(category: Category, words: Collection[str]) -> bool:
+    """Whether a long thing that usually lies, and has no upright form of its own, is stood on its end."""
+    return UPRIGHT in words and UPRIGHT not in category.variants and category.long_axis is not None
+
+
+def sizes_of(category: Category, words: Collection[str]) -> tuple[Vec3, Vec3]:
+    """Smallest and largest size that can be made of what the words describe [m]."""
+    least, most = category.size_range
+    return (lain(category, least), lain(category, most)) if is_stood(category, words) else (least, most)
+
+
+def lain(category: Category, size: Vec3) -> Vec3:
+    """The extents of a long thing lying from those that it has on its end, and the other way round [m]."""
+    x, y, z = size
+    return (z, y, x) if category.long_axis == 0 else (x, z, y)
 
 
 def scale_of(words: Collection[str]) -> Vec3:
@@ -124,9 +144,9 @@ def _within(category: Category, size: Vec3) -> Vec3:
     return (x, y, z)
 
 
-def checked_size(category: Category, size: Vec3) -> Vec3:
+def checked_size(category: Category, size: Vec3, words: Collection[str] = ()) -> Vec3:
     """Return `size` to a tenth of a millimetre; raises InputError naming the range when it cannot be made."""
-    least, most = category.size_range
+    least, most = sizes_of(category, words)
     x, y, z = (round(float(s), 4) for s in size)
     if not all(lo - 1e-9 <= s <= hi + 1e-9 for s, lo, hi in zip((x, y, z), least, most, strict=True)):
         ranges = ", ".join(

@@ -22,6 +22,7 @@ from thinkblox.assets.shapes import (
     cylinder,
     disc,
     ellipsoid,
+    inner_surface,
     pad,
     panel,
     prism,
@@ -29,6 +30,7 @@ from thinkblox.assets.shapes import (
     top_surface,
 )
 from thinkblox.assets.spec import Spec
+from thinkblox.scene.asset import Surface
 
 
 def _book(finish: Finish, x: Range, y: Range, z: Range) -> list[Part]:
@@ -197,7 +199,7 @@ def _rings(spec: Spec) -> Build:
 
 
 def food_tray(spec: Spec) -> Build:
-    """Return a steel buffet tray filled with food."""
+    """Return a steel buffet tray filled with food, unless it is "empty"."""
     x, y, z = spec.size
     inner = ((-x / 2 + 0.015, x / 2 - 0.015), (-y / 2 + 0.015, y / 2 - 0.015))
     food = spec.choice(
@@ -207,8 +209,10 @@ def food_tray(spec: Spec) -> Build:
         *(box(STEEL, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - 0.015)), (0, z - 0.004)) for s in (-1, 1)),
         *(box(STEEL, (s * x / 2, s * (x / 2 - 0.015)), inner[1], (0, z - 0.004)) for s in (-1, 1)),
         box(STEEL, *inner, (0, 0.01)),
-        cushion(Finish(food, "fabric"), *inner, (0.01, 0.78 * z), radius=0.02),
     ]
+    if spec.has("empty"):
+        return Build(body=body, surfaces=_tray_floor(*inner, 0.01))
+    body.append(cushion(Finish(food, "fabric"), *inner, (0.01, 0.78 * z), radius=0.02))
     for _ in range(5):
         at, size = (spec.between(-0.3, 0.3) * x, spec.between(-0.34, 0.34) * y), 0.09 * min(x, y) + 0.01
         tint = (min(1.0, food[0] * 1.12), min(1.0, food[1] * 1.1), min(1.0, food[2] * 1.1))
@@ -223,7 +227,12 @@ def tray(spec: Spec) -> Build:
     body = [box(spec.wood, *inner, (0, 0.4 * z))]
     body += [box(spec.wood, (-x / 2, x / 2), (s * y / 2, s * (y / 2 - 0.012)), (0, z)) for s in (-1, 1)]
     body += [box(spec.wood, (s * x / 2, s * (x / 2 - 0.012)), inner[1], (0, z)) for s in (-1, 1)]
-    return Build(body=body, surfaces=[top_surface("tray", *inner, 0.4 * z)])
+    return Build(body=body, surfaces=_tray_floor(*inner, 0.4 * z))
+
+
+def _tray_floor(x: Range, y: Range, z: float) -> list[Surface]:
+    """The floor of a tray at a height [m]: what lies there is on it, and in it as well."""
+    return [top_surface("tray", x, y, z), inner_surface("inside", x, y, z)]
 
 
 def cutlery(spec: Spec) -> Build:

@@ -155,4 +155,5 @@ def _plain(name: str, noun: str) -> Category:
         groups=kept.groups,
         habits=(*kept.habits, "in_corner corner") if kept.mount == "surface" else kept.habits,
         hanging=kept.hanging,
+        forms={} if flat or place == "ceiling" else {"holds": "open"},
     )

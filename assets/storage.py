@@ -6,12 +6,16 @@ from msgspec import structs
 
 from thinkblox.assets.carcasses import BOARD, GAP, Cell, cabinet, door, face_of
 from thinkblox.assets.goods import is_filled, put_goods
+from thinkblox.assets.open_forms import lidded
 from thinkblox.assets.palette import GREY_METAL, IRON, MARBLE, SPINES, STEEL
 from thinkblox.assets.part import Build, Finish, MovingParts, Part, Range, moved
 from thinkblox.assets.shapes import around, box, cylinder, prism, rod, top_surface
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tables import is_round, side_table
 from thinkblox.scene.asset import Joint
+
+_CHEST_RIM = 0.55
+"""Share of its height at which the rim of a chest is whose lid stands open."""
 
 
 def nightstand(spec: Spec) -> Build:
@@ -263,11 +267,13 @@ def server_rack(spec: Spec) -> Build:
 
 
 def toy_box(spec: Spec) -> Build:
-    """Return a chest whose lid opens."""
+    """Return a chest whose lid opens; "open" with the lid up."""
     x, y, z = spec.size
     finish = spec.main(spec.choice((spec.style.paint, spec.style.accent)))
     if finish.material == "fabric":
         finish = Finish(finish.colour, "wood")
+    if spec.has("open"):
+        return lidded(spec.size, finish, spec.style.wood, _CHEST_RIM * z)
     sides = (0.03, z - 0.024)
     build = Build(
         body=[
@@ -289,8 +295,10 @@ def toy_box(spec: Spec) -> Build:
 
 
 def trunk(spec: Spec) -> Build:
-    """Return a wooden chest with iron bands and a lid that opens: vaulted, or "flat"."""
+    """Return a wooden chest with iron bands and a lid that opens: vaulted, or "flat"; "open" with the lid up."""
     x, y, z = spec.size
+    if spec.has("open"):
+        return lidded(spec.size, spec.wood, spec.wood, _CHEST_RIM * z)
     flat = spec.has("flat")
     finish, rim = spec.wood, (z - 0.05 if flat else 0.66 * z)
     build = Build(

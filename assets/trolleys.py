@@ -5,7 +5,18 @@ from collections.abc import Callable
 
 from thinkblox.assets.palette import BLACK_PLASTIC, BRASS, DARK_PLASTIC, GLASS, GREY_METAL, IRON, STEEL
 from thinkblox.assets.part import Build, Finish, Part, turned
-from thinkblox.assets.shapes import around, box, cushion, cylinder, disc, ellipsoid, gusset, rod, top_surface
+from thinkblox.assets.shapes import (
+    around,
+    box,
+    cushion,
+    cylinder,
+    disc,
+    ellipsoid,
+    gusset,
+    inner_surface,
+    rod,
+    top_surface,
+)
 from thinkblox.assets.spec import Spec
 from thinkblox.assets.tubes import arc, ring, tube
 from thinkblox.value import Vec2
@@ -192,7 +203,8 @@ def shopping_cart(spec: Spec) -> Build:
         body.append(rod(wire, (floor_[0], share * floor_[1], low), (top[0], 0.9 * share * top[1], rim), r, sides=6))
     body.append(cylinder(DARK_PLASTIC, (-x / 2, -x / 2 + 0.04), (-y / 2, y / 2), (z - 0.04, z), axis=1))
     body += [rod(wire, (-0.44 * x, s * 0.44 * y, rim), (-x / 2 + 0.02, s * 0.44 * y, z - 0.02), 0.012) for s in (-1, 1)]
-    return Build(body=body)
+    basket = inner_surface("basket", (-0.36 * x, floor_[0] - r), around(0, 2 * (floor_[1] - r)), low + 0.01)
+    return Build(body=body, surfaces=[basket])
 
 
 def hand_truck(spec: Spec) -> Build:

@@ -55,10 +55,10 @@ def hollow(finish: Finish, centre: Vec2, radius: float, height: float, foot: flo
     ]
 
 
-def bottom(radius: float, height: float, foot: float, wall: float) -> Surface:
+def bottom(radius: float, height: float, foot: float, wall: float, centre: Vec2 = (0.0, 0.0)) -> Surface:
     """Return the floor of a `hollow` of these measures, on which things stand in it."""
-    across = around(0, 2 * (foot * radius - wall))
-    return inner_surface("bottom", across, across, min(0.012, 0.2 * height), round=True)
+    across = [around(at, 2 * (foot * radius - wall)) for at in centre]
+    return inner_surface("bottom", across[0], across[1], min(0.012, 0.2 * height), round=True)
 
 
 _VASES = (
@@ -69,9 +69,12 @@ _VASES = (
 
 
 def vase(spec: Spec) -> Build:
-    """Return a glazed vase, tall or bellied."""
+    """Return a glazed vase, tall or bellied; "open" one that widens to its mouth and holds flowers."""
     x, y, z = spec.size
     glaze, rings, radius = spec.main(spec.choice((spec.style.glaze, *GLAZES))), spec.choice(_VASES), min(x, y) / 2
+    if spec.has("open"):
+        wall = 0.06 * radius
+        return Build(body=hollow(glaze, (0, 0), radius, z, 0.74, wall), surfaces=[bottom(radius, z, 0.74, wall)])
     mouth = disc(IRON, (0, 0), 0.82 * rings[-1][1] * radius, (z - 0.001, z), collide=False)
     return Build(body=[*turned_solid(glaze, radius, z - 0.001, rings, round=True), mouth])
 
@@ -85,10 +88,12 @@ def bowl(spec: Spec) -> Build:
 
 
 def fruit_bowl(spec: Spec) -> Build:
-    """Return a bowl with fruit in it."""
+    """Return a bowl with fruit in it, unless it is "empty"."""
     x, y, z = spec.size
-    radius, rim = min(x, y) / 2, 0.62 * z
-    body = hollow(spec.main(spec.choice((spec.style.wood, *GLAZES))), (0, 0), radius, rim, 0.5, 0.012)
+    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.62 * z
+    body = hollow(spec.main(spec.choice((spec.style.wood, *GLAZES))), (0, 0), radius, rim, 0.6, 0.012)
+    if spec.has("empty"):
+        return Build(body=body, surfaces=[bottom(radius, rim, 0.6, 0.012)])
     fruit = ((0.80, 0.25, 0.20), (0.92, 0.58, 0.20), (0.60, 0.68, 0.28), (0.93, 0.78, 0.30))
     size = 0.29 * radius
     for k in range(5):
@@ -104,12 +109,11 @@ def plate(spec: Spec) -> Build:
     radius, finish = min(x, y) / 2, spec.main(spec.choice((PORCELAIN, *GLAZES)))
     low = 0.35 * z
     body = [
-        disc(finish, (0, 0), 0.62 * radius, (0, low)),
-        *shell(finish, (0, 0), (low * 0.6, z), 0.64 * radius, radius, 0.34 * radius),
+        disc(finish, (0, 0), 0.72 * radius, (0, low)),
+        *shell(finish, (0, 0), (low * 0.6, z), 0.76 * radius, radius, 0.05 * radius),
     ]
-    return Build(
-        body=body, surfaces=[top_surface("plate", around(0, 0.8 * radius), around(0, 0.8 * radius), low, round=True)]
-    )
+    across = around(0, 1.42 * radius)
+    return Build(body=body, surfaces=[top_surface("plate", across, across, low, round=True)])
 
 
 def cup(spec: Spec) -> Build:
@@ -121,13 +125,14 @@ def cup(spec: Spec) -> Build:
     edge = at[1] + 0.9 * radius
     body += [box(finish, around(0, 0.012), (y / 2 - 0.008, y / 2), (0.22 * z, 0.78 * z))]
     body += [box(finish, around(0, 0.012), (edge, y / 2 - 0.008), around(h * z, 0.01)) for h in (0.26, 0.74)]
-    return Build(body=body)
+    return Build(body=body, surfaces=[bottom(radius, z, 0.86, 0.005, at)])
 
 
 def glass(spec: Spec) -> Build:
     """Return a drinking glass."""
     x, y, z = spec.size
-    return Build(body=hollow(spec.main(GLASS), (0, 0), min(x, y) / 2, z, 0.8, 0.004))
+    radius = min(x, y) / 2
+    return Build(body=hollow(spec.main(GLASS), (0, 0), radius, z, 0.8, 0.004), surfaces=[bottom(radius, z, 0.8, 0.004)])
 
 
 def teapot(spec: Spec) -> Build:
@@ -217,10 +222,12 @@ def basket(spec: Spec) -> Build:
 
 
 def pen_holder(spec: Spec) -> Build:
-    """Return a cup of pens and pencils."""
+    """Return a cup of pens and pencils, unless it is "empty"."""
     x, y, z = spec.size
-    radius, rim = min(x, y) / 2, 0.58 * z
+    radius, rim = min(x, y) / 2, z if spec.has("empty") else 0.58 * z
     body = hollow(spec.main(spec.choice((spec.style.metal, spec.style.wood))), (0, 0), radius, rim, 0.98, 0.005)
+    if spec.has("empty"):
+        return Build(body=body, surfaces=[bottom(radius, rim, 0.98, 0.005)])
     for k, colour in enumerate(((0.85, 0.66, 0.2), (0.2, 0.3, 0.5), (0.7, 0.25, 0.2), (0.2, 0.2, 0.2))):
         a = 2 * pi * k / 4 + 0.4
         tip = (0.7 * radius * cos(a), 0.7 * radius * sin(a), z - 0.012 * k)

@@ -227,10 +227,10 @@ def _bin(spec: Spec) -> Build:
 
 
 def pegboard(spec: Spec) -> Build:
-    """Return a board on the wall with tools hung on it."""
+    """Return a board on the wall with tools hung on it; "shelved" with two shelves instead, for what it carries."""
     x, y, z = spec.size
     board = spec.main(Finish((0.80, 0.70, 0.52), "wood"))
-    face = -x / 2 + 0.24 * x
+    face = -x / 2 + (min(0.02, 0.24 * x) if spec.has("shelved") else 0.24 * x)
     body: list[Part] = [box(board, (-x / 2, face), (-y / 2, y / 2), (0, z))]
     for row in range(5):
         body += [
@@ -243,6 +243,13 @@ def pegboard(spec: Spec) -> Build:
             )
             for k in range(12)
         ]
+    if spec.has("shelved"):
+        levels = (0.1 * z, 0.55 * z)
+        body += [box(STEEL, (face, x / 2), (-y / 2, y / 2), (h - 0.008, h)) for h in levels]
+        body += [box(STEEL, (x / 2 - 0.006, x / 2), (-y / 2, y / 2), (h, h + 0.02)) for h in levels]
+        rows = [(h, (levels[1] - 0.008 if h < levels[1] else z) - h) for h in levels]
+        shelf = ((face, x / 2 - 0.006), (-y / 2, y / 2))
+        return Build(body=body, surfaces=[top_surface("shelf", *shelf, h, headroom=room) for h, room in rows])
     hung = (x / 2 + face) / 2
     for k, colour in enumerate(BRIGHT):
         at = (k - 2) * 0.18 * y

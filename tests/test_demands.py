@@ -275,6 +275,10 @@ def test_states_that_are_seen() -> None:
     assert shows_state(make_asset("laptop", seed=1), "open")
     assert not shows_state(make_asset("dishwasher", seed=1), "open")
     assert shows_state(make_asset("dishwasher", seed=1), "closed")
+    assert shows_state(make_asset("book", seed=1), "shut")
+    assert not shows_state(make_asset("laptop", seed=1), "closed")
+    assert shows_state(make_asset("picture", seed=1), "framed")
+    assert not shows_state(make_asset("poster", seed=1), "framed")
     assert not shows_state(make_asset("bookcase", seed=1, attributes=("filled",)), "empty")
 
 

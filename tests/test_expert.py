@@ -319,3 +319,37 @@ def test_a_sofa_stands_where_the_wall_before_it_is_not_too_far():
     deep = s.size[0] / 2 + 0.02
     along, across = follower_costs(s, boxes(s, (2.5, deep, 90.0), (deep, 3.1, 0.0)))
     assert across + 0.5 < along
+
+
+def test_a_screen_is_not_put_before_a_window_and_a_bookcase_shows_its_back_to_the_wall():
+    stand = Target(id="tv_stand_1", category="tv_stand", request="tv_stand")
+    screen = Target(id="tv_1", category="tv", request="tv", ties=(Tie(kind="on", anchors=("tv_stand_1",)),))
+    plan = Plan(brief=read_brief("A room with a chair."), targets=(stand, screen))
+    window = Opening(id="window_1", kind="window", wall=0, offset=0.5, width=1.6, height=1.3, sill=0.9)
+    scene = Scene(prompt="", seed=0, room=rectangle(6.0, 5.0, openings=(window,)))
+    s = Situation(seen(scene, plan, stand, seed=1))
+    deep = s.size[0] / 2 + 0.02
+    before, beside_it = follower_costs(s, boxes(s, (1.3, deep, 90.0), (4.0, deep, 90.0)))
+    assert before > beside_it + 1.0
+    case = situation("bookcase", Tie(kind="near", anchors=("armchair_1",), asked=False), stands=())
+    deep = case.size[0] / 2 + 0.02
+    at_wall, amid = ground_costs(case, boxes(case, (3.0, deep, 90.0), (3.0, 2.5, 90.0)))
+    assert amid > at_wall + 1.0
+
+
+def test_a_sofa_does_not_look_at_its_screen_against_a_window():
+    tie = Tie(kind="opposite", anchors=("sofa_9",), asked=False)
+    sofa = Target(id="sofa_9", category="sofa", request="sofa")
+    stand = Target(id="tv_stand_1", category="tv_stand", request="tv_stand", ties=(tie,))
+    screen = Target(id="tv_1", category="tv", request="tv", ties=(Tie(kind="on", anchors=("tv_stand_1",)),))
+    window = Opening(id="window_1", kind="window", wall=2, offset=1.5, width=1.5, height=1.3, sill=0.9)
+    scene = Scene(prompt="", seed=0, room=rectangle(4.5, 4.5, openings=(window,)))
+    costs = []
+    for targets in ((sofa, stand), (sofa, stand, screen)):
+        plan = Plan(brief=read_brief("A room with a chair."), targets=targets)
+        s = Situation(seen(scene, plan, sofa, seed=1))
+        deep = s.size[0] / 2 + 0.02
+        costs.append(follower_costs(s, boxes(s, (2.25, deep, 90.0), (2.25, 4.5 - deep, 270.0))))
+    (before, after), (lit, free) = costs
+    assert lit > before
+    assert free == after

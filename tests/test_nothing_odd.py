@@ -437,6 +437,7 @@ def test_what_is_watched_stands_across_from_the_sofa():
         "A hardware shop",
         "A pharmacy with a counter and shelves of medicine",
         "A garage with a workbench and two storage shelves",
+        "A hardware store with five aisles of shelves and a checkout",
     ],
 )
 def test_shelves_are_full(prompt: str) -> None:
@@ -598,3 +599,62 @@ def test_what_belongs_into_a_corner_stands_by_a_wall_where_none_is_free() -> Non
     room = made("A fitting room")
     (mirror,) = placed(room, "standing_mirror")
     assert min(wall.coordinates(corner)[1] for wall in room.scene.room.walls for corner in mirror.corners) < 0.3
+
+
+def test_bookcases_behind_a_desk_are_behind_who_works_there_and_visitors_across_it() -> None:
+    room = made("A law office with a desk, two visitor chairs and two bookcases behind the desk")
+    (desk,), (seat,) = placed(room, "desk"), placed(room, "office_chair")
+    cases, visitors = placed(room, "bookcase"), placed(room, "visitor_chair")
+    assert all(measure(room.scene, "behind", case.id, [desk.id]).holds for case in cases)
+    assert all(desk.to_local(p.position[:2])[0] > desk.to_local(seat.position[:2])[0] > 0.0 for p in cases)
+    assert all(desk.to_local(p.position[:2])[0] < 0.0 for p in visitors)
+    walls = room.scene.room.walls
+    assert all(min(wall.coordinates(corner)[1] for wall in walls for corner in p.corners) < 0.05 for p in cases)
+
+
+def test_a_low_table_stands_before_the_middle_of_a_row_of_chairs() -> None:
+    room = made("A waiting room with eight chairs along one wall and a coffee table")
+    (table,), chairs = placed(room, "coffee_table"), placed(room, "chair")
+    across = [table.to_local(p.position[:2])[1 - int(table.size[0] > table.size[1])] for p in chairs]
+    assert abs(min(across) + max(across)) / 2 < 0.6
+
+
+def test_stations_stand_in_line_along_one_wall() -> None:
+    tables = placed(made("A barber shop with three chairs"), "dressing_table")
+    assert len(tables) == 3
+    assert len({p.yaw for p in tables}) == 1
+
+
+def test_a_bookcase_by_an_armchair_has_its_back_to_a_wall() -> None:
+    room = made("A teenage girl's bedroom with a vanity and a reading nook")
+    for case in placed(room, "bookcase"):
+        walls = room.scene.room.walls
+        assert min(wall.coordinates(corner)[1] for wall in walls for corner in case.corners) < 0.06
+
+
+def test_a_room_whose_size_is_open_is_not_cramped() -> None:
+    report = made("A bookshop with a reading corner and a counter").report
+    assert report.score is not None
+    assert min(report.score.part("circulation").score or 0.0, report.score.part("clearance").score or 0.0) >= 0.9
+
+
+def test_toys_of_a_kids_corner_lie_on_its_rug_and_no_chair_stands_there() -> None:
+    room = made("A waiting room with six chairs and a kids' corner")
+    (rug,) = placed(room, "rug")
+    toys, chairs = placed(room, "toy"), placed(room, "chair")
+    assert len(toys) == 3
+    assert all(rug.footprint.covers(Point(toy.position[:2])) for toy in toys)
+    assert all(rug.footprint.intersection(chair.footprint).area < 0.1 for chair in chairs)
+
+
+def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
+    room = generate_room(
+        "A 4 by 3.5 m room with a table in the middle. A camera hangs from the ceiling, not above the table.",
+        fill="named",
+        seed=0,
+    )
+    (table,), (camera,) = placed(room, "dining_table"), placed(room, "camera")
+    assert camera.support == "ceiling"
+    aside = [abs(c - t) - size / 2 for c, t, size in zip(camera.position, table.position, table.size, strict=True)]
+    assert max(aside[:2]) > 0.3
+    assert room.report.complete

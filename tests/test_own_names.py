@@ -26,6 +26,20 @@ def test_a_brief_keeps_what_a_thing_is_called(prompt: str, category: str, called
     assert [r.called for r in requests if r.category == category] == [called]
 
 
+@pytest.mark.parametrize(
+    ("prompt", "category"),
+    [
+        ("A guard's hut: a desk with a flask on it.", "thermos"),
+        ("A school lab: a lab bench with a flask on it.", "flask"),
+        ("A toilet against the back wall, a brush next to it.", "toilet_brush"),
+        ("An art studio with brushes on a workbench.", "paintbrush"),
+        ("A hallway with loafers on a boot rack.", "shoes"),
+    ],
+)  # fmt: skip
+def test_a_word_means_what_it_means_in_such_a_room(prompt: str, category: str) -> None:
+    assert category in {r.category for r in read_brief(prompt, fill="named").requests}
+
+
 def test_a_thing_keeps_its_name_when_it_is_fitted_and_painted() -> None:
     plain = make_asset("massage_table", seed=1, attributes=("white",))
     table = plain.called("treatment table")

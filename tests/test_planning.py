@@ -173,6 +173,14 @@ def test_a_room_is_as_large_as_it_is_said_to_be() -> None:
     assert plan_room(read_brief("a bedroom 4 x 5 x 3 m"), rng=0).height == 3.0
 
 
+def test_chairs_for_the_tables_of_a_prompt_have_floor_around_these() -> None:
+    told, untold = (
+        plan_room(read_brief(f"An office with two long tables {how} six chairs"), rng=1) for how in ("and", "with")
+    )
+    assert told.polygon.area > 24.0
+    assert untold.polygon.area > 24.0
+
+
 def test_an_l_has_six_corners_and_its_area() -> None:
     room = plan_room(read_brief("An L-shaped kitchen of 20 m2 with a sink."), rng=0)
     assert len(room.floor) == 6

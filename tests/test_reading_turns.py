@@ -76,7 +76,7 @@ def test_so_many_are_read(prompt: str, counts: str) -> None:
         ("A bistro: the table has six chairs, of which two are at the ends.", "2 chair at_short_side dining_table"),
         ("Two benches, a stove, and boxes under both.", "3 box under bench"),
         ("A playroom with two tents. One tent is red and has a lantern in it; in the blue tent there are two pillows.",
-         "2 pillow inside tent-2"),
+         "2 pillow inside play_tent-2"),
         ("A washing machine and a basket of towels in front.", "1 basket in_front_of washing_machine"),
         ("An island and a counter. Three stools at the island, each with a cushion on it, and two mugs on the counter.",
          "2 cup on counter"),

@@ -26,6 +26,9 @@ from thinkblox.reading import read_brief
         ("A camera shop", "shop", "camera"),
         ("A mobile phone shop with a counter", "shop", "phone"),
         ("A clock shop", "shop", "clock"),
+        ("A dressing room with an ottoman", "walk_in_closet", "standing_mirror"),
+        ("A music teacher's studio with a grand piano", "music_room", "rug"),
+        ("A flower shop with a counter and buckets of flowers", "florist", "bouquet"),
         ("A furniture showroom", "shop", "armchair"),
     ],
 )

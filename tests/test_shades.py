@@ -68,3 +68,10 @@ def test_a_top_is_of_its_material(category: str) -> None:
     made = make_asset(category, seed=1, attributes=("marble-topped",))
     assert realised(made, "marble-topped")
     assert not realised(make_asset(category, seed=1), "marble-topped")
+
+
+@pytest.mark.parametrize(("look", "shade"), [("dark green", "dark-green"), ("pastel pink", "light-pink")])
+def test_a_room_of_a_shade_has_walls_of_it(look: str, shade: str) -> None:
+    brief = read_brief(f"A {look} study.")
+    assert [(s.part, s.colour) for s in brief.surfaces] == [("walls", COLOURS[shade])]
+    assert not brief.unknown

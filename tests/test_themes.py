@@ -93,6 +93,7 @@ def test_a_way_round_what_was_cut_off_is_found_where_the_cut_touches_itself() ->
         ("A loft with a sofa, a TV, a rug, a coffee table and a bookcase; a space for studying", {"desk": 1}),
         ("A dining area with a round table", {"dining_table": 1}),
         ("A waiting area with six chairs and a plant", {"sofa": 0}),
+        ("An office with a sofa and a coffee corner", {"coffee_machine": 1, "sideboard": 1}),
         ("An optician's shop with an eye test corner", {"eye_test_machine": 1, "eye_chart": 1}),
         ("A clinic with a treatment table and exercise equipment", {"massage_table": 1, "exercise_bike": 1}),
         ("A living room with a dining area: a dining table and six chairs", {"dining_table": 1, "chair": 6}),

@@ -57,6 +57,9 @@ RELIEFS = 3
 """How often something that is only assumed is left out of a room of a given size where what matters more is absent."""
 GROWTH = (1.35, 1.8)
 """By how much the floor of a room grows whose size is left open, where not all that stands on it is as asked."""
+ROOMIER, EASY = 1.2, 0.9
+"""The same where all is, but in a cramped room: one that scores below this in what follows."""
+_EASE = ("clearance", "circulation")
 
 
 def generate_room(
@@ -182,6 +185,8 @@ def _furnish_growing(
         made.append(furnished(wider(factor), once, made))
         if len(made) > 2 and made[-1].faults >= made[-2].faults:
             break
+    if len(made) == 1 and _is_cramped(made[0]) and time.monotonic() < until:
+        made.append(furnished(wider(ROOMIER), once, made))
     best = _best(made)
     if any(best.faults) and time.monotonic() < until:
         again = replace(effort, restarts=effort.restarts - 1)
@@ -205,7 +210,7 @@ def _furnish_relieved(
 
 
 def _best(made: Sequence[Furnished]) -> Furnished:
-    return min(made, key=lambda each: each.faults)
+    return min(made, key=lambda each: (each.faults, _is_cramped(each)))
 
 
 def _usual(target: Target, source: AssetSource) -> tuple[Vec3, Mount] | None:
@@ -223,6 +228,12 @@ def _lacks_floor(made: Furnished) -> bool:
     failing = any(not v.valid for v in made.report.objects)
     subjects = (id for r in made.report.relations if not r.holds for id in r.subject.split(", "))
     return absent or failing or any(mounts.get(id) == "floor" for id in subjects)
+
+
+def _is_cramped(made: Furnished) -> bool:
+    """Whether ways through it are narrow, or floor that people need is taken, by the guidelines of interior layout."""
+    parts = (made.report.score.part(name).score for name in _EASE) if made.report.score is not None else ()
+    return any(score is not None and score < EASY for score in parts)
 
 
 def _lacks_essentials(made: Furnished) -> bool:

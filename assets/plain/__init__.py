@@ -12,6 +12,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 
 from thinkblox.assets.category import Category, Generator
+from thinkblox.assets.facts import Role
 from thinkblox.assets.part import Build
 from thinkblox.assets.plain import pieces, solids
 from thinkblox.assets.plain.finishes import finish_called
@@ -29,6 +30,14 @@ SHAPES: Mapping[str, Solid] = {
 _ROUND = frozenset("can ball dome bowl bucket bottle cone pillar post fountain tuft heap pendant tripod".split())
 _TWO = frozenset("slab roll soft cloth stack crate stick tool stand platform rack frame cage mat strings".split())
 _SOFT = frozenset("soft cloth heap hung mat".split())
+_HOLDING = {
+    **dict.fromkeys(
+        "block can bag pot jug bottle tub bucket bowl pan dome cone soft slab wedge fountain".split(), "open"
+    ),
+    **dict.fromkeys("cabinet machine cage gable".split(), "open-fronted"),
+    "rack": "tiered",
+}
+"""The form that a solid has when it is told to hold others, by the shape."""
 _WORDS = 5
 """The column of the words, which a line need not have."""
 
@@ -115,10 +124,20 @@ def _kind(shape: str, place: str, square: bool) -> Category:
         hanging=kept.hanging,
         gaze=kept.gaze,
         row=kept.row,
-        forms={"over": "open"} if shape == "platform" else {},
+        forms=_forms(shape),
     )
     _ = kind.places  # worked out once for all of them
     return kind
+
+
+def _forms(shape: str) -> dict[Role, str]:
+    if shape == "platform":
+        return {"over": "open"}
+    if shape == "rack":
+        return {"holds": _HOLDING[shape], "carries": _HOLDING[shape]}
+    if shape == "crate":
+        return {"carries": "closed"}
+    return {"holds": _HOLDING[shape]} if shape in _HOLDING else {}
 
 
 @lru_cache(maxsize=2048)
@@ -127,6 +146,12 @@ def plain_generator(shape: str, main: str, accent: str = "") -> Generator:
     if shape not in SHAPES:
         raise InputError(f"no plain shape {shape!r}; there are {', '.join(sorted(SHAPES))}")
     return partial(SHAPES[shape], main=finish_called(main), accent=finish_called(accent or main))
+
+
+def shape_of(category: Category) -> str:
+    """The name of the solid that a plain category is made as; empty for what has a shape of its own."""
+    made = category.generator
+    return made.func.__name__ if isinstance(made, partial) else ""
 
 
 def front_of(shape: str, *, square: bool) -> Front:

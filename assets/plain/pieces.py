@@ -14,11 +14,13 @@ from thinkblox.assets.shapes import (
     disc,
     ellipsoid,
     frustum,
+    inner_surface,
     oval,
     panel,
     prism,
     profile,
     rod,
+    shell,
     sphere,
     top_surface,
 )
@@ -184,6 +186,25 @@ def screen(spec: Spec, main: Finish, accent: Finish) -> Build:
     return Build(body=body)
 
 
+def booth(spec: Spec, main: Finish, accent: Finish) -> Build:
+    """Return a cabin with walls of the accent between its posts, open at its front; things have room in it."""
+    x, y, z = spec.size
+    post, finish = min(0.08, 0.08 * min(x, y)), spec.main(main)
+    floor, roof = 0.02 * z, 0.94 * z
+    body: list[Part] = [
+        box(finish, (s * x / 2, s * (x / 2 - post)), (t * y / 2, t * (y / 2 - post)), (floor, roof))
+        for s in (-1, 1)
+        for t in (-1, 1)
+    ]
+    body += [box(finish, (-x / 2, x / 2), (-y / 2, y / 2), height) for height in ((0, floor), (roof, z))]
+    body.append(box(accent, (-x / 2, -x / 2 + 0.3 * post), around(0, y - 2 * post), (floor, roof)))
+    body += [
+        box(accent, around(0, x - 2 * post), (s * y / 2, s * (y / 2 - 0.3 * post)), (floor, roof)) for s in (-1, 1)
+    ]
+    inner = ((-x / 2 + post, x / 2), around(0, y - 2 * post))
+    return Build(body=body, surfaces=[inner_surface("floor", *inner, floor, headroom=roof - floor)])
+
+
 def board(spec: Spec, main: Finish, accent: Finish) -> Build:
     """Return a framed panel that hangs flat, its field of the accent."""
     x, y, z = spec.size
@@ -290,11 +311,11 @@ def pillar(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def fountain(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a pedestal with a basin that holds something of the accent."""
+    """Return a pedestal with a basin that holds something of the accent, nothing when "open"."""
     x, y, z = spec.size
     finish = spec.main(main)
     r = min(x, y) / 2
-    return Build(
+    build = Build(
         body=[
             frustum(finish, (0, 0), (0, 0.12 * z), 0.6 * r, 0.5 * r),
             frustum(finish, (0, 0), (0.12 * z, 0.7 * z), 0.3 * r, 0.3 * r),
@@ -303,6 +324,17 @@ def fountain(spec: Spec, main: Finish, accent: Finish) -> Build:
         ],
         front="any",
     )
+    return _open_basin(build, r, z) if spec.has("open") else build
+
+
+def _open_basin(build: Build, radius: float, height: float) -> Build:
+    """A pedestal whose basin is empty [m]."""
+    finish, floor = build.body[0].finish, 0.72 * height
+    wall = 0.06 * radius
+    body = [*build.body[:2], disc(finish, (0, 0), 0.6 * radius, (0.7 * height, floor))]
+    body += shell(finish, (0, 0), (0.7 * height, height), 0.6 * radius + wall, radius, wall)
+    across = around(0, 1.18 * radius)
+    return Build(body=body, surfaces=[inner_surface("basin", across, across, floor, round=True)], front="any")
 
 
 def vehicle(spec: Spec, main: Finish, accent: Finish) -> Build:
@@ -363,7 +395,7 @@ def steps(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def tub(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a large oval vessel that is open at the top and holds something of the accent."""
+    """Return a large oval vessel that is open at the top and holds something of the accent, little when "open"."""
     x, y, z = spec.size
     finish = spec.main(main)
     outer, inner = oval(x, y, sides=20, squareness=4.0), oval(0.86 * x, 0.86 * y, sides=20, squareness=4.0)
@@ -372,8 +404,10 @@ def tub(spec: Spec, main: Finish, accent: Finish) -> Build:
         n = (k + 1) % 20
         quad = [outer[k], outer[n], inner[n], inner[k]]
         body.append(hull(finish, [(a, b, h) for a, b in quad for h in (0.0, z)]))
-    body.append(prism(accent, inner, (0, 0.6 * z)))
-    return Build(body=body)
+    level = 0.12 * z if spec.has("open") else 0.6 * z
+    body.append(prism(accent, inner, (0, level)))
+    bottom = [inner_surface("bottom", around(0, 0.78 * x), around(0, 0.78 * y), level)] if spec.has("open") else []
+    return Build(body=body, surfaces=bottom)
 
 
 def bag(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -3,10 +3,25 @@
 from math import cos, pi, sin
 
 from thinkblox.assets.part import Build, Finish, Part, hull
-from thinkblox.assets.shapes import around, box, cushion, disc, oval, pad, prism, profile, rod, shell, top_surface
+from thinkblox.assets.shapes import (
+    around,
+    box,
+    cushion,
+    disc,
+    inner_surface,
+    oval,
+    pad,
+    prism,
+    profile,
+    rod,
+    shell,
+    top_surface,
+)
 from thinkblox.assets.spec import Spec
 from thinkblox.value import Vec2
 
+_TRAY = 0.13
+"""What is no higher is a tray: what lies in it is also on it [m]."""
 _FLAT = 16
 """Sides of what lies rolled up, one of them level underneath so that it stays."""
 
@@ -288,7 +303,10 @@ def ring(spec: Spec, main: Finish, accent: Finish) -> Build:
 
 
 def crate(spec: Spec, main: Finish, accent: Finish) -> Build:
-    """Return a box that is open at the top; things can be put into it."""
+    """Return a box that is open at the top; things can be put into it, and on it where it is as low as a tray.
+
+    When "closed" it has a lid that carries.
+    """
     x, y, z = spec.size
     wall = max(0.003, min(0.02, 0.06 * min(x, y)))
     floor = max(0.003, min(0.02, 0.12 * z))
@@ -298,8 +316,14 @@ def crate(spec: Spec, main: Finish, accent: Finish) -> Build:
         *(box(finish, (s * x / 2, s * (x / 2 - wall)), around(0, y - 2 * wall), (0, z)) for s in (-1, 1)),
         box(accent, around(0, x - 2 * wall), around(0, y - 2 * wall), (0, floor)),
     ]
-    inside = top_surface("inside", around(0, x - 2 * wall), around(0, y - 2 * wall), floor)
-    return Build(body=body, surfaces=[inside])
+    inner = (around(0, x - 2 * wall), around(0, y - 2 * wall))
+    surfaces = [inner_surface("inside", *inner, floor)]
+    if spec.has("closed") and z > _TRAY:
+        lid = box(accent, (-x / 2, x / 2), (-y / 2, y / 2), (z, z + floor))
+        return Build(body=[*body, lid], surfaces=[top_surface("lid", (-x / 2, x / 2), (-y / 2, y / 2), z + floor)])
+    if z <= _TRAY:
+        surfaces.append(top_surface("tray", *inner, floor))
+    return Build(body=body, surfaces=surfaces)
 
 
 def tuft(spec: Spec, main: Finish, accent: Finish) -> Build:

@@ -8,13 +8,16 @@ import numpy as np
 from thinkblox.assets import facts_of, kind_of, room_under
 from thinkblox.assets.facts import Role
 from thinkblox.assets.make import make_thing
-from thinkblox.assets.sizing import size_for
+from thinkblox.assets.open_forms import FOR_LONG, TIERED
+from thinkblox.assets.sizing import UPRIGHT, size_for, sizes_of
 from thinkblox.planning.members import Member, Members
 from thinkblox.scene.asset import Asset
 from thinkblox.value import Vec2, Vec3
 
 GROWTH, SLIGHT = (1.25, 1.6), (1.15, 1.3)
 """How much deeper and wider than usual a top is made at most for what stands on it, and what is no table or case."""
+FREELY = (2.2, 2.5)
+"""The same for what nobody sits or works at: a tray, a plate, a small stand, a board on a wall."""
 SMALL = 0.7
 """What is no longer than this grows as tables do, whatever it is: a stool [m]."""
 MOSTLY_TOP = 0.4
@@ -67,7 +70,36 @@ def words_of(member: Member, members: Members) -> tuple[str, ...]:
         "under": any(_stands_over(members.by_id.get(a)) for t in member.ties if t.kind == "under" for a in t.anchors),
     }
     forms = facts_of(member.category).forms
-    return tuple(dict.fromkeys((*member.request.attributes, *(forms[r] for r in forms if roles[r]))))
+    found = [
+        *(_form(member, members, r) for r in forms if roles[r]),
+        *(s for s in member.request.states if s in forms.values()),
+    ]
+    long = kind_of(member.category).long_axis is not None
+    if long and any(_is_too_narrow(holder, member, members) for holder in _holders(member, members)):
+        found.append(UPRIGHT)
+    return tuple(dict.fromkeys((*member.request.attributes, *found)))
+
+
+def _form(member: Member, members: Members, role: Role) -> str:
+    """The word for the form that a thing has in a role; a rack of long things is none with boards over one another."""
+    form = facts_of(member.category).forms[role]
+    held = [kind_of(m.category) for m in (*in_it(member, members), *on_it(member, members))]
+    wide = max(kind_of(member.category).size[:2])
+    long = all(kind.long_axis is not None and max(kind.size[:2]) > wide for kind in held)
+    return FOR_LONG if form == TIERED and held and long else form
+
+
+def _holders(member: Member, members: Members) -> list[Member]:
+    inside = (a for tie in member.ties if tie.kind == "inside" for a in tie.anchors)
+    return [members.by_id[a] for a in inside if a in members.by_id]
+
+
+def _is_too_narrow(holder: Member, member: Member, members: Members) -> bool:
+    """Whether a thing as it lies by itself has no room on the floor of an open holder."""
+    made = make_thing(holder.category, seed=0, attributes=words_of(holder, members))
+    floors = [s.size for s in made.surfaces if s.within and s.headroom is None]
+    lying = size_for(kind_of(member.category), frozenset(member.request.attributes), np.random.default_rng(0))
+    return bool(floors) and max(lying[:2]) > max(map(max, floors))
 
 
 def _stands_over(anchor: Member | None) -> bool:
@@ -83,15 +115,22 @@ def usual_size(member: Member, members: Members) -> Vec3:
     return (x, y, z)
 
 
+def width_of(member: Member, members: Members) -> float:
+    """The diameter of the disc that it needs whichever way it is turned [m]."""
+    x, y, z = usual_size(member, members)
+    return max(x, y) if _made(member, members, (x, y, z)).front == "any" else float(np.hypot(x, y))
+
+
 def top_for_loads(member: Member, members: Members) -> Vec2 | None:
     """Depth and width at which all that is to be on it has room side by side [m]; None where it has that as it is."""
     loads = on_it(member, members)
     kind = kind_of(member.category)
-    if not loads or kind.flat or kind.is_in("shelves") or member.mount not in ("floor", "surface"):
+    if not loads or kind.flat or member.mount == "ceiling":
         return None
     usual = usual_size(member, members)
-    tops = [s for s in _made(member, members, usual).surfaces if s.headroom is None and not s.within]
-    if not tops:
+    open_ = [s for s in _made(member, members, usual).surfaces if not s.within]
+    tops = [s for s in open_ if s.headroom is None]
+    if not tops or (len(open_) > 1 and kind.is_in("shelves")):
         return None
     top = max(tops, key=lambda s: s.size[0] * s.size[1])
     if top.size[0] * top.size[1] < MOSTLY_TOP * usual[0] * usual[1]:
@@ -101,11 +140,13 @@ def top_for_loads(member: Member, members: Members) -> Vec2 | None:
         return None
     areas = [((x * _VARIED + APART), (y * _VARIED + APART)) for x, y, _ in sizes]
     long = 1 if usual[1] >= usual[0] or kind.front == "one" else 0
-    even = top.round or usual[0] == usual[1]
-    grows = kind.is_in("surfaces", "tables", "counters", "worktops") or max(usual[:2]) < SMALL
-    growth = GROWTH if grows else SLIGHT
+    even, small = top.round or usual[0] == usual[1], max(usual[:2]) < SMALL
+    furniture = kind.is_in("surfaces", "tables", "counters", "worktops")
+    free = member.mount == "wall" or not (furniture or kind.is_in("seats", "seating"))
+    growth = FREELY if free and (small or member.mount == "wall") else GROWTH if furniture or small else SLIGHT
     factors = (sqrt(growth[0] * growth[1]),) * 2 if even else (growth if long else growth[::-1])
     rim = (usual[0] - top.size[0], usual[1] - top.size[1])
+    growth = (1.0, growth[1]) if member.mount == "wall" else growth
     most = [
         max(side, min(factor * whole, high) - edge)
         for side, factor, whole, high, edge in zip(top.size, factors, usual, kind.size_range[1], rim, strict=False)
@@ -150,10 +191,10 @@ def _grown(
 
 
 def _made(member: Member, members: Members, size: Vec3) -> Asset:
-    kind = kind_of(member.category)
-    low, high = kind.size_range
+    words = words_of(member, members)
+    low, high = sizes_of(kind_of(member.category), words)
     x, y, z = (min(max(s, a), b) for s, a, b in zip(size, low, high, strict=True))
-    return make_thing(member.category, seed=0, attributes=words_of(member, members), size=(x, y, z))
+    return make_thing(member.category, seed=0, attributes=words, size=(x, y, z))
 
 
 def height_over(member: Member, members: Members) -> float | None:

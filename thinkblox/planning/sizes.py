@@ -1,5 +1,7 @@
 """How large the objects of a plan are to be: as the prompt says, and counters as long as who sits at them needs."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from thinkblox.assets import kind_of
@@ -8,8 +10,10 @@ from thinkblox.assets.make import make_thing
 from thinkblox.assets.sizing import size_for
 from thinkblox.brief import Measures, Request
 from thinkblox.knowledge.habits import load_habits
-from thinkblox.planning.loads import height_over, in_it, size_under, top_for_loads, usual_size, words_of
+from thinkblox.planning.loads import height_over, in_it, size_under, top_for_loads, usual_size, width_of, words_of
 from thinkblox.planning.members import Member, Members
+from thinkblox.scene.asset import Surface
+from thinkblox.value import Vec2, Vec3
 
 _PLACE = 0.6
 """Width of a place at a counter [m]."""
@@ -70,17 +74,28 @@ def _for_contents(member: Member, members: Members, kind: Category) -> tuple[flo
     inside = in_it(member, members)
     if not inside:
         return None
-    words = words_of(member, members)
-    bottoms = [s for s in make_thing(kind.name, seed=0, attributes=words).surfaces if s.within and s.headroom is None]
+    words, usual = words_of(member, members), usual_size(member, members)
+    inner = [s for s in make_thing(kind.name, seed=0, attributes=words).surfaces if s.inner]
+    bottoms = [s for s in inner if s.headroom is None]
     if not bottoms:
-        return None
-    usual = usual_size(member, members)
-    across = [float(np.hypot(*usual_size(held, members)[:2])) for held in inside]
+        return None if kind.large else _for_tiers(inner, [usual_size(held, members) for held in inside], usual, kind)
+    across = [width_of(held, members) for held in inside]
     needed = across[0] + _APART if len(across) == 1 else _PACKED * sum(d * d for d in across) ** 0.5
     bottom = min(bottoms[0].size) if bottoms[0].round or len(across) == 1 else float(np.prod(bottoms[0].size)) ** 0.5
     most = kind.size_range[1]
     share = min(needed / bottom, _WIDER, *(high / u for high, u in zip(most[:2], usual[:2], strict=True)))
     return (round(share * usual[0], 3), round(share * usual[1], 3)) if share > 1.0 else None
+
+
+def _for_tiers(tiers: Sequence[Surface], held: Sequence[Vec3], usual: Vec3, kind: Category) -> Vec2 | None:
+    """Depth and width of a rack or case with boards on which all that it holds has room side by side."""
+    high = [t for t in tiers if t.headroom is not None and t.headroom > max(size[2] for size in held)]
+    if not high:
+        return None
+    area = sum(t.size[0] * t.size[1] for t in high)
+    needed = _PACKED * sum((x + _APART) * (y + _APART) for x, y, _ in held) / area
+    share = min(needed, _WIDER, kind.size_range[1][1] / usual[1])
+    return (usual[0], round(share * usual[1], 3)) if share > 1.0 else None
 
 
 def _for_seats(member: Member, members: Members, kind: Category) -> float | None:

@@ -26,6 +26,7 @@ _EMPTY_AREA = 10.0
 ROUND_TABLES = ("around", "at_long_side", "at_short_side")
 """Relations of seats to the table that they stand about."""
 _ON = ("at", "on", "inside")
+_SAT_AT = ("at", *ROUND_TABLES)
 _ACROSS = 1.9
 """Free floor between things opposite each other, and behind them [m]."""
 BEHIND_SEAT, TUCK = 0.35, 0.1
@@ -153,7 +154,7 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     habits = load_habits()
     name = request.category
     drawn_up = [r for r in brief.relations if r.kind in ROUND_TABLES and request.key in r.anchors]
-    seats = [brief.request(r.subject) for r in drawn_up]
+    seats = [brief.request(r.subject) for r in drawn_up] or _seats_for(brief, request)
     about = 2.0 * (max((_size(seat)[0] for seat in seats if _stands(seat)), default=0.0) + BEHIND_SEAT - TUCK)
     if habits.is_in(name, "served_over"):
         return 0.6, 2.1
@@ -163,7 +164,7 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
         return max(0.6, about), max(1.0, about)
     if any(r.kind in ROUND_TABLES[1:] for r in drawn_up):
         return max(1.9, about), max(1.9, about)
-    if drawn_up:
+    if seats:
         return about, about
     if habits.is_in(name, "beds"):
         return 0.9, 0.7
@@ -174,8 +175,19 @@ def _margins(brief: Brief, request: Request) -> tuple[float, float]:
     return 0.25, 0.5
 
 
+def _seats_for(brief: Brief, table: Request) -> list[Request]:
+    """The chairs of a prompt that says of neither these nor the table where they are: they will stand around it."""
+    told = {r.subject for r in brief.relations} | {a for r in brief.relations if r.kind in _SAT_AT for a in r.anchors}
+    habits = load_habits()
+    if table.key in told or not habits.is_in(table.category, "meal_tables"):
+        return []
+    return [r for r in brief.requests if r.asked and r.key not in told and habits.is_in(r.category, "chairs")]
+
+
 def _belongs_to_seating(brief: Brief, request: Request) -> bool:
     """Seats drawn up to a table stand on floor that was counted with the table."""
+    if any(request in _seats_for(brief, table) for table in brief.requests):
+        return True
     return any(r.subject == request.key and r.kind in (*ROUND_TABLES, *_ON) for r in brief.relations)
 
 

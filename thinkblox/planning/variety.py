@@ -98,7 +98,7 @@ def _is_sketched(brief: Brief) -> bool:
     if brief.room_type in ("", UNKNOWN_ROOM) or not asked or not few:
         return False
     keys = {request.key for request in asked}
-    arranged = any(r.asked and not keys.isdisjoint(r.anchors) for r in brief.relations)
+    arranged = any(r.asked and r.kind not in _DRAWN_UP and not keys.isdisjoint(r.anchors) for r in brief.relations)
     essentials = [usual.category for usual in room_type(brief.room_type).expected]
     return not (arranged and any(are_alike(e, request.category) for e in essentials for request in asked))
 

@@ -27,8 +27,8 @@ _DRAWN_UP = (*_SEATED, "behind")
 """Relations of seats to what one sits at."""
 _ENOUGH_SEATS = 3
 """Who names so many seats to lean back in has said on what people sit there."""
-_MOST_FILLED = 12
-"""Books are many shapes: more bookcases than this stay empty."""
+_MOST_FILLED, _MOST_STOCKED = 12, 30
+"""Books are many shapes: more bookcases than this stay empty, and more shelves of goods, which are fewer."""
 _CROWDED = 4
 """More people than this share no desk."""
 _MOST = 2
@@ -83,10 +83,11 @@ def stock(draft: Draft, uncounted: Collection[int] = ()) -> None:
         uncounted: ids of things of which nobody says how many: shelves with some of these are full of others, too.
     """
     laid = [b for b in draft.bonds if b.kind in ("on", "inside")]
-    _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid)
+    _fill_shelves([t for t in draft.things if t.noun == "bookcase"], laid, _MOST_FILLED)
     if draft.room not in ("", UNKNOWN_ROOM):
         told = [b for b in laid if b.subject.asked and id(b.subject) not in uncounted]
-        _fill_shelves([t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")], told)
+        goods = [t for t in draft.things if load_habits().is_in(t.noun, "takes_goods")]
+        _fill_shelves(goods, told, _MOST_STOCKED)
 
 
 def complete_sets(draft: Draft) -> None:
@@ -110,9 +111,9 @@ def _stands_on(draft: Draft, thing: Mention, carriers: Collection[int]) -> bool:
     return any(b.kind == "on" and id(anchor) in carriers for b in draft.bonds_of(thing) for anchor in b.anchors)
 
 
-def _fill_shelves(cases: list[Mention], laid: list[Bond]) -> None:
-    """Fill those on which nothing is laid."""
-    if sum(t.count or 1 for t in cases) > _MOST_FILLED:
+def _fill_shelves(cases: list[Mention], laid: list[Bond], most: int) -> None:
+    """Fill those on which nothing is laid, where there are not more than `most`."""
+    if sum(t.count or 1 for t in cases) > most:
         return
     for case in cases:
         carries = any(case in b.anchors for b in laid)
@@ -274,11 +275,13 @@ def _is_bare(draft: Draft) -> bool:
 def _is_sketched(draft: Draft) -> bool:
     """Whether the prompt names the room and a few things, rather than all that it is to hold.
 
-    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for.
+    Who says how things stand to each other has the room before their eyes, unless none of them is what it is for; to
+    give a table its chairs is not to say that.
     """
     if draft.room in ("", "room") or len({thing.noun for thing in draft.things}) >= FEW:
         return False
-    arranged = any(isinstance(a, Mention) for b in draft.bonds if b.asked for a in b.anchors)
+    told = [b for b in draft.bonds if b.asked and b.kind not in _SEATED]
+    arranged = any(isinstance(a, Mention) for b in told for a in b.anchors)
     essentials = [usual.category for usual in room_type(draft.room).expected]
     return not (arranged and any(are_alike(e, thing.noun) for e in essentials for thing in draft.things))
 
@@ -294,6 +297,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
         places = [_place(anchor, made) for _, anchor, _ in usual.relations]
         if any(anchor and not place for (_, anchor, _), place in zip(usual.relations, places, strict=True)):
             continue
+        if any(
+            k in _SEATED and _is_seated(draft, made.get(p))
+            for (k, _, _), p in zip(usual.relations, places, strict=True)
+        ):
+            continue
         thing = made[usual.category] = _add(draft, usual.category, usual.count)
         for (kind, _, each), place in zip(usual.relations, places, strict=True):
             anchors = (made.get(place, place),) if place else ()
@@ -301,6 +309,11 @@ def _fill(draft: Draft, wanted: tuple[Usual, ...]) -> None:
     for usual in wanted:
         _share_with(draft, usual, made)
     _scale(draft)
+
+
+def _is_seated(draft: Draft, table: Mention | None) -> bool:
+    """Whether the prompt says what one sits on at it."""
+    return any(b.asked and b.kind in _SEATED and table in b.anchors for b in draft.bonds if table is not None)
 
 
 def _called(thing: Mention) -> list[str]:
@@ -362,6 +375,8 @@ def _serves(noun: str, usual: Usual) -> bool:
     walled = any(kind == "against_wall" for kind, _, _ in usual.relations)
     if all(load_habits().is_in(name, "treated_on") for name in (noun, usual.category)):
         return True
+    if load_habits().is_in(usual.category, "worktops") and not load_habits().is_in(noun, "takes_built_in"):
+        return False
     amid = walled and noun != usual.category and load_habits().is_in(noun, "sat_around", "served_over")
     return _is_one(noun, usual.category) and not amid
 

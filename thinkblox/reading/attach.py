@@ -1,5 +1,6 @@
 """Makes bonds: which relation really holds, who its subject is, and what a place of the room means for it."""
 
+from thinkblox.assets import kind_of
 from thinkblox.brief import RelationKind
 from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import MISSING, Bond, Draft, Mention
@@ -12,6 +13,8 @@ _JOINED = {"on": "small", "against_wall": "wallpieces", "above": "wallpieces", "
 """Relations that all of a list can share, and what kind of things then do."""
 
 
+_LOW = 0.6
+"""Height up to which a seat goes under a table of usual height [m]."""
 _BESIDE = ("left_of", "right_of", "in_front_of", "behind", "next_to", "near", "between", "facing", "in_centre")
 """Relations that say where on its surface a thing lies."""
 
@@ -66,12 +69,20 @@ def _turned(bond: Bond, anchor: Mention) -> Bond:
             return bond
         return Bond("under", anchor, (bond.subject,), each=bond.each)
     if bond.kind in ("against_wall", "under") and usual in ("at", "around"):
-        bond.kind = usual
+        bond.kind = bond.kind if _slides_under(bond, anchor) else usual
     elif bond.kind == "against_wall":
         bond.kind = "next_to"
     elif bond.kind == "next_to" and habits.is_in(bond.subject.noun, "wallpieces"):
         bond.kind = "near" if habits.is_in(anchor.noun, "amid_room") else bond.kind
     return bond
+
+
+def _slides_under(bond: Bond, anchor: Mention) -> bool:
+    """Whether one seat without a back is said to be under a table: "a stool tucked under the desk"."""
+    if bond.kind != "under" or (not bond.each and (bond.subject.count or 2) > (anchor.count or 1)):
+        return False
+    low = kind_of(bond.subject.noun).size[2] <= _LOW
+    return low and load_habits().is_in(anchor.noun, "desks", "tables")
 
 
 def _neighbours(bond: Bond) -> list[Bond]:

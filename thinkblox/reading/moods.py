@@ -27,8 +27,9 @@ _MANY = 5
 
 def read_moods(draft: Draft) -> None:
     """Note the themes of a draft whose words are accounted for, and settle which type of room they mean."""
-    words = draft.account
     _drop_misnamed(draft)
+    _drop_parts(draft)
+    words = draft.account
     taken = _in_names(draft)
     few = len({thing.noun for thing in draft.things}) < FEW
     for found in themes_in([word.text for word in words]):
@@ -60,6 +61,21 @@ def _drop_misnamed(draft: Draft) -> None:
         whole = bool(found) and found[0].start == 0 and found[0].end == len(name)
         if whole and thing.asked and not _is_known(name):
             draft.drop(thing)
+
+
+def _drop_parts(draft: Draft) -> None:
+    """Forget what was not understood and only names a part of the room: the coffee of a coffee corner."""
+    said = [word.text.lower() for word in draft.account]
+    for found in themes_in(said):
+        part = said[found.start : found.end]
+        lost = [word for word in draft.account[found.start : found.end] if word.fate == "not_understood"]
+        if not found.theme.unless or not lost:
+            continue
+        for thing in list(draft.things):
+            name = [word for word in _words(thing.text) if word not in _ARTICLES]
+            if thing.asked and 0 < len(name) < len(part) and set(name) <= set(part):
+                draft.drop(thing)
+                draft.unknown = [u for u in draft.unknown if u.partition(" (")[0].split()[-1:] != name[-1:]]
 
 
 def _is_known(name: list[str]) -> bool:

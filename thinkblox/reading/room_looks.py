@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from thinkblox.assets.palette import COLOURS
 from thinkblox.brief import SurfaceRequest
 from thinkblox.knowledge.surfaces import surface_words
 
@@ -30,6 +31,5 @@ def surface_of_room(look: str, looks: Sequence[str]) -> SurfaceRequest | None:
         )
     if look in floor:
         return SurfaceRequest(part="floor", laying=floor[look], phrase=phrase)
-    if look in words.colours:
-        return SurfaceRequest(part="walls", colour=words.colours[look], phrase=phrase)
-    return None
+    colour = words.colours.get(look) or COLOURS.get(look)
+    return None if colour is None else SurfaceRequest(part="walls", colour=colour, phrase=phrase)

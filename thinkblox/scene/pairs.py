@@ -43,6 +43,8 @@ UNDER_HALF, FLAT = 0.5, 0.05
 """The same for all that is higher than that [m]: a cabinet under a television."""
 ABOVE_MARGIN = 0.15
 """How far beside the anchor's footprint a thing hung above may be: a sofa under a picture stands off the wall."""
+NEARLY_ABOVE = 0.35
+"""Beside the anchor's footprint, what is nearer than that would still be called above it [m]."""
 INSIDE_SHARE = 0.5
 """Smallest share of a thing that is within the box around what it is inside of."""
 SQUARE = 0.05
@@ -155,6 +157,15 @@ def _in_front_of(subject: Landmark, anchor: Landmark) -> Finding:
     return visits, f"{text}, looking at who works there" if visits else found[1]
 
 
+def _behind(subject: Landmark, anchor: Landmark) -> Finding:
+    """Beyond its back; behind a desk is what who works there has behind them too: it looks at the desk as they do."""
+    found = _BEHIND(subject, anchor)
+    if found[0] or anchor.gaze == anchor.yaw or subject.front == "any" or not facing(subject, anchor)[0]:
+        return found
+    backs, text = _BEFORE(subject, anchor)
+    return backs, f"{text}, behind who works there" if backs else found[1]
+
+
 def _at(subject: Landmark, anchor: Landmark) -> Finding:
     faces, text = facing(subject, anchor)
     behind = anchor.gaze != anchor.yaw and anchor.to_local(subject.centre)[0] < -anchor.half[0]
@@ -186,11 +197,16 @@ def _on(subject: Landmark, anchor: Landmark) -> Finding:
 
 
 def _inside(subject: Landmark, anchor: Landmark) -> Finding:
-    """At least half of it is within the box around the anchor, on or above an inner surface where it has one."""
+    """It rests on an inner surface of the anchor, or at least half of it is within the box around it and above one.
+
+    What stands in a vessel reaches over its rim, as flowers do: there half of it over the vessel is enough.
+    """
     if anchor.kind != "object" or not anchor.solid:
         return False, f"{anchor.name} has no inside"
     height = max(subject.top - subject.base, ROUNDING)
     within = max(0.0, min(subject.top, anchor.top) - max(subject.base, anchor.base)) / height
+    if any(abs(subject.base - floor) <= CONTACT for floor in anchor.holds):
+        within = 1.0
     area = subject.footprint.area
     within *= float(subject.footprint.intersection(anchor.footprint).area / area) if area > 0.0 else 0.0
     floor = min(anchor.holds, default=anchor.base + 2 * CONTACT if not anchor.carries else math.inf)
@@ -223,6 +239,12 @@ def _above(subject: Landmark, anchor: Landmark) -> Finding:
     rise, aside = subject.base - anchor.top, anchor.footprint.distance(Point(subject.centre))
     text = f"{subject.name} {rise:.2f} m above {anchor.name}, {aside:.2f} m aside"
     return rise >= -CONTACT and aside <= ABOVE_MARGIN, text
+
+
+def _nearly_above(subject: Landmark, anchor: Landmark) -> Finding:
+    rise, aside = subject.base - anchor.top, anchor.footprint.distance(subject.footprint)
+    text = f"{subject.name} {rise:.2f} m above {anchor.name}, {aside:.2f} m aside"
+    return rise >= -CONTACT and aside <= NEARLY_ABOVE, text
 
 
 def _under(subject: Landmark, anchor: Landmark) -> Finding:
@@ -307,7 +329,7 @@ _PAIRS: dict[RelationKind, Pair] = {
     "left_of": _on_side(0, 1, NEAR),
     "right_of": _on_side(0, -1, NEAR),
     "in_front_of": _in_front_of,
-    "behind": _BEHIND,
+    "behind": _behind,
     "at_foot_of": _on_side(1, 0, NEXT_TO),
     "at_long_side": _beside_side(long=True),
     "at_short_side": _beside_side(long=False),
@@ -319,4 +341,4 @@ _PAIRS: dict[RelationKind, Pair] = {
     "in_corner": _in_corner,
     "in_centre": _in_centre,
 }
-_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by}
+_DENIED: dict[RelationKind, Pair] = {"against_wall": _close_to_wall, "next_to": _close_by, "above": _nearly_above}

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 ON_FLOOR = 0.02
 """A base lower than this stands on the floor [m]."""
+LEVEL = 0.001
+"""How near the bottom of what it lies in such a base is [m]."""
 
 
 def placed_at(scene: Arrangement, asset: Known, *, id: str, position: Vec3, yaw: float) -> Placement:
@@ -40,7 +42,7 @@ def support_of(scene: Arrangement, asset: Known, placement: Placement) -> str:
     if asset.mount == "wall":
         return _nearest_wall(scene, placement)
     if placement.position[2] < ON_FLOOR:
-        return "floor"
+        return (_holder(scene, placement) if placement.position[2] > 0.0 else None) or "floor"
     return _carrier(scene, placement) or "floor"
 
 
@@ -111,6 +113,23 @@ def _carrier(scene: Arrangement, placement: Placement) -> str | None:
         found += [(abs(placement.position[2] - h), other.id) for h in heights if h < placement.position[2] + ON_FLOOR]
     nearest, id = min(found, default=(math.inf, ""))
     return id if nearest < math.inf else None
+
+
+def _holder(scene: Arrangement, placement: Placement) -> str | None:
+    """Who has the bottom of a hollow right under the middle of what is next to the floor, as a box and a basket have.
+
+    It is the smallest of those, where one stands in another.
+    """
+    over = (p for p in scene.placements if p.id != placement.id and _is_under(p, placement))
+    found = [
+        (p.size[0] * p.size[1], p.id)
+        for p in over
+        if any(
+            s.within and abs(p.position[2] + s.position[2] - placement.position[2]) <= LEVEL
+            for s in scene.asset_of(p).surfaces
+        )
+    ]
+    return min(found, default=(0.0, ""))[1] or None
 
 
 def _is_under(other: Placement, placement: Placement) -> bool:

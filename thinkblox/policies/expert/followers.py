@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from thinkblox.assets import facts_of
 from thinkblox.plan import Target, Tie
 from thinkblox.policies.expert.ground import zone_costs
 from thinkblox.policies.expert.needs import BEFORE_BOARD, need, seat_need
@@ -22,13 +23,17 @@ DARKENS = 0.85
 """What is higher than this does not stand before a window [m]."""
 HIDES, HIDDEN = 0.5, 2.0
 """How far before a hung thing nothing of its height stands [m], and the cost of what does."""
+AGAINST_LIGHT = 1.2
+"""Cost of a screen before a window, against whose light one looks."""
+FACES_LIGHT = 0.8
+"""Cost of a seat from which a screen will be seen against a window across the room, where there is floor to choose."""
 IN_USE = 4.0
 """Cost per metre by which a follower would stand in the floor that others need."""
 
 
 def follower_costs(situation: Situation, rects: Rects) -> Array:
     """Room for what comes later and refers to this: nightstands beside a bed, chairs about a table, a view."""
-    costs = _room_for_run(situation, rects) + _room_beside(situation, rects)
+    costs = _room_for_run(situation, rects) + _room_beside(situation, rects) + _against_light(situation, rects)
     done: set[tuple[str, str]] = set()
     for follower in situation.followers:
         for tie in follower.ties:
@@ -38,7 +43,36 @@ def follower_costs(situation: Situation, rects: Rects) -> Array:
                 costs += _room_for(situation, rects, follower, tie)
                 if tie.kind == "opposite" and situation.target.id in tie.anchors:
                     costs += _too_deep(situation, rects, situation.kind(follower).size[0])
+                    costs += _faces_light(situation, rects, follower)
     return costs
+
+
+def _against_light(situation: Situation, rects: Rects) -> Array:
+    """What it costs that a screen that comes onto it would be before a window."""
+    own = situation.target.id
+    on_it = [t for t in situation.followers for tie in t.ties if tie.kind == "on" and own in tie.anchors]
+    screens = [situation.kind(t).size[2] for t in on_it if facts_of(t.category).is_in("screens")]
+    if not screens or situation.facts.is_in("worked_at"):
+        return np.zeros(len(rects))
+    tall = Rects(rects.centre, rects.half, rects.yaw, rects.bottom, rects.top + max(screens))
+    return np.where((overlap_depth(tall, situation.window_zones) > 0.0).any(-1), AGAINST_LIGHT, 0.0)
+
+
+def _faces_light(situation: Situation, rects: Rects, follower: Target) -> Array:
+    """What it costs that a window is across the room where a screen is to stand or hang."""
+    later = situation.observation.plan.targets
+    on_it = [t.category for t in later for tie in t.ties if tie.kind == "on" and follower.id in tie.anchors]
+    if not any(facts_of(category).is_in("screens") for category in (follower.category, *on_it)):
+        return np.zeros(len(rects))
+    room, half = situation.room, situation.kind(follower).size[1] / 2
+    front = np.stack([np.cos(rects.yaw), np.sin(rects.yaw)], axis=-1)
+    lit = np.zeros(len(rects), dtype=bool)
+    for window in (opening for opening in room.openings if opening.kind == "window"):
+        wall = room.walls[window.wall]
+        along = (rects.centre - np.array(wall.start)) @ np.array(wall.along)
+        middle = window.offset + window.width / 2
+        lit |= (front @ np.array(wall.inward) < -0.9) & (np.abs(along - middle) < half + window.width / 2)
+    return np.where(lit, FACES_LIGHT * max(0.0, 2.0 * situation.spare - 1.0), 0.0)
 
 
 def _too_deep(situation: Situation, rects: Rects, depth: float) -> Array:

@@ -18,6 +18,10 @@ BARELY = 0.2
 """How far above the sill a head of a bed may reach before a window, where no wall is free [m]."""
 SEEN_OVER, IN_VIEW = 0.6, 4.0
 """Height over which one looks from a sofa [m], and cost per metre of what is higher between it and a screen."""
+HIGH, AT_WALL, BARE_BACK = 1.2, 0.06, 2.5
+"""Storage that is higher than this shows its back [m], unless a wall is as near as this [m]; and the cost of that."""
+_BACKED = ("in_rows", "back_to_back", "between", "behind")
+"""Relations of storage that does not stand against a wall."""
 MOVABLE = 15.0
 """What is lighter than this is moved aside when the floor is needed [kg]."""
 
@@ -30,7 +34,7 @@ def ground_costs(situation: Situation, rects: Rects) -> Array:
     costs += weight * overlap_depth(rects, situation.clearances).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.reserved).sum(-1)
     costs += 4.0 * overlap_depth(rects, situation.promised).sum(-1)
-    costs += in_the_way(situation, rects)
+    costs += in_the_way(situation, rects) + _back_in_room(situation, rects)
     if situation.size[2] > SEEN_OVER:
         costs += IN_VIEW * overlap_depth(rects, situation.views).max(-1, initial=0.0)
     if len(situation.door_zones) and max(situation.size[:2]) > 0.5:
@@ -52,6 +56,15 @@ def used_costs(situation: Situation, rects: Rects) -> Array:
 def _promised(situation: Situation, zone: Rects) -> Array:
     """What will be missing of a zone when those come who are promised floor there."""
     return np.asarray(2.0 * overlap_depth(zone, situation.promised).max(-1, initial=0.0))
+
+
+def _back_in_room(situation: Situation, rects: Rects) -> Array:
+    """What it costs that the bare back of high storage is seen; rows and what parts the room have none to hide."""
+    stands = any(tie.kind in _BACKED for tie in situation.target.ties) or situation.asset.front != "one"
+    if stands or situation.size[2] < HIGH or not situation.facts.is_in("storage"):
+        return np.zeros(len(rects))
+    against = outside(beside(rects, "back", AT_WALL), situation.room.polygon) > 0.0
+    return np.where(against, 0.0, BARE_BACK)
 
 
 def zone_costs(situation: Situation, zone: Rects, *, weight: float) -> Array:

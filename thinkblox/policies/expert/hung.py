@@ -1,7 +1,11 @@
 """Ideas on walls and ceilings."""
 
+import itertools
+import math
 from collections.abc import Iterator
 from dataclasses import replace
+
+import numpy as np
 
 from thinkblox.phrases import Constraint
 from thinkblox.policies.expert import hung_rows, open_floor
@@ -23,6 +27,8 @@ HEAD_ROOM = 1.5
 """What hangs lower than this over the floor is walked round [m]."""
 DRAPED = 0.2
 """How far drapes reach past a window, on either side [m]."""
+CEILING_STEP = 0.4
+"""Between places on the ceiling for what must not hang just anywhere [m]."""
 BACK_GAP = 0.002
 """Between a hung thing and its wall [m]: touching, without cutting in."""
 
@@ -293,11 +299,14 @@ def from_ceiling(situation: Situation) -> Iterator[Idea]:
         return
     count, index = situation.target.count, situation.target.index
     offset = ((index + 0.5) / count - 0.5) * max(ex, ey)
-    for shift in (0.0, 0.4, -0.4, 0.8, -0.8):
-        x, y = (cx + offset + shift, cy) if ex >= ey else (cx, cy + offset + shift)
+    spots = [(cx + offset + s, cy) if ex >= ey else (cx, cy + offset + s) for s in (0.0, 0.4, -0.4, 0.8, -0.8)]
+    if situation.target.denied:
+        grid = itertools.product(np.arange(0.25, ex, CEILING_STEP), np.arange(0.25, ey, CEILING_STEP))
+        spots += [(round(float(x), 3), round(float(y), 3)) for x, y in grid]
+    for x, y in spots:
         words = (
             Constraint(kind="at", values=(round(x, 3), round(y, 3))),
             Constraint(kind="above", anchors=("floor",), values=(round(z, 3),)),
             turned(0.0),
         )
-        yield Idea((x, y, z), 0.0, words, "it lights the room", abs(shift))
+        yield Idea((x, y, z), 0.0, words, "it lights the room", math.dist((x, y), spots[0]))

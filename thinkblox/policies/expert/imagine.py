@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from itertools import product
 
 from thinkblox.assets import facts_of
 from thinkblox.phrases import Constraint
@@ -22,11 +23,12 @@ from thinkblox.policies.expert import (
     surfaces,
     walls,
 )
-from thinkblox.policies.expert.idea import Idea
+from thinkblox.policies.expert.idea import WALL_GAP, Idea
+from thinkblox.policies.expert.needs import WORKING, backs_worker
 from thinkblox.policies.expert.situation import Situation
 from thinkblox.scene.asset import Mount
 from thinkblox.scene.landmarks import corners, things
-from thinkblox.scene.pairs import FACING
+from thinkblox.scene.pairs import FACING, NEAR
 from thinkblox.scene.placement import Placement
 from thinkblox.scene.rectangles import Rects
 from thinkblox.scene.room import turn_between
@@ -64,6 +66,12 @@ UNPAIRED = 3.0
 """Cost of a place that leaves no room for what comes between it and its partner, or too much."""
 _PLACED_TOGETHER = ("in_rows", "around", "at_long_side", "at_short_side", "at")
 """Relations that decide where those stand who look at each other."""
+SIDE_GAP, SEATED_BEFORE = 0.01, 0.8
+"""Free distance between cases side by side, and least free floor for a chair between them and a desk [m]."""
+BEYOND_DESK = 2.5
+"""Cost of standing on the visitors' side of a desk, where it is to be behind who works there."""
+OFF_MIDDLE = 0.3
+"""Cost of standing beside the middle of a rug, besides the distance."""
 PILED = 4.0
 """Cost of lying on what is inside a container, rather than on its bottom."""
 SEATED = 0.2
@@ -104,6 +112,7 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
     """Off the walls by what is to stand behind it."""
     own = situation.target.id
     behind = [later for later in situation.followers if _is_behind(later, own)]
+    behind = [later for later in behind if not backs_worker(facts_of(later.category), situation.facts)]
     together = any(tie.kind in _PLACED_TOGETHER for tie in situation.target.ties)
     if not behind or together or situation.asset.mount != "floor":
         return
@@ -117,14 +126,21 @@ def _before_staff(situation: Situation) -> Iterator[Idea]:
 
 
 def _receiving(situation: Situation) -> Iterator[Idea]:
-    """A desk across which people are received: who works there has a wall behind and looks into the room."""
+    """A desk across which people are received, or with things behind it: who works there looks into the room.
+
+    Behind them is the wall, or what stands there.
+    """
     visits = (
         tie.kind == "in_front_of" and situation.target.id in tie.anchors and facts_of(later.category).is_in("visits")
         for later in situation.followers
         for tie in later.ties
     )
-    if situation.asset.gaze == "back" and situation.asset.mount == "floor" and any(visits):
-        for idea in walls.off_walls(situation, walls.BEHIND - 0.1, turned_round=True):
+    own = situation.target.id
+    backing = [t for t in situation.followers if _is_behind(t, own) and situation.kind(t).mount == "floor"]
+    backing = [t for t in backing if backs_worker(facts_of(t.category), situation.facts)]
+    if situation.asset.gaze == "back" and situation.asset.mount == "floor" and (backing or any(visits)):
+        deepest = max((situation.kind(later).size[0] + WALL_GAP for later in backing), default=-0.1)
+        for idea in walls.off_walls(situation, walls.BEHIND + deepest, turned_round=True):
             yield _dearer(idea, RECEIVING)
 
 
@@ -205,10 +221,10 @@ def _at_place(situation: Situation, tie: Tie, place: str) -> Iterable[Idea]:
         return hung.from_ceiling(situation)
     if not situation.asset.collides and place == "door":
         return open_floor.at_doors(situation)
-    if not situation.asset.collides or place == "centre":
-        return open_floor.grid(situation, step=0.1)
     if tie.kind == "in_corner" or place == "corner":
         return _in_corner(situation, tie)
+    if not situation.asset.collides or place == "centre":
+        return open_floor.grid(situation, step=0.1)
     if place == "floor":
         return anywhere(situation)
     if tie.kind == "opposite" and place in ("window", "door"):
@@ -394,7 +410,30 @@ def _visiting(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]
 def _behind(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:
     if situation.asset.mount == "wall":
         return hung.behind(situation, anchor, index=tie.index, count=tie.count)
+    if backs_worker(situation.facts, facts_of(anchor.category)) and _is_worked_at(situation, anchor):
+        return _backing(situation, anchor, tie)
     return beside.behind(situation, anchor, index=tie.index, count=tie.count)
+
+
+def _backing(situation: Situation, desk: Placement, tie: Tie) -> Iterator[Idea]:
+    """Behind who works at a desk, side by side, up to the wall there where it is near; else beyond the desk's back."""
+    depth, width = situation.size[:2]
+    aside = (tie.index - (tie.count - 1) / 2) * (width + SIDE_GAP)
+    free = [
+        wall.coordinates(desk.position[:2])[1] - desk.size[0] / 2 - depth - WALL_GAP
+        for wall in situation.room.walls
+        if turn_between(wall.yaw, desk.yaw + 180.0) < 1.0
+    ]
+    near = [round(gap, 3) for gap in free if SEATED_BEFORE <= gap <= NEAR]
+    for rank, gap in enumerate((*near, WORKING, 0.9, 1.1, 1.25)):
+        for step, shift in enumerate((0.0, 0.2, -0.2, 0.4, -0.4)):
+            local = (desk.size[0] / 2 + gap + depth / 2, aside + shift)
+            words = (Constraint(kind="beside", anchors=(desk.id,), side="front", values=(round(gap, 3),)),)
+            why = f"it is behind who works at {desk.id}"
+            cost = 0.2 * rank + 0.15 * step
+            yield beside.beside_at(situation, desk, local, yaw=desk.yaw + 180.0, words=words, why=why, cost=cost)
+    for idea in beside.behind(situation, desk, index=tie.index, count=tie.count):
+        yield _dearer(idea, BEYOND_DESK)
 
 
 def _foot(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]:
@@ -435,7 +474,7 @@ def _inside(situation: Situation, anchor: Placement, tie: Tie) -> Iterator[Idea]
     yield from ideas
     piled = Tie(kind="on", anchors=(anchor.id,))
     for content in situation.inside(anchor) if ideas else ():
-        for idea in surfaces.on_surfaces(situation, content, piled):
+        for idea in (*surfaces.on_surfaces(situation, content, piled), *surfaces.on_its_like(situation, content)):
             yield _dearer(replace(idea, why=f"it lies on what is in {anchor.id}"), PILED)
     if not ideas:
         yield from surfaces.on_surfaces(situation, anchor, Tie(kind="on", anchors=(anchor.id,)))
@@ -463,8 +502,16 @@ def _back_to_back(situation: Situation, anchor: Placement, tie: Tie) -> Iterator
 
 
 def _on_rug(situation: Situation, rug: Placement, tie: Tie) -> Iterator[Idea]:
+    why = f"it stands on {rug.id}"
     for idea in beside.between(situation, (rug,)):
-        yield replace(idea, words=idea.words[1:], why=f"it stands on {rug.id}", ignore=(rug.id,))
+        yield replace(idea, words=idea.words[1:], why=why, ignore=(rug.id,))
+    for share_x, share_y in product((-0.3, -0.15, 0.0, 0.15, 0.3), repeat=2):
+        local = (share_x * rug.size[0], share_y * rug.size[1])
+        cost = OFF_MIDDLE + math.hypot(*local)
+        for turn in (0.0, 90.0):
+            yield beside.beside_at(
+                situation, rug, local, yaw=rug.yaw + turn, words=(), why=why, cost=cost, ignore=(rug.id,)
+            )
 
 
 def _under(situation: Situation, anchor: Placement, tie: Tie) -> Iterable[Idea]:

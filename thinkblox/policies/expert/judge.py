@@ -36,6 +36,8 @@ MISSED_BY, FAR_OFF = 0.4, 3.0
 """Cost per metre by which it misses what it is to be close by, and the most of it."""
 SWING, IN_SWING = 0.5, 8.0
 """Free floor all round what hangs among people [m], and the cost per metre of what is in it."""
+STOOD_ON = 8.0
+"""Cost per metre by which furniture stands on a rug that is a place of its own."""
 DENIED, KEPT_FREE = 14.0, 16.0
 """Cost of a relation that must not hold, and of standing where it is to stay free: more than to stand elsewhere."""
 FINALISTS, MOST_LOOKED_AT = 40, 400
@@ -139,7 +141,7 @@ def _impossible(situation: Situation, ideas: Sequence[Idea], rects: Rects) -> Ar
     out = outside(rects, situation.room.polygon)
     costs = np.where(out > 0.0005, HOPELESS + 50.0 * out, 0.0)
     if not situation.asset.collides:
-        return costs + 6.0 * _other_rugs(situation, rects)
+        return costs + 6.0 * _other_rugs(situation, rects) + _stood_on(situation, rects)
     costs += np.where(overlap_depth(rects, situation.kept_free).max(-1, initial=0.0) > TOUCH, KEPT_FREE, 0.0)
     worst = depth_in_others(situation, ideas, rects)
     costs += np.where(worst > TOUCH, HOPELESS + 50.0 * worst, 0.0)
@@ -172,6 +174,13 @@ def _except_ignored(depth: Array, ideas: Sequence[Idea], others: Sequence[Placem
             if id in column:
                 kept[row, column[id]] = 0.0
     return kept
+
+
+def _stood_on(situation: Situation, rects: Rects) -> Array:
+    """What it costs that something stands on what lies in a corner, to be used as it is."""
+    if not any(tie.kind == "in_corner" for tie in situation.target.ties):
+        return np.zeros(len(rects))
+    return np.asarray(STOOD_ON * overlap_depth(rects, situation.solids).max(-1, initial=0.0))
 
 
 def _other_rugs(situation: Situation, rects: Rects) -> Array:

@@ -5,7 +5,7 @@ The figures are those of the handbooks of interior layout (Neufert, Architects' 
 
 from typing import NamedTuple
 
-from thinkblox.assets import facts_of
+from thinkblox.assets import Facts, facts_of
 from thinkblox.knowledge.uses import MAIN_WAY
 from thinkblox.plan import Target, Tie
 from thinkblox.value import Vec3
@@ -13,6 +13,8 @@ from thinkblox.value import Vec3
 ALL_ROUND = ("front", "back", "left", "right")
 BEHIND_SEAT = 0.35
 """Floor behind a seat, to draw it back [m]."""
+WORKING = 1.0
+"""Floor between a desk and what stands behind who works there, who draws back the chair [m]."""
 VIEW = 2.0
 """Floor between a seat and the screen or fire that it looks at [m]."""
 TALK = 1.4
@@ -66,7 +68,7 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
         case "in_front_of" | "at_foot_of":
             return _before(tie, size, received=anchor.gaze == "back" and own.is_in("visits"))
         case "behind" | "back_to_back":
-            return Need(("back",), depth + 0.3, width * tie.count, 1, 4.0)
+            return _behind(tie, size, worker=tie.kind == "behind" and backs_worker(own, anchor))
         case "facing" if anchor.gaze == "back":
             return Need(("back",), depth + MAIN_WAY, None, 1, 4.0)
         case "facing":
@@ -74,6 +76,19 @@ def need(follower: Target, tie: Tie, *, of: str, size: Vec3) -> Need | None:
             return Need(("front",), apart + depth, min(width, 1.2), 1, 2.0)
         case _:
             return None
+
+
+def _behind(tie: Tie, size: Vec3, *, worker: bool) -> Need:
+    """Floor behind a thing, or behind who works at a desk."""
+    depth, width, _ = size
+    if worker:
+        return Need(("front",), depth + WORKING, width * tie.count, 1, 4.0)
+    return Need(("back",), depth + 0.3, width * tie.count, 1, 4.0)
+
+
+def backs_worker(own: Facts, desk: Facts) -> bool:
+    """Whether a thing behind a desk is behind who works there, on the side that no visitor sees first."""
+    return desk.gaze == "back" and desk.is_in("worked_at") and not own.is_in("seating", "seats")
 
 
 def _before(tie: Tie, size: Vec3, *, received: bool) -> Need:

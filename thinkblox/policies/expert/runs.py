@@ -330,13 +330,17 @@ def _idea(situation: Situation, slot: RunSlot, cost: float, count: int) -> Idea:
 
 
 def middle_of_run(situation: Situation, part: Placement) -> float:
-    """How far to the left of the middle of a part that is of the straight row that it stands in [m]; 0 where alone."""
+    """How far to the left of the middle of a part that is of the straight row that it stands in [m]; 0 where alone.
+
+    Seats that stand in line form a row too.
+    """
     own = facts_of(part.category)
     row = [part]
     for p in situation.solid:
         x, _ = part.to_local((p.position[0], p.position[1]))
         in_line = turn_between(p.yaw, part.yaw) < 1.0 and abs(x) < part.size[0] / 2
-        if p.id != part.id and own.runs_with(facts_of(p.category)) and in_line:
+        alike = own.is_in("chairs") and p.category == part.category
+        if p.id != part.id and in_line and (alike or own.runs_with(facts_of(p.category))):
             row.append(p)
     ends = [(part.to_local((p.position[0], p.position[1]))[1], p.size[1] / 2) for p in row]
     return (max(y + half for y, half in ends) + min(y - half for y, half in ends)) / 2

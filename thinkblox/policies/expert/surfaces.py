@@ -30,7 +30,7 @@ CROWDED, CROWDED_BY_ONES = 0.3, 0.5
 BESIDE_OTHERS = 0.5
 """Cost of standing right beside what is on a shelf."""
 CLOSE = 0.004
-"""Left between things in a ring, and to the wall around them [m]."""
+"""Left between things in a ring, and to the wall around what is in a hollow [m]."""
 TIGHT = 2.0
 """Cost of lying so that not all of its kind have room."""
 LONG = 1.8
@@ -41,6 +41,8 @@ ALIKE = 0.01
 """Lengths that differ by less are the same [m]."""
 LOWER = 3.0
 """Cost of a shelf of what has a top, for what is to be on it; and of the top of shelves, for what nobody asked for."""
+FLAT = 0.5
+"""Share of its shorter side that a thing is high at most, of which others like it lie on it."""
 HEADROOM = 0.02
 """Air left under the next shelf [m]."""
 
@@ -79,6 +81,22 @@ def _on_those(situation: Situation, anchor: Placement, tie: Tie, surfaces: tuple
         yield from ideas
         if ideas and bool((depth_in_others(situation, ideas, boxes(situation, ideas)) <= TOUCH).any()):
             return
+
+
+def on_its_like(situation: Situation, lower: Placement) -> Iterator[Idea]:
+    """Right on another of its request that lies flat, as a cookie does on a cookie, where nothing lies on that."""
+    flat = lower.size[2] <= FLAT * min(lower.size[:2])
+    alike = lower in situation.siblings and not situation.scene.asset_of(lower).surfaces
+    if not (flat and alike) or situation.scene.resting_on(lower.id):
+        return
+    x, y, _ = lower.position
+    words = (
+        Constraint(kind="on", anchors=(lower.id,)),
+        Constraint(kind="offset", anchors=(lower.id,), values=(0.0, 0.0)),
+        turned(lower.yaw),
+    )
+    passed = (lower.id, *situation.enclosing(lower))
+    yield Idea((x, y, lower.top), lower.yaw, words, f"it lies on {lower.id}", 0.0, passed, lower.size)
 
 
 def _serves(surface: Surface, tie: Tie) -> bool:
@@ -159,6 +177,7 @@ def _at_size(
     """Places for a thing of a size; with a foot, it may reach past the edges with all that is not its foot."""
     shelves = len(_alike(surfaces)) if tie.count > 1 else 1
     passed = (anchor.id, *situation.seats, *situation.enclosing(anchor))
+    discs = _discs_on(situation, anchor) if _is_disc(situation.asset.front, size) else ()
     (ox, oy), stands = foot or _Foot((0.0, 0.0), (size[0], size[1]))
     for rank, surface in enumerate(surfaces):
         for turn in _turns(situation, anchor, surface):
@@ -173,8 +192,27 @@ def _at_size(
                 dearer = cost + 0.4 * rank + (0.6 if turn % 180.0 else 0.0) + crowding
                 spot = (x + forward - (ox * c - oy * s), y - (ox * s + oy * c))
                 idea = _idea(situation, anchor, surface, spot, turn, dearer, size, passed)
+                if discs:
+                    idea = replace(idea, ignore=(*idea.ignore, *_clear_of(discs, idea, size[0] / 2)))
                 if tie.kind != "inside" or idea.cost < OFF:
                     yield idea
+
+
+def _is_disc(front: str, size: Vec3) -> bool:
+    return front == "any" and abs(size[0] - size[1]) < ALIKE
+
+
+def _discs_on(situation: Situation, anchor: Placement) -> tuple[Placement, ...]:
+    """What is round and stands on or in a thing: the corners of its box are free."""
+    riders = situation.scene.resting_on(anchor.id)
+    return tuple(p for p in riders if _is_disc(situation.scene.asset_of(p).front, p.size))
+
+
+def _clear_of(discs: Sequence[Placement], idea: Idea, own: float) -> Iterator[str]:
+    """Those discs that a round thing does not meet at an idea's place, though their boxes may."""
+    for p in discs:
+        if math.dist(p.position[:2], idea.position[:2]) >= own + p.size[0] / 2:
+            yield p.id
 
 
 def _in_turn(surfaces: tuple[Surface, ...], size: Vec3, tie: Tie) -> tuple[Surface, ...]:
@@ -213,7 +251,8 @@ def _free_half(plan: Vec2, surface: Surface) -> Vec2 | None:
     half = ((surface.size[0] - plan[0]) / 2, (surface.size[1] - plan[1]) / 2)
     if min(half) < -OVERHANG:
         return None
-    margin_x, margin_y = min(EDGE, max(0.0, half[0]) / 2), min(EDGE, max(0.0, half[1]) / 2)
+    edge = CLOSE if surface.within and not surface.round else EDGE
+    margin_x, margin_y = min(edge, max(0.0, half[0]) / 2), min(edge, max(0.0, half[1]) / 2)
     return (max(0.0, half[0] - margin_x), max(0.0, half[1] - margin_y))
 
 
@@ -229,13 +268,13 @@ def _spots(
     if surface.headroom is not None and tie.kind == "on":
         yield from _beside_others(situation, anchor, surface, free, plan)
     if tie.count > 1 and not (marked and 1 < shelves >= tie.count):
-        marked = _spread(tie, surface, free, shelves, plan)
+        marked = _spread(tie, surface, free, shelves, plan, turns=situation.asset.front == "any")
         if _looks_ahead(situation) and marked[0][0] == 0.0:
             marked = ((situation.facts.spots[0][0], marked[0][1]),)
     if aside := _leaving_room(situation, surface):
         marked = ((marked[0][0] if marked else 0.0, aside),)
-    elif tie.kind == "on" and surface.headroom is None:
-        marked = _share_of(situation, anchor, surface, free) or marked
+    elif surface.headroom is None and (tie.kind == "on" or (tie.kind == "inside" and not surface.round)):
+        marked = _share_of(situation, anchor, surface, free, tie) or marked
     for rank, (u, v) in enumerate(marked):
         yield (u * free[0], v * free[1]), 0.1 * rank
     columns = max(3, min(21, round(free[1] / 0.06)))
@@ -303,14 +342,15 @@ def _middle(free: Vec2, anchor: Placement) -> Iterator[tuple[Vec2, float]]:
                 yield (x, y), 0.2 * ring
 
 
-def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int, plan: Vec2) -> tuple[Vec2, ...]:
+def _spread(tie: Tie, surface: Surface, free: Vec2, shelves: int, plan: Vec2, *, turns: bool) -> tuple[Vec2, ...]:
     """Evenly along the longer side for up to six on one of the shelves, in two staggered lines for more.
 
-    On a disc, in a ring; what is long lies there side by side.
+    On a disc, in a ring, to its very edge what `turns` as a disc does; what is long lies there side by side.
     """
     count, index = -(-tie.count // shelves), tie.index // shelves
     if surface.round and max(plan) < LONG * min(plan) and (surface.within or count > 3):
-        away = max(0.0, min(surface.size) / 2 - _round_own(plan) - CLOSE)
+        own = _round_own(plan) if turns else math.hypot(*plan) / 2
+        away = max(0.0, min(surface.size) / 2 - own - CLOSE)
         return _ring(count, index, (away / max(free[0], 1e-9), away / max(free[1], 1e-9)))
     lengthwise = 1 if (plan[1] <= plan[0] if surface.round else surface.size[1] >= surface.size[0]) else 0
     lines = _lines(count, plan[lengthwise], surface.size[lengthwise])
@@ -340,12 +380,12 @@ def _ring(count: int, index: int, reach: Vec2) -> tuple[Vec2, ...]:
     return ((reach[0] * math.cos(angle), reach[1] * math.sin(angle)),)
 
 
-def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: Vec2) -> tuple[Vec2, ...]:
+def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: Vec2, tie: Tie) -> tuple[Vec2, ...]:
     """Where the target stands among the kinds of things that crowd one top: each kind has a stretch of it, in lines.
 
     Empty where the top is not crowded, or one kind alone is on it.
     """
-    groups = _kinds_on(situation, anchor)
+    groups = _kinds_on(situation, anchor, tie)
     own = next((n for n, group in enumerate(groups) if situation.target in group), None)
     central = any(tie.kind == "in_centre" and anchor.id in tie.anchors for tie in situation.target.ties)
     if own is None or len(groups) < 2 or central or _looks_ahead(situation):
@@ -368,11 +408,11 @@ def _share_of(situation: Situation, anchor: Placement, surface: Surface, free: V
     return ((across, along),) if lengthwise else ((along, across),)
 
 
-def _kinds_on(situation: Situation, anchor: Placement) -> list[list[Target]]:
-    """What the plan has on the anchor, by request, in its order."""
+def _kinds_on(situation: Situation, anchor: Placement, tie: Tie) -> list[list[Target]]:
+    """What the plan has on the anchor, or in it as the tie says, by request, in its order."""
     groups: dict[str, list[Target]] = {}
     for target in situation.observation.plan.targets:
-        if any(tie.kind == "on" and anchor.id in tie.anchors for tie in target.ties):
+        if any(other.kind == tie.kind and anchor.id in other.anchors for other in target.ties):
             groups.setdefault(target.request, []).append(target)
     return list(groups.values())
 

@@ -22,7 +22,7 @@ BEHIND = 1.1
 """Left between a counter and the wall for those who sit or serve behind it [m]."""
 ASIDE = 2.0
 """Cost per metre beside the axis of what is looked at across the room."""
-WAITING = 3
+WAITING = 2
 """From so many on, seats by the walls stand side by side."""
 STEPS = 14
 """Places tried along one wall besides the marked ones."""

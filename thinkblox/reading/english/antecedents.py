@@ -120,6 +120,8 @@ class Antecedents:
         seen = self._survey(start)
         last = next((n for n in reversed(seen.named) if self._means_any(n, subjects)), None)
         besides = {id(t) for s in subjects for t in self._referents.clan(s)}
+        if kind == "opposite":
+            besides |= {id(t) for t in self._draft.things[-_WINDOW:] if t.owner is not None and t.owner in subjects}
         kept = set(map(id, self._draft.things[-_WINDOW:]))
         scores: dict[int, Antecedent] = {}
         for named in seen.named:

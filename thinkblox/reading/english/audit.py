@@ -60,7 +60,11 @@ class Audit(Doubts):
     def _find_each(self, thing: Mention) -> None:
         """Say of "each basin" that no basins were named."""
         noun = self.named_by.get(thing)
-        counted = noun is not None and noun.count is not None and not noun.text.lower().startswith("each of")
+        counted = (
+            noun is not None
+            and noun.count is not None
+            and not noun.text.lower().startswith(("each of the", "each of my"))
+        )
         if noun is not None and noun.det == "each" and not counted and thing not in self.told_later:
             self.account.mark(noun.start, noun.end, "not_understood")
             self.draft.unknown.append(f"{noun.text} (none named)")

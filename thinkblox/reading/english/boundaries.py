@@ -3,12 +3,18 @@
 from dataclasses import replace
 
 from thinkblox.assets import kind_of
+from thinkblox.knowledge.habits import load_habits
 from thinkblox.reading.draft import Mention
 from thinkblox.reading.english.chunks import Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed, Node
-from thinkblox.reading.english.referents import is_small
+from thinkblox.reading.english.referents import FURNITURE, is_small
 from thinkblox.reading.english.state import LOOKAHEAD, State
+
+
+def _is_plain_thing(noun: str) -> bool:
+    """Whether nobody made its kind, and it is no furniture."""
+    return kind_of(noun).plain and not load_habits().is_in(noun, *FURNITURE)
 
 
 class Boundaries(State):
@@ -128,7 +134,7 @@ class Boundaries(State):
         carries = self.habits.is_in(thing.noun, "surfaces", "storage")
         carries |= self.habits.tie(listed.value, thing.noun) in ("on", "inside")
         lies = self._belongs(listed.value, "small") or self.habits.is_in(listed.value, "lamps")
-        lies |= listed.named and kind_of(listed.value).mount == "surface"
+        lies |= listed.named and (kind_of(listed.value).mount == "surface" or _is_plain_thing(listed.value))
         return Node([thing]) if carries and lies and not (listed.definite or is_small(thing)) else None
 
     def _begin_again(self) -> None:

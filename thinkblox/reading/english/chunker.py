@@ -265,7 +265,7 @@ class Cutter:
 
     def _set_phrase(self) -> Chunk | None:
         """Read what is told by its first words alone."""
-        found = self._two_walls() or self._finish() or self._infinitive() or self._after_modal()
+        found = self._two_walls() or self._two_sides() or self._finish() or self._infinitive() or self._after_modal()
         return found or self._described() or self._said_round()
 
     def _two_walls(self) -> Noun | None:
@@ -275,6 +275,14 @@ class Cutter:
             return None
         text = " ".join(token.shown for token in self.tokens[self.at : self.at + length])
         return Noun("place", value, self.at, self.at + length, text, det="the", plural=True)
+
+    def _two_sides(self) -> Noun | None:
+        """Read "bedside tables left and right"."""
+        words = [self._text_at(self.at + n) for n in range(4)]
+        ends = self.at + 3 >= len(self.tokens) or self.tokens[self.at + 3].kind == "mark"
+        if words[:3] not in (["left", "and", "right"], ["right", "and", "left"]) or not (ends and self._after_noun()):
+            return None
+        return Noun("part", "side", self.at, self.at + 3, " ".join(words[:3]), det="both", plural=True)
 
     def _finish(self) -> Connector | None:
         """Go past the "painted" of "a dresser painted yellow"."""
@@ -315,6 +323,8 @@ class Cutter:
         if self._text_at(self.at) == "to" and self._text_at(self.at + 1) == "be":
             done = self._text_at(self.at + 2).endswith("ed") and grammar().at(self.tokens, self.at + 2, *_LINKS) is None
             return Connector("fillers", "words", self.at, self.at + 2 + done, "to be")
+        if self._text_at(self.at) == "to" and (length := self._purpose()):
+            return Connector("fillers", "words", self.at, self.at + length, "to")
         wished = self.at > 0 and self._text_at(self.at - 1) in grammar().lists["wishes"]
         if not wished or self._text_at(self.at) != "to" or self.at + 1 >= len(self.tokens):
             return None
@@ -323,6 +333,13 @@ class Cutter:
         if named or self.tokens[after].kind != "word":
             return None
         return Connector("fillers", "words", self.at, after, token.shown)
+
+    def _purpose(self) -> int:
+        """How many tokens "to check posture" has, which says what something is for; 0 where it is no such thing."""
+        noun = self._phrases.read(self.at + 1) if self.at + 1 < len(self.tokens) and self._after_noun() else None
+        if noun is None or noun.kind != "thing" or noun.named or noun.det or noun.count is not None:
+            return 0
+        return noun.end - self.at if noun.end > self.at + 2 and not (noun.unshown or noun.attributes) else 0
 
     def _after_people(self) -> bool:
         last = self.made[-1] if self.made else None

@@ -96,6 +96,11 @@ class Noun:
         return self.det in ("each", "either")
 
     @property
+    def shared(self) -> bool:
+        """Whether what is said of several that are left is said of every single one: "each of the others"."""
+        return self.text.lower().startswith(("each of ", "every one of ", "all "))
+
+    @property
     def word(self) -> str:
         """The singular of its last word."""
         return singular(self.text.rpartition(" ")[2].lower())

@@ -121,7 +121,7 @@ class Clauses(Audit):
         self._as_seat(noun)
         self._as_shade(noun)
         self.draft.style += noun.styles if not self.excluding else []
-        if noun.kind == "thing" and self._is_label(noun):
+        if noun.kind == "thing" and (self._is_label(noun) or self._is_for_every(noun)):
             self._spend(noun)
             return
         readers: Mapping[NounKind, Callable[[Noun], None]] = {
@@ -137,6 +137,16 @@ class Clauses(Audit):
         readers[noun.kind](noun)
         if noun.kind != "room":
             self.separator = ""
+
+    def _is_for_every(self, noun: Noun) -> bool:
+        """Read "a lamp every two seats" as one for every two of them."""
+        if not (noun.every and noun.counted) or self.separator or not isinstance(self._before(), Noun):
+            return False
+        self.at -= 1
+        if self._gives_one_for_every(Connector("prepositions", "per", noun.start, noun.start, "every")):
+            return True
+        self.at += 1
+        return False
 
     def _part(self, noun: Noun) -> None:
         """Read a part without a preposition: "a flag either side of the door"."""
@@ -243,7 +253,18 @@ class Clauses(Audit):
             return False
         listed = self._is_link(self.peek(), "mark", "comma") or self._is_link(self.peek(), "joins", "and")
         bare = more.kind == "thing" and not more.det and more.count is None
+        bare &= noun.many or not self._lists_other_things()
         return listed and bare and not self.habits.is_in(more.value, *FURNITURE)
+
+    def _lists_other_things(self) -> bool:
+        """Whether a list that comes has things of its own: "a jar of pickles, salt and a stack of paper"."""
+        for chunk in self.chunks[self.at : self.at + LOOKAHEAD]:
+            if isinstance(chunk, Noun):
+                if chunk.det or chunk.count is not None:
+                    return True
+            elif not (self._is_link(chunk, "mark", "comma") or self._is_link(chunk, "joins", "and")):
+                break
+        return False
 
     def _names_nothing(self, noun: Noun) -> bool:
         """Whether it only says how large, how, or of which kind something is: "(3 seats)", "Obstacles: ..."."""

@@ -16,6 +16,8 @@ from thinkblox.reading.english.state import LOOKAHEAD
 _PLACING = ("in", "on", "between", "along", "by", "near", "next_to", "around", "at", "behind", "in_front_of")
 """Prepositions by which something that is no thing has a place: "an aisle in the middle"."""
 
+_BESIDES = ("between", "next_to", "around")
+"""How what parts or surrounds several stands to them: "three beds, separated by curtains, each with a lamp"."""
 _MAIN = ("tables", "desks", "counters", "worktops", "beds", "lounges", "storage", "worked_at")
 """What a station, a booth or a set can be made up around."""
 _MODIFIED = 3
@@ -113,7 +115,7 @@ class Groups(Descriptions):
                 break
             if isinstance(chunk, Noun) and self.habits.is_in(chunk.value, *_MAIN):
                 return True
-        return len(group.text.split()) < _MODIFIED
+        return len(group.text.split()) < _MODIFIED and last_word(group) not in grammar().lists["made_up"]
 
     def _drop_groups(self) -> None:
         """A group of which nobody says what it is is not understood."""
@@ -133,6 +135,7 @@ class Groups(Descriptions):
                 self._dissolve(group)
                 return
         nodes = [n for n in reversed(self.frontier) if any(t.many for t in n.things)]
+        nodes = self._past_parting(nodes)
         begins = not self.frontier and not self.clause.members
         if not nodes and not begins and self._all_parts():
             begins = False
@@ -144,8 +147,8 @@ class Groups(Descriptions):
                 self.clause.members += found
                 self.each = True
                 return
-        trailing = following is None or (isinstance(following, Connector) and following.sort in ("mark", "joins"))
-        if trailing:
+        ends = isinstance(following, Connector) and following.sort in ("mark", "joins")
+        if following is None or ends or self._is_each_of_list(following):
             self._trailing_each()
             return
         if nodes:
@@ -154,6 +157,21 @@ class Groups(Descriptions):
         elif parts := self._all_parts():
             self.frontier = [Node(parts, self.clause, known=True, each=True)]
             self.each = True
+
+    def _past_parting(self, nodes: list[Node]) -> list[Node]:
+        """What is parted rather than what parts it: the beds of "three beds, separated by curtains, each with"."""
+        frame = nodes[0].frame if nodes else None
+        parting = frame is not None and frame.kind in _BESIDES and self.separator == "comma"
+        return nodes[1:] if parting and frame is not None and frame.head in nodes else nodes
+
+    def _is_each_of_list(self, following: Chunk | None) -> bool:
+        """Whether "each" ends what several have, and a place comes: "racks with 48 bottles each along the wall"."""
+        said, node = self._before(), self.frontier[-1] if self.frontier else None
+        counted = isinstance(said, Noun) and bool(said.count) and isinstance(following, Connector)
+        head = node.frame.head if node is not None and node.frame is not None else None
+        place = self._next_noun(1) if counted and self._is_link(following, "prepositions") else None
+        many = head is not None and any(thing.many for thing in head.things)
+        return many and place is not None and place.kind == "place"
 
     def _is_each_person(self) -> bool:
         """Take "each" for each of the people named just now, or alone: "an office for three, each with a desk"."""

@@ -52,9 +52,9 @@ class Having(Groups):
         thing = head.thing
         told = self._before(0)
         made = isinstance(told, Connector) and told.text.lower().startswith(_MADE_OF)
-        group = (
-            thing is not None and (thing in self.groups.values() or (made and thing.many)) and (self.each or head.each)
-        )
+        made |= thing is not None and last_word(thing) in grammar().lists["made_up"]
+        group = thing is not None and (thing in self.groups.values() or (made and thing.many))
+        group &= self.each or head.each
         if kind == "with" and thing is not None and group and self._is_told_of_parts(thing):
             self._dissolve(thing)
             return

@@ -16,6 +16,8 @@ from thinkblox.reading.lexicon import Sort
 _KINDS: Mapping[Sort, NounKind] = {"room": "room", "place": "place"}
 """What phrases of the lexicon are that are no things."""
 
+_SMALL = {"small", "tiny"}
+"""What makes things of what is none: "six little houses"."""
 _ADJECTIVAL = (
     "ed",
     "able",
@@ -157,7 +159,7 @@ class Heads(Modifiers):
                 noun.kind, noun.value = "people", "people"
                 noun.count = noun.count or grammar().people(words) or None
                 return True
-            if "abstract" in found:
+            if "abstract" in found and not (noun.count and _SMALL & set(noun.attributes)):
                 noun.kind, noun.value = "abstract", " ".join(words)
                 return True
         if is_person(words[-1]):

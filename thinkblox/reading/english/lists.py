@@ -66,7 +66,8 @@ class Memberships(Ties):
             thing.unshown += [a for a in noun.unshown if a not in thing.unshown]
             thing.states += [a for a in noun.states if a not in thing.states]
         frame = self._frame_for(known[0], noun) if self.separator and self.frontier else None
-        node = Node(list(known), frame or self.clause, known=True, each=noun.each or noun.det == "both")
+        each = noun.each or (noun.det == "other" and noun.shared)
+        node = Node(list(known), frame or self.clause, known=True, each=each or noun.det == "both")
         pending, self.pending = self.pending, None
         if pending is not None and pending.head is not None:
             self._member(known[0], pending)
@@ -79,7 +80,7 @@ class Memberships(Ties):
         self.clause.members += [t for t in known if t not in self.clause.members]
         self.frontier = [node]
         self._apply_front(known)
-        self.each |= noun.each
+        self.each |= each
         word = noun.word
         self.per_group = known[0].groups if noun.each and known[0].group == word else 0
 
@@ -128,6 +129,11 @@ class Memberships(Ties):
         """Put the chair of "three people, each with a desk and a chair" at the desk of the same person."""
         if not frame.each or frame.times < 2 or not thing.count or thing.count % frame.times:
             return
+        seated = self._seated(thing) if thing.count == frame.times else ""
+        for other in frame.members if seated else ():
+            if self.habits.is_in(other.noun, "seats", "chairs") and not (other.count or 1) % frame.times:
+                other.count, other.owner = (other.count or frame.times) // frame.times, thing
+                bind(self.draft, Bond(relation_kind(seated), other, (thing,), each=True, implied=True))
         for other in frame.members:
             tie = self.habits.tie(thing.noun, other.noun) if other is not thing else None
             if tie in ("at", "around") and other.count == frame.times:

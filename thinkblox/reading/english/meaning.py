@@ -375,7 +375,7 @@ class Meanings:
         ends = said.text.lower().endswith((" end", " edge"))
         if said.value not in ("left", "right", "front", "back", "side", "end") or said.det == "other":
             return False
-        if said.det == "my" and not ends:
+        if said.det == "my" and not (ends or said.text.lower().endswith(" side")):
             return False
         name = subjects[-1].noun if subjects else noun
         lies = name != "" and habits.is_in(name, "small") and not any(h.kind != "on" for h in habits.of(name))

@@ -31,7 +31,7 @@ class Naming(Several):
             return self._every(noun)
         if noun.value == "seat" and noun.each and (seats := self._group_or_seats(noun)):
             return list(seats)
-        if noun.det == "each" or (noun.det in ("all", "both") and noun.plural):
+        if noun.det == "each" or (noun.det in ("all", "both", "none") and noun.plural):
             return self._all_named(noun)
         if noun.total > (noun.count or 0) and noun.kind == "thing" and self.referents.named(noun) is None:
             self._new(replace(noun, count=noun.total, plural=True, ordinal=0, of_known=False, total=0))

@@ -23,7 +23,7 @@ class Numbers(Verbs):
         if noun.rows and not noun.of_known:
             self._arrange(noun)
             return
-        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun):
+        if self._again_with(noun) or self._adds(noun) or self._is_look_of_last(noun) or self._is_of_each_kind(noun):
             return
         if self.barred is not None and noun.text.lower().endswith(("one", "ones")) and not noun.of_known:
             self._instead(self.barred, noun)
@@ -48,6 +48,19 @@ class Numbers(Verbs):
             self.draft.people = noun.count
         elif noun.det == "each" or not self.draft.people:
             self._lose(noun.start, noun.end)
+
+    def _is_of_each_kind(self, noun: Noun) -> bool:
+        """Read "bowls, vases and plates, ten of each": so many of each kind that nobody counted."""
+        each = self._next_noun(1) if self._is_link(self.peek(), "prepositions", "of") else None
+        if each is None or each.value != "each" or each.text.lower() != "each" or not noun.count or noun.of_known:
+            return False
+        said = self.chunks[self._clause_start() : self.at]
+        kinds = [t for chunk in said for t in self.meant.get(chunk.start, ()) if t.count is None and t.plural]
+        for thing in kinds:
+            thing.count = noun.count
+        if kinds:
+            self._go_past(each)
+        return bool(kinds)
 
     def _speak_of_rows(self, noun: Noun) -> bool:
         """Let what is told of "each row" hold so many times as there are rows."""

@@ -25,11 +25,16 @@ def relation_at(part: str, name: str, whole: Mention) -> str:
             return "around" if seated else "next_to"
         case "end":
             return _end(name, whole)
-        case "head" if load_habits().is_in(name, "small") and not load_habits().is_in(whole.noun, "tables"):
+        case "head" if _lies_at_head(name) and not load_habits().is_in(whole.noun, "tables"):
             return "on"
         case "head":
             return "at_short_side" if load_habits().is_in(whole.noun, "tables") else "next_to"
     return _PARTS.get(part, "on")
+
+
+def _lies_at_head(name: str) -> bool:
+    """Whether it is a pillow rather than a lamp, which stands there."""
+    return load_habits().is_in(name, "small") and not load_habits().is_in(name, "lamps")
 
 
 def _end(name: str, whole: Mention) -> str:

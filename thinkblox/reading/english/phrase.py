@@ -351,7 +351,7 @@ class PhraseReader(Heads):
 
     def _despite(self, noun: Noun, at: int, stop: Function, units: Units) -> int:
         """Take a verb for a noun or adjective where a noun has to come: "the stand", "a hanging lamp"."""
-        if self._is_plural_head(noun, at, stop, units):
+        if self._is_plural_head(noun, at, stop, units) or self._is_singular_head(noun, at, stop, units):
             units.nouns.append(Unit(self.tokens[at].shown))
             return 1
         if units.nouns or not (noun.det or noun.count is not None) or not self._may_be_doing(noun, at, stop):
@@ -392,6 +392,20 @@ class PhraseReader(Heads):
             return False
         last = units.nouns[-1]
         return self.tokens[at].text not in ("is", "was", "has") and not last.owner and singular(last.text) == last.text
+
+    def _is_singular_head(self, noun: Noun, at: int, stop: Function, units: Units) -> bool:
+        """Whether a verb of several has to be a noun after a single one: "on a repair stand", "a molecule model"."""
+        single = noun.det in ("a", "another") and noun.count in (None, 1) and bool(units.nouns)
+        if (
+            not single
+            or stop.sort != "verbs"
+            or stop.length > 1
+            or self._text(noun.start - 1, noun.start).lower() == "and"
+        ):
+            return False
+        word, last = self.tokens[at].text, units.nouns[-1]
+        named = word in grammar().lists["heads"] or self.thing_at(at) is not None
+        return named and not word.endswith("s") and not last.owner and last.known is None
 
     def _open(self, noun: Noun, at: int, units: Units) -> int:
         """Take a word that no list has."""
@@ -485,6 +499,8 @@ class PhraseReader(Heads):
     def _ends_name(self, at: int) -> bool:
         """Whether an unknown word after a known noun is the head of a longer name: "popcorn machine"."""
         word = self.tokens[at].text
+        if at < _NAMES and self._text(at + 1, at + 2) in (":", "(") and word in grammar().lists["rooms"]:
+            return True
         if grammar().at(self.tokens, at, "abstract", "people") or self._known(at, "attribute", "style"):
             return False
         after = at + 1
@@ -498,9 +514,11 @@ class PhraseReader(Heads):
 
     def _is_verb(self, at: int, units: Units) -> bool:
         """Whether an unknown word looks like the verb of the noun before it."""
-        word = self.tokens[at].text
+        word, last = self.tokens[at].text, units.nouns[-1].known
         if not word.endswith(("s", "ed", "ing")) or word.endswith("ss"):
             return False
+        if last is not None and last.entry.sort == "place" and word.endswith("ing") and self._starts_noun(at + 1):
+            return True
         return (
             at + 1 < len(self.tokens)
             and (

@@ -474,10 +474,12 @@ class Positions(Subjects):
         lists = [n.frame for n in self.frontier if n.frame is not None and n.frame.each and n.frame.head is node]
         head = frame.head if frame is not None and frame.each and frame.head is not None else None
         heads = head.things if head is not None else node.things if lists else []
-        times = frame.times if frame is not None and frame.grouped else 1
+        shared = frame is not None and (frame.grouped or (frame.head is None and frame.each))
+        times = frame.times if frame is not None and shared else 1
         for anchor in meaning.anchors if times > 1 else ():
-            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and anchor.count == 1:
-                anchor.count = times
+            if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and anchor.count:
+                self.numbers.add(anchor.count)
+                anchor.count *= times
         for anchor in meaning.anchors if any(t.many for t in heads) else ():
             if isinstance(anchor, Mention) and self.named_by.get(anchor) is noun and not self.draft.bonds_of(anchor):
                 anchor.per += heads

@@ -93,13 +93,15 @@ class Prepositions(Negation):
         if link.value not in ("for", "per") or noun is None or noun.kind != "thing" or thing is None:
             return False
         every = noun.every if noun.counted else noun.count if link.text.lower().endswith("every") else None
-        told = any(b.kind in ("on", "inside") for b in self.draft.bonds_of(thing))
+        lying = [b for b in self.draft.bonds_of(thing) if b.kind in ("on", "inside")]
+        told = bool(lying) and not any(b.each for b in lying)
         one = noun.count is None and not noun.every and noun.det in ("each", "")
         placed = link.value == "per" and one and (told or self._is_placed_after(noun))
         every = every or (1 if placed else None)
         if not every or (every < _PAIR and not placed):
             return False
         whole = self.referents.named(replace(noun, every=0, det="the", count=None), besides=[thing])
+        whole = whole or (next(iter(self._seats()), None) if noun.word in grammar().lists["seats"] else None)
         self._go_past(noun)
         count = self.referents.total(whole) if whole is not None and whole is not thing else 0
         if whole is None or not count or count % every:
@@ -186,8 +188,11 @@ class Prepositions(Negation):
         known = noun is not None and noun.kind == "thing" and noun.definite and self.referents.named(noun) is not None
         if known and noun is not None:
             self._spend(noun)
-        if noun is not None and (known or (told and (noun.count or 1) == 1 and not noun.of_known)):
+        if noun is not None and (known or (told and not noun.of_known)):
             self._lose_rest(link.start, noun.end)
+            if self._is_link(self.peek(), "mark", "comma") and self._is_link(self.peek(1), "joins", "which"):
+                self.at += 1
+                self._lose_rest(self.chunks[self.at].start, self.chunks[self.at].end)
         elif not self._excepted_of_subject(noun) and not self._all_but():
             self.excepting, self.negating, self.excluding = True, False, False
 
@@ -381,11 +386,8 @@ class Prepositions(Negation):
     def _is_purpose(self, noun: Noun) -> bool:
         """Whether it only says what something is for: "a bin for paper", "a place for umbrellas"."""
         before = self._before()
-        if (
-            noun.kind == "thing"
-            and noun.text.lower().split()[0].endswith("ing")
-            and is_purpose(noun.text.lower().split()[0])
-        ):
+        doing = noun.text.lower().split()[0]
+        if noun.kind == "thing" and doing.endswith("ing") and is_purpose(doing):
             return not noun.det and isinstance(before, Noun) and before.kind == "room"
         matter = not (noun.det or noun.plural) and noun.count is None and noun.text.lower()[-1:] != "s"
         matter |= noun.text.lower() == noun.material

@@ -35,7 +35,9 @@ class Pronouns(Numbers):
 
     def _all(self, noun: Noun) -> None:
         """Speak of all that the clause named; "all of them have a lamp" of what was named before."""
-        things = [t for t in self.clause.members if t in self.draft.things]
+        members = [t for t in self.clause.members if t in self.draft.things]
+        parts = [t for member in members for t in self.referents.family(member)]
+        things = list(dict.fromkeys(parts)) if noun.text.lower() == "all" else members
         if things:
             self.frontier = [Node(things, self.clause, known=True)]
             self.separator = ""
@@ -95,6 +97,7 @@ class Pronouns(Numbers):
                 self.referents.parted = None
                 said = self.said or self.verb
                 self._resume(self._others(whole), noun)
+                self.each |= noun.shared
                 self._again(said)
             case "half":
                 parts = self.referents.parts.get(whole, ()) if whole is self.referents.parted else ()

@@ -78,6 +78,7 @@ class Referents:
         )
         lone = noun.det == "the" and not noun.plural and noun.count in (None, 1) and not noun.attributes
         single = [t for t in recent if lone and not t.many and last_word(t) == word]
+        single = [t for t in single if t.noun == noun.value] or single
         if single and recent and recent[0] not in self.parts and not self.is_apart(single[0]):
             return single[0]
         several = [t for t in said if t.many and word in (last_word(t), _head_word(t))] if noun.plural else []
@@ -92,7 +93,8 @@ class Referents:
             for test in tests:
                 if (found := next(filter(test, things), None)) is not None:
                     return found
-        ending = (t for t in recent if len(word) > 3 and last_word(t).endswith(word))
+        joined = (str.endswith, str.startswith) if not noun.named else (str.endswith,)
+        ending = (t for t in recent if len(word) > 3 and any(test(last_word(t), word) for test in joined))
         return next((t for t in recent if t.group and t.group == word), None) or next(ending, None)
 
     def every(self, noun: Noun) -> list[Mention]:
@@ -161,7 +163,7 @@ class Referents:
         found = [t for t in found if t not in others and t in kept]
         if subject is not None and kind in _STANDING and not is_small(subject):
             carried = self._carried(subject)
-            found = [t for t in found if t not in carried] or found
+            found = [t for t in found if t not in carried and t.owner is not subject] or found
         return [t for t in found if self._may_be_one(t, subject)] or found if one else found
 
     def _carried(self, thing: Mention | None) -> list[Mention]:

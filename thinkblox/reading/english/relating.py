@@ -143,9 +143,20 @@ class Relating(Naming):
         if not tables:
             meaning.kind = "on" if meaning.kind == "at" else meaning.kind
             return False
+        self._take_from_tables(subject, tables)
         subject.per += [s for s in seats if s not in subject.per]
         bind(self.draft, Bond("on", subject, tuple(dict.fromkeys(tables))))
         return True
+
+    def _take_from_tables(self, thing: Mention, tables: list[Mention]) -> None:
+        """Forget that one is on each table where there is one for each seat: "on every table a glass per chair"."""
+        for part in self.referents.family(thing):
+            lying = [
+                b for b in self.draft.bonds_of(part) if b.kind == "on" and b.each and set(b.anchors) <= set(tables)
+            ]
+            self.draft.bonds = [b for b in self.draft.bonds if b not in lying]
+            if lying and part is not thing:
+                self.draft.drop(part)
 
     def _call_after_content(self, holder: Mention, content: str) -> None:
         """Take "a rack with test tubes", "umbrellas in the stand" for the rack and the stand that are for these."""

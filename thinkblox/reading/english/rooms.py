@@ -12,7 +12,7 @@ from thinkblox.reading.english.chunks import Adjective, Connector, Measured, Nou
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.lists import Memberships
 from thinkblox.reading.english.meaning import ROOM_SIDES
-from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Where
+from thinkblox.reading.english.nodes import Awaited, Listed, Meaning, Node, Where
 from thinkblox.reading.english.referents import FURNITURE
 from thinkblox.reading.lexicon import ENGLISH, load
 from thinkblox.reading.sizes import Size
@@ -27,6 +27,10 @@ _SIDE_ROOMS = (["front"], ["back"], ["main"], ["side"], ["rear"])
 """What is said of a room by where it is: the back room of a pharmacy is a pharmacy."""
 COMPASS = ("north", "south", "east", "west")
 """What tells in which wall an opening is."""
+
+
+_CLOSET = "toilet_room"
+"""The room that "a loo under the stairs" is."""
 
 
 class Rooms(Memberships):
@@ -53,6 +57,13 @@ class Rooms(Memberships):
             self._lose(noun.end, place.end)
             self._spend(place)
             self._go_past(place)
+        if (
+            self.draft.things
+            and noun.det == "a"
+            and self.separator
+            and self._is_link(self.peek(), "prepositions", "with")
+        ):
+            self._begin()
         if not self.draft.things:
             self._pass_whole()
             self.frontier = []
@@ -102,6 +113,8 @@ class Rooms(Memberships):
         """Whether a second room is asked for: "an apartment with a kitchen and a bathroom"."""
         if not self.draft.room or noun.value == "room" or noun.definite or self.negating or self.excluding:
             return False
+        if self.draft.room == "room" and not self.draft.things and self._is_link(self._before(), "verbs", "be"):
+            return False
         zone = noun.text.lower().split()[-1] in grammar().lists["zones"]
         listed = (
             noun.det in ("a", "another") or noun.count is not None or self.separator in ("comma", "and", "comma_and")
@@ -130,7 +143,7 @@ class Rooms(Memberships):
             self._room(replace(noun, kind="room", value=noun.room))
             return True
         if self._place_of_label(noun) is not None:
-            self._room(replace(noun, kind="room", value="room"))
+            self._room(replace(noun, kind="room", value=_room_of(noun)))
             return True
         introduces = isinstance(after, Measured) or self._is_link(after, "mark", "colon", "open")
         introduces |= self._is_link(after, "mark", "comma") and isinstance(self.peek(1), Measured)
@@ -152,7 +165,7 @@ class Rooms(Memberships):
         led = not (noun.det or noun.many) and (roomish or not noun.named) and self._colon_ahead()
         named_room = large or led or (roomish and self._is_link(after, "mark", "colon"))
         if named_room and noun.det in ("a", "") and not noun.many:
-            self._room(replace(noun, kind="room", value="room"))
+            self._room(replace(noun, kind="room", value=_room_of(noun)))
             return True
         if not noun.named and (roomish or introduces or with_ or self._is_link(after, "mark")) and not noun.many:
             self._room(replace(noun, kind="room", value="room"))
@@ -161,12 +174,14 @@ class Rooms(Memberships):
 
     def _place_of_label(self, noun: Noun) -> Noun | None:
         """The stairs of "Reading cubby under the stairs, 1.4 m by 2 m": where in a house a room is."""
-        roomish = noun.kind == "room" or (noun.text.lower().split()[-1] in grammar().lists["rooms"] and not noun.many)
+        rooms = {*grammar().lists["rooms"], *grammar().lists["closets"]}
+        roomish = noun.kind == "room" or (noun.text.lower().split()[-1] in rooms and not noun.many)
         place = (
             self.peek(1) if self._is_link(self.peek(), "prepositions", "under", "above", "behind", "next_to") else None
         )
         sized = self._is_link(self.peek(2), "mark") and isinstance(self.peek(3), Measured)
         ended = self._is_link(self.peek(2), "mark", "colon", "stop", "dash") or sized
+        ended |= self._is_link(self.peek(2), "prepositions", "with")
         return place if roomish and ended and isinstance(place, Noun) and place.kind == "thing" else None
 
     def _is_room_size(self, size: Size) -> bool:
@@ -183,6 +198,8 @@ class Rooms(Memberships):
 
     def _people(self, noun: Noun) -> None:
         counted = noun.det == "a" or noun.count is not None
+        if self._sits_somewhere(noun):
+            return
         if counted and self._is_link(self.peek(), "participles", "stand"):
             self._lose(noun.start, noun.end)
             return
@@ -200,6 +217,16 @@ class Rooms(Memberships):
                 self._lose(noun.start, noun.end)
         elif noun.count and not self.frontier and not self.clause.members:
             self.crowd = noun.count
+
+    def _sits_somewhere(self, noun: Noun) -> bool:
+        """Go past where somebody is, which is where no thing is said to be: "the doctor sits behind the desk, ..."."""
+        place = self._next_noun(2) if self._is_link(self.peek(1), "prepositions") else None
+        single = noun.det in ("the", "my") and noun.count is None and self._is_link(self.peek(), "verbs", "stand")
+        if place is None or not single or place.kind != "thing" or not place.definite:
+            return False
+        self._go_past(place)
+        self.frontier = [Node(list(self.anchors(place, [])[0]), None, known=True)]
+        return True
 
     def _for_people(self, noun: Noun) -> None:
         """The room is for so many, or for some; children have one of their own, and a family of six is six."""
@@ -358,3 +385,8 @@ class Rooms(Memberships):
             return
         self.subject = None
         self.frontier = []
+
+
+def _room_of(noun: Noun) -> str:
+    """The type of room that a label says: that of a closet that is called after what is in it, or any."""
+    return _CLOSET if noun.word in grammar().lists["closets"] else "room"

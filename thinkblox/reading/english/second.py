@@ -380,6 +380,7 @@ def _is_shared_out(chunk: Chunk) -> bool:
     if isinstance(chunk, Noun):
         several = chunk.kind == "people" or (chunk.kind in ("place", "part") and chunk.many)
         several |= chunk.of_known and (chunk.count or 0) > 1
+        several |= chunk.value == "other" and chunk.shared
         each = chunk.det in ("each", "either", "both", "all") or chunk.value in ("each", "all", "them")
         return several or each or chunk.every > 0 or chunk.kind == "number" or are_neighbours(chunk)
     return is_link(chunk, "prepositions", "per", "sides") or is_link(chunk, "mutual")

@@ -24,6 +24,7 @@ class Several(Boundaries):
         if self.whole is not None and self.whole in self.draft.things:
             return self.whole
         near = [n.things[-1] for n in reversed(self.frontier) if n.things]
+        near += [t for t in self.referents.topics[-1:] if not self.frontier and not self.clause.members]
         near += self.clause.members[::-1]
         many = [t for t in near if (t.many or self.referents.total(t) > 1) and t not in besides]
         alike = [t for t in self.referents.plural() if t not in besides and t.noun in {n.noun for n in near[:1]}]
@@ -59,7 +60,7 @@ class Several(Boundaries):
         """The part of some known things that a number, "the left one" or "the other" means."""
         self._spend(noun)
         whole = self.referents.named(noun, besides) if noun.kind == "thing" else self._one_left(noun, besides)
-        those = (self._those(noun, besides) or self._by_looks(noun, whole)) if noun.kind == "number" else None
+        those = self._told_before(noun, whole, besides) if noun.kind == "number" else None
         if those is not None:
             return those
         if noun.kind == "number" and noun.side in ("left", "right") and not noun.ordinal and not noun.of_known:
@@ -95,6 +96,10 @@ class Several(Boundaries):
         spoken = self.referents.spoken[::-1]
         return two in spoken and (told not in spoken or spoken.index(two) < spoken.index(told))
 
+    def _told_before(self, noun: Noun, whole: Mention | None, besides: list[Mention]) -> Mention | None:
+        """Those that were told apart last, or that were told to look as they are called here."""
+        return self._those(noun, besides) or self._by_looks(noun, whole) or self._looking_so(noun, whole, besides)
+
     def _by_looks(self, noun: Noun, whole: Mention | None) -> Mention | None:
         """The one of several that was told to look so: "the red one"."""
         if whole is None or noun.det != "the" or not noun.attributes:
@@ -102,6 +107,17 @@ class Several(Boundaries):
         alike = [t for t in self.referents.clan(whole) if set(noun.attributes) <= with_general(t.attributes)]
         fitting = (t for t in alike if noun.plural or not t.many)
         return next(fitting, None) if len(alike) < len(self.referents.clan(whole)) else None
+
+    def _looking_so(self, noun: Noun, whole: Mention | None, besides: Sequence[Mention]) -> Mention | None:
+        """The only things that were told to look so, where those named last do not: "on the round ones a vase"."""
+        if noun.det != "the" or not noun.attributes or not noun.text.lower().endswith((" one", " ones")):
+            return None
+        looks = set(noun.attributes)
+        if whole is not None and looks <= set(whole.attributes):
+            return None
+        alike = [t for t in self.draft.things if t.asked and t not in besides and looks <= set(t.attributes)]
+        only = alike[0] if len(alike) == 1 else None
+        return only if only is not None and only.many == noun.plural and self.referents.is_apart(only) else None
 
     def _those(self, noun: Noun, besides: list[Mention]) -> Mention | None:
         """The ones of "two of them have cushions; between those two ...", that were told apart last."""

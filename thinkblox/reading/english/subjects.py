@@ -12,8 +12,11 @@ from thinkblox.reading.english.having import Having
 from thinkblox.reading.english.nodes import Listed, Meaning, Node, Where
 from thinkblox.reading.english.parts import SIDES
 from thinkblox.reading.english.referents import FURNITURE, is_loose_lamp, is_small, last_word
+from thinkblox.reading.english.state import LOOKAHEAD
 
 _PAIR = 2
+_NO_PLACE = ("with", "of", "for", "per", "as")
+"""Prepositions that say nothing of where a thing is."""
 _SLIM = 0.3
 """So large at most is the second side of what lies on things though it is long [m]."""
 _BONDS = 20
@@ -69,7 +72,7 @@ class Subjects(Having):
         if head is not None and head.things and self._lie_together(inner, inner.frame, head, where):
             return head if self._contains(head.things[-1]) else Node([*head.things, *inner.things], head.frame)
         if head is not None and head.things and self._is_of_head(inner, inner.frame, head, where):
-            return head
+            return self._joined(head, where) if inner.frame.contents and head.frame is not None else head
         return self._joined(inner, where)
 
     def _told_apart_by_looks(self, node: Node) -> Node | None:
@@ -96,14 +99,18 @@ class Subjects(Having):
     def _is_of_head(self, inner: Node, frame: Listed, head: Node, where: Where) -> bool:
         """Whether a relation after the last thing of a list is about what has the list."""
         thing, noun = inner.things[-1], where.noun
-        if self._is_at_room_part(where) and self._is_held(thing, frame) and not frame.each:
+        held = self._is_held(thing, frame) or frame.kind == "with"
+        if self._is_at_room_part(where) and held and not frame.each:
             return True
         if frame.contents and (len(frame.members) == 1 or frame.closing):
+            return True
+        held = frame.kind in ("hold", "carry", "inside") and self._is_held(thing, frame)
+        if held and not frame.each and self._is_side_of_room(where):
             return True
         if where.word == "facing" and any(b.told and b.anchors == (head.thing,) for b in self.draft.bonds_of(thing)):
             return not frame.each and not self.habits.is_in(thing.noun, "seats")
         middle = noun is not None and noun.value in ("centre", "middle") and where.whole is None
-        if middle and thing.many and not frame.each:
+        if middle and (thing.many or self._is_told_of(thing, head)) and not frame.each:
             return True
         if not self._is_pronominal(where):
             return noun is not None and self._is_said_of_head(thing, frame, head, where)
@@ -165,7 +172,7 @@ class Subjects(Having):
         noun = where.noun
         if noun is None:
             seated = any(b.implied and b.kind in ("at", "around") for b in self.draft.bonds_of(thing))
-            return where.word in ("opposite", "behind") and seated and not frame.each
+            return where.word in ("opposite", "behind", "between") and seated and not frame.each
         if noun.kind != "pronoun" or noun.value != "it" or frame.each or not self._is_held(thing, frame):
             return False
         owner = head.things[-1]
@@ -195,10 +202,18 @@ class Subjects(Having):
             whole = Noun("thing", where.noun.owner, where.noun.start, where.noun.end, where.noun.owner, det="the")
         if whole is None or whole.kind not in ("thing", "place") or where.noun is None or where.noun.kind != "part":
             return False
-        if where.noun.value in ("middle", "top", "inside", "in_shelf"):
+        if where.noun.value in ("top", "inside", "in_shelf"):
+            return False
+        if where.noun.value == "middle" and not is_small(head.things[-1]):
             return False
         held = (self._is_held(thing, frame) or self._is_told_of(thing, head)) and not frame.each
         return held and not self._is_head(whole, head) and not self.habits.is_in(whole.value, "small")
+
+    def _is_side_of_room(self, where: Where) -> bool:
+        """Whether "on the left" says where furniture stands: "shelves for shoes on the left"."""
+        noun = where.noun
+        side = noun is not None and noun.kind == "part" and noun.value in SIDES and noun.det == "the"
+        return side and where.whole is None and noun is not None and not noun.owner
 
     def _is_told_of(self, thing: Mention, head: Node) -> bool:
         """Whether a pronoun told where it is to the head: "a bench with a can under it by the door"."""
@@ -277,7 +292,8 @@ class Subjects(Having):
         if where.word in ("above", "under"):
             held = self.habits.is_in(head.things[-1].noun, "wallpieces", "shelves")
             return bool(before) and held and where.noun is not None and where.noun.value == "it"
-        return where.word in ("behind", "in_front_of", "opposite") and bool(before)
+        counter = self.habits.is_in(head.things[-1].noun, "counters", "desks", "tables")
+        return where.word in ("behind", "in_front_of", "opposite") and bool(before) and not counter
 
     def _is_head(self, noun: Noun, head: Node) -> bool:
         found = self.referents.named(noun) if noun.definite or noun.each else None
@@ -349,11 +365,12 @@ class Subjects(Having):
             return Node(together, frame)
         if frame is None or len(frame.members) < 2 or not frame.closing or len(node.things) > 1:
             return node
-        if untied := self._untied_before(node, frame, where):
+        if untied := self._untied_before(node, frame, where) or self._between_too(node, frame, where):
             return Node([*untied, *node.things], frame)
         if where.noun is not None and where.noun.kind == "place" and "same" in where.noun.text.lower().split():
             return Node([m for m in frame.members if m in self.draft.things], frame)
-        if len(frame.members) > _PAIR and where.noun is not None and where.noun.value in ("middle", "centre"):
+        middle = where.noun is not None and where.noun.value in ("middle", "centre")
+        if (len(frame.members) > _PAIR and middle) or not self._ends_list(node):
             return node
         kind = "on" if where.word == "on" else "inside" if where.word == "in" else where.word
         kind = (
@@ -366,7 +383,9 @@ class Subjects(Having):
         any_kind = kind == "against_wall" and not self._belongs(thing.noun, "wallpieces")
         on_thing = kind in ("on", "inside") and where.noun is not None and where.noun.kind == "thing"
         any_kind |= on_thing and not self._is_furniture(thing)
-        if (group is None or any_kind) and (pair := self._pair(node, frame, where)) is not None:
+        any_kind |= kind in ("at", "on") and where.noun is not None and where.noun.value == "each"
+        corner = where.noun is not None and where.noun.value.startswith("corner")
+        if (group is None or any_kind or corner) and (pair := self._pair(node, frame, where)) is not None:
             return pair
         if group is None or not (any_kind or self._belongs(thing.noun, group)):
             return node
@@ -378,10 +397,27 @@ class Subjects(Having):
             alike = leaning or self._belongs(member.noun, group) or self._may_hang_there(member, where)
             alike |= each and (is_small(member) or not member.many)
             alike |= on_thing and self._may_lie_there(member)
-            if member is not thing and (member in taken or not alike):
+            if member is not thing and (member in taken or not alike or self._is_placed_itself(member)):
                 break
             free.insert(0, member)
         return Node(free, frame) if len(free) > 1 else node
+
+    def _is_placed_itself(self, thing: Mention) -> bool:
+        """Whether its own words say where it is, though nothing may have been made of that."""
+        named = self.named_by.get(thing)
+        for at in range(self._began - 1, max(self._began - LOOKAHEAD, 0), -1):
+            if self.chunks[at] is named:
+                link = self.chunks[at + 1]
+                return self._is_link(link, "prepositions") and not self._is_link(link, "prepositions", *_NO_PLACE)
+        return False
+
+    def _ends_list(self, node: Node) -> bool:
+        """Whether it was named right after an "and", which others are joined by to it."""
+        named = self.named_by.get(node.things[-1])
+        for at in range(self._began - 1, 0, -1):
+            if self.chunks[at] is named:
+                return self._is_link(self.chunks[at - 1], "joins") or self._is_link(self.chunks[at - 1], "mark", "and")
+        return True
 
     def _may_lie_there(self, thing: Mention) -> bool:
         """Whether it can stand or lie where other small things do."""
@@ -443,6 +479,14 @@ class Subjects(Having):
         untied = [thing for thing, head in self.untied if head in frame.head.things]
         return [m for m in frame.members if m in untied and m not in node.things and self._is_free(m)]
 
+    def _between_too(self, node: Node, frame: Listed, where: Where) -> list[Mention]:
+        """The nightstand of "two beds with a nightstand and a phone between them"."""
+        them = where.noun is None or (where.noun.kind == "pronoun" and where.noun.value == "them")
+        pair = where.word == "between" and them and frame.head is not None and len(frame.members) == _PAIR
+        other = frame.members[0]
+        told = any(not b.implied for b in self.draft.bonds_of(other))
+        return [other] if pair and not told and other not in node.things and not other.many else []
+
     def _is_free(self, thing: Mention) -> bool:
         return not self.draft.bonds_of(thing)
 
@@ -462,16 +506,30 @@ class Subjects(Having):
             return None if known or frame.head is not None or where.noun is None else Node([other, *node.things], frame)
         wall = where.word == "on" and where.noun is not None and where.noun.value.endswith("wall")
         upright = not is_small(node.things[-1]) or self.habits.is_in(node.things[-1].noun, "built_in")
-        shared = where.word in _SHARED or (wall and upright)
+        shared = where.word in (*_SHARED, "at") or (wall and upright) or self._is_one_phrase(other, node.things[-1])
+        shared |= where.noun is not None and where.noun.value.startswith("corner") and self._begins_with(other)
         if not alone or not shared or any(not b.implied for b in self.draft.bonds_of(other)):
             return None
         noun = where.noun
-        if noun is None or noun.kind not in ("thing", "place") or frame.head is not None or noun.value == "centre":
+        told = noun is not None and (noun.kind in ("thing", "place") or noun.value == "other")
+        if noun is None or not told or frame.head is not None or noun.value == "centre":
             return None
         if other in self.referents.shared or any(other in b.anchors for b in self.draft.bonds):
             return None
         anchors = self.referents.named(noun)
         return None if anchors is other else Node([other, *node.things], frame)
+
+    def _begins_with(self, thing: Mention) -> bool:
+        """Whether a statement begins with a thing: "A mop and a broom in the corner."."""
+        first = self.chunks[self._clause_start()]
+        return isinstance(first, Noun) and first is self.named_by.get(thing)
+
+    def _is_one_phrase(self, one: Mention, other: Mention) -> bool:
+        """Whether two have one article: "a steel toilet and sink"."""
+        first, second = self.named_by.get(one), self.named_by.get(other)
+        if first is None or second is None or second.det or second.count is not None or second.plural:
+            return False
+        return first.det == "a"
 
     def _partner(self, node: Node, where: Where, meaning: Meaning) -> Mention | None:
         """What is beside the same thing, as it is joined to it: "a boiler by the door, a mop and a pail beside it"."""

@@ -7,6 +7,8 @@ from typing import Literal
 from thinkblox.reading.english.chunks import Chunk, Connector, Noun
 from thinkblox.reading.english.said import is_having, is_link, is_spatial
 
+_PARTING = ("between", "next_to", "around")
+"""How what parts or surrounds several stands to them."""
 Role = Literal["head", "anchor", "member"]
 """It begins a part of the sentence; something was said to stand to it; something was said to have it."""
 
@@ -81,8 +83,10 @@ class _Surveyor:
         self._each: Noun | None = None
         self._owners: list[Noun] = []
         self._role: Role = "head"
-        self._here = self._after_told = False
+        self._here = self._after_told = self._between = False
         self._told = self._closing = self._parted = self._anchored = self._apart = False
+        self._parts = False
+        self._parting: set[int] = set()
         self._before: Chunk | None = None
         self._beside: Chunk | None = None
 
@@ -97,14 +101,18 @@ class _Surveyor:
     def _link(self, link: Connector) -> None:
         if is_link(link, "mark", "stop"):
             self._end_sentence()
+        elif is_link(link, "joins", "and") and self._between and self._anchored:
+            self._role, self._between = "anchor", False
         elif is_link(link, "mark") or is_link(link, "joins", "and", "but"):
             self._end_part(link)
         elif is_link(link, "joins", "which"):
             self._outer = self._head
         elif is_having(link) or is_link(link, "inverses"):
             self._have(link)
+            self._parts = is_link(link, "inverses", *_PARTING)
         elif is_spatial(link) or is_link(link, "prepositions", "to"):
             self._role, self._told, self._here = "anchor", True, True
+            self._between = is_link(link, "prepositions", "between")
             self._head = self._last if self._apart else self._head
             self.seen.links[link.start] = (self.seen.sentence, self.seen.part, link.value)
         elif is_link(link, "prepositions", "of"):
@@ -150,15 +158,26 @@ class _Surveyor:
     def _noun(self, noun: Noun) -> None:
         self._parted = self._role == "anchor" and noun.kind in ("part", "place")
         if noun.value == "each" and noun.kind == "pronoun" and self._role == "head":
-            self._each = next((n.noun for n in reversed(self.seen.named) if n.noun.many), None)
+            self._each = self._each_of()
         elif noun.kind == "thing" or (self._role == "head" and noun.start in self._known):
             self._name(noun)
         self._apart = noun.kind == "thing" and self._role == "head" and bool(self._owners)
         self._anchored = noun.kind == "thing" and self._role == "anchor"
         self._role = "head"
 
+    def _each_of(self) -> Noun | None:
+        """The several of which each is told: "three beds, separated by curtains, each with a lamp" are the beds."""
+        several = [n for n in reversed(self.seen.named) if n.noun.many]
+        first = several[0] if several else None
+        if first is not None and first.noun.start in self._parting and is_link(self._before, "mark", "comma"):
+            outer = [*first.owners, *(n.noun for n in several[1:])]
+            return next((noun for noun in outer if noun.many), first.noun)
+        return first.noun if first is not None else None
+
     def _name(self, noun: Noun) -> None:
         listed = self._role == "head" and bool(self._owners)
+        if self._role == "member" and self._parts:
+            self._parting.add(noun.start)
         owners = self._owners if self._role == "member" or listed else []
         loose = self._role == "member" and not owners
         self._role = "head" if loose else self._role

@@ -2,7 +2,7 @@
 
 from thinkblox.assets import kind_of
 from thinkblox.reading.draft import Mention
-from thinkblox.reading.english.chunks import Chunk, Connector, Noun
+from thinkblox.reading.english.chunks import Adjective, Chunk, Connector, Noun
 from thinkblox.reading.english.grammar import grammar
 from thinkblox.reading.english.nodes import Listed
 from thinkblox.reading.english.referents import FURNITURE, is_small, last_word
@@ -123,7 +123,7 @@ class Ties(Relating):
             after = self.chunks[at + 1] if at + 1 < len(self.chunks) else None
             if not (comma or joined) or not isinstance(after, Noun) or after.kind != "thing" or after.definite:
                 return None
-            at += 2
+            at = self._past_modifiers(at + 2 - self.at) + self.at
         link, noun = (*self.chunks[at : at + 2], None, None)[:2]
         if not isinstance(link, Connector) or link.sort != "prepositions" or not isinstance(noun, Noun):
             return None
@@ -141,9 +141,16 @@ class Ties(Relating):
         goes_on = place is not None and place.kind == "place" and self._is_link(self.peek(at + 2), "prepositions")
         return at + 2 if goes_on else at
 
+    def _past_modifiers(self, at: int) -> int:
+        """How many chunks ahead it goes on after "of toys", "plugged in"."""
+        while self._is_link(self.peek(at), "prepositions", "of") and isinstance(self.peek(at + 1), Noun):
+            at += 2
+        return at + isinstance(self.peek(at), Adjective)
+
     def _told_of(self, frame: Listed, thing: Mention) -> bool | None:
         """Whether what follows the noun ties it to the head of a list in words, or to something else."""
         index = 1 if self._is_link(self.peek(), "participles") else 0
+        index = self._past_modifiers(index)
         index = self._past_place(index) if frame.each and self._is_told_by_pronoun() else index
         link = self.peek(index)
         noun = self._next_noun(index + 1)
@@ -213,9 +220,15 @@ class Ties(Relating):
         """Whether it lies where the thing before it lies: "an altar with a statue and incense opposite the door"."""
         standing = self._is_beside_place() and max(kind_of(thing.noun).size) <= _SMALL
         low = standing or (is_small(thing) and not self.habits.is_in(thing.noun, "wallpieces", "ceiling"))
-        where = standing or _is_whole_place(place) or place.value.split()[0] not in ("wall", "floor", "ceiling")
-        pair = self.separator == "and" and frame.kind == "with" and where
+        upright = place.value.split()[0] not in ("wall", "floor", "ceiling") or _is_whole_place(place)
+        pair = self.separator == "and" and frame.kind == "with"
+        pair &= upright or standing or self._are_both_bare(thing, frame)
         return pair and low and self._carries_before(thing, head, frame)
+
+    def _are_both_bare(self, thing: Mention, frame: Listed) -> bool:
+        """Whether it and what it is joined to are several without a number: "hooks with sausages and hams"."""
+        said = [self.named_by.get(t) for t in (*frame.members[-1:], thing)]
+        return len(said) > 1 and all(n is not None and n.plural and not n.det and n.count is None for n in said)
 
     def _are_all(self, frame: Listed, noun: Noun, thing: Mention) -> bool:
         """Whether "them" are all that have something: "crates, each with a lid, and a van next to them"."""
@@ -275,8 +288,16 @@ class Ties(Relating):
             return False
         if thing.count == 1 and any(m.count is None or m.plural for m in frame.members):
             return False
+        if tie in ("around", "at") and self._share_others(thing, head):
+            return True
         few = thing.count < 2 * head.count and thing.noun != head.noun
         return thing.count == 1 or (tie in ("around", "at") and few)
+
+    def _share_others(self, thing: Mention, head: Mention) -> bool:
+        """Whether others that were told from these have so many each: "three with two chairs and two with four"."""
+        others = [t for t in self.referents.family(head) if t is not head]
+        alike = (b for b in self.draft.bonds if b.each and b.subject.noun == thing.noun and b.subject is not thing)
+        return any(a in others for bond in alike for a in bond.anchors)
 
     def _is_beside_all(self) -> bool:
         """Whether it is told to be beside "them": "three buckets with a can beside them" are beside one can."""
