@@ -403,3 +403,36 @@ def test_to_the_left_and_right_is_on_both_sides() -> None:
     after = done(before, "Put a lamp to the left and right of the wardrobe").scene
     new = [p for p in after.placements if p.id not in before]
     assert [p.support for p in new] == ["floor", "floor"]
+
+
+def test_the_north_side_of_a_table_is_where_seats_of_it_are() -> None:
+    rows = [("dining_table_1", 3.0, 2.5, 90.0, "floor")]
+    rows += [(f"chair_{n}", 2.6 + 0.8 * (n % 2), 1.75 if n < 3 else 3.25, 90.0 if n < 3 else 270.0, "floor")
+             for n in (1, 2, 3, 4)]  # fmt: skip
+    after = done(built(room(), *rows), "Remove the chairs on the north side and put a bench there").scene
+    assert {"chair_1", "chair_2"} == {p.id for p in after.placements if p.category == "chair"}
+    assert next(p for p in after.placements if p.category == "bench").position[1] > 3.0
+
+
+def test_every_corner_but_one_is_told_by_what_is_beside_it() -> None:
+    before = built(room(), ("stool_1", 3.0, 2.5, 0.0, "floor"))
+    after = edit_room(before, "Put a plant in every corner except the one by the door").scene
+    plants = [p for p in after.placements if p.category == "plant"]
+    assert len(plants) == 3
+    assert not any(p.position[0] < 1.5 and p.position[1] < 1.5 for p in plants)
+
+
+def test_what_gets_more_room_stays_at_its_wall() -> None:
+    before = bedroom()
+    after = done(before, "I need more space between the bed and the wardrobe").scene
+    moved = [p.id for p in before.placements if after[p.id] != p and p.support == "floor"]
+    assert all(after[id].yaw == before[id].yaw for id in moved)
+    assert gap(after, "bed_1", "wardrobe_1") > gap(before, "bed_1", "wardrobe_1")
+
+
+def test_a_row_goes_to_the_wall_behind_it_as_it_stands() -> None:
+    rows = [(f"school_desk_{n}", 4.0 - 1.2 * (n > 2), 2.0 + 1.2 * (n % 2), 180.0, "floor") for n in (1, 2, 3, 4)]
+    before = built(room(), *rows)
+    after = done(before, "Move the last row to the back wall").scene
+    assert all(after[f"school_desk_{n}"].yaw == 180.0 for n in (3, 4))
+    assert all(gap(after, f"school_desk_{n}", "west_wall") < 0.1 for n in (3, 4))

@@ -17,7 +17,7 @@ from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of, told_by
+from thinkblox.editing.wheres import Bound, anchored, corner_told, named, slots_for, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -145,6 +145,11 @@ def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[
         raise InputError(f"'{order.text}': of what is added nothing can be excepted; say how many")
     if not order.besides:
         return slots
+    corners = [bounds for bounds in slots if bounds[0].kind == "in_corner"]
+    if corners and all(p.noun.kind != "thing" or p.noun.text.endswith("one") for p in order.besides):
+        told = [where for other in order.besides for where in other.places]
+        there = [corner_told(finder, where.noun) for where in told if where.noun is not None]
+        return [[slot for slot in bounds if slot.anchors not in there] for bounds in slots]
     out = {id for other in order.besides for id in named(finder, other, other.places)}
     left = [[slot for slot in bounds if not out & set(slot.anchors)] for bounds in slots]
     if not any(len(a) < len(b) for a, b in zip(left, slots, strict=True)) or not all(left):

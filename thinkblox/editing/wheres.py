@@ -577,6 +577,16 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     return tuple(found[0].name.removeprefix("corner of ").split(" and "))
 
 
+def corner_told(finder: Finder, beside: Noun) -> tuple[str, ...]:
+    """The walls of the corner that is told by what is beside it.
+
+    Raises:
+        InputError: the room has none of that.
+    """
+    noun = Noun("place", "corner", 0, 0, "the corner", det="the")
+    return _corner_beside(Where("in", noun, whole=beside, text="in"), noun, finder) or ()
+
+
 def _here(finder: Finder, text: str) -> Placement:
     """What is moved, from where it stands.
 
@@ -877,6 +887,8 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
     there = bound(where, found[0].category, finder)
     held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
     walled = bool(there.anchors) and all(name.endswith("wall") for name in there.anchors)
+    if not held and walled and where.noun is not None and "side" in where.noun.text.lower().split():
+        held = _on_that_side(finder.scene, found, there.anchors)
     if not held and where.word in ("from", "on") and walled:
         there = dataclasses.replace(there, kind="against_wall")
         held = [p for p in found if there.holds(finder.scene, p.id)]
@@ -891,6 +903,21 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
         says = ", ".join(finder.described(p) for p in found)
         raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
     return held
+
+
+def _on_that_side(scene: Scene, found: Sequence[Placement], walls: Sequence[str]) -> list[Placement]:
+    """Those of seats around one table that are at its side towards a wall."""
+    tables = [p for p in scene.placements if facts_of(p.category).is_in("tables", "desks", "counters")]
+    at = [t for t in tables if all(measure(scene, "at", p.id, (t.id,)).holds for p in found)]
+    side = next((wall for wall in scene.room.walls if wall.name in walls), None)
+    if len(at) != 1 or side is None:
+        return []
+    x, y = -side.inward[0], -side.inward[1]
+    ahead, across = (x * way[0] + y * way[1] for way in (at[0].front, at[0].left))
+    kind: RelationKind = "in_front_of" if ahead > 0 else "behind"
+    if abs(across) > abs(ahead):
+        kind = "left_of" if across > 0 else "right_of"
+    return [p for p in found if measure(scene, kind, p.id, (at[0].id,)).holds]
 
 
 def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement]:
