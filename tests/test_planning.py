@@ -82,6 +82,12 @@ def test_chairs_are_shared_out_over_tables() -> None:
     assert (tie.kind, tie.anchors, tie.index, tie.count) == ("around", ("dining_table_3",), 1, 4)
 
 
+def test_chairs_are_shared_out_over_tables_of_which_one_was_told_apart() -> None:
+    plan = plan_of("Three round tables with four chairs each. Two of the tables have a lamp, the third a vase.")
+    at = [tie.anchors for target in plan.targets if target.category == "chair" for tie in target.ties]
+    assert [at.count((f"dining_table_{n}",)) for n in (1, 2, 3)] == [4, 4, 4]
+
+
 def test_plants_are_shared_out_without_each() -> None:
     plan = plan_of("A florist with fifteen potted plants on three tiered tables.")
     assert [plan.target(f"potted_plant_{n}").ties[0].anchors for n in (1, 5, 6, 15)] == [

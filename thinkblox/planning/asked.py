@@ -46,7 +46,7 @@ def tie_relation(brief: Brief, relation: Relation, members: Members) -> None:
         _tie_to_place(relation, subjects)
     elif relation.subject in keys:
         _tie_among(relation, subjects)
-    elif len(keys) > 1 and relation.kind not in _TOGETHER:
+    elif len(keys) > 1 and (relation.kind not in _TOGETHER or (relation.each and relation.kind != "between")):
         _share_out(relation, subjects, [member for key in keys for member in members.by_request[key]], members)
     elif relation.kind == "between" and len(keys) == 1 and (gaps := _gaps(brief, relation, subjects, members)):
         _tie_between(relation, subjects, gaps, members)
