@@ -395,6 +395,7 @@ from thinkblox.reading import read_brief
         ("Two tables with two chairs each, three rows of benches behind the tables.", ["9 bench behind dining_table"]),
         ("A round table for six. Each place has a plate and a napkin.",
          ["6 plate on dining_table", "6 napkin on dining_table"]),
+        ("A sofa by the window, a table with a plant in front of the sofa.", ["1 coffee_table in_front_of sofa"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),

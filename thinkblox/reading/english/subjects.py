@@ -277,7 +277,8 @@ class Subjects(Having):
             return False
         if noun.each and thing.owner is not None and self._is_listed(noun, frame):
             return False
-        return self.habits.is_in(thing.noun, "small", "seats", "lamps") or (held_there and where.word == "between")
+        beside = held_there and where.word in _BY_OWNER and (where.word == "between" or not lying)
+        return beside or self.habits.is_in(thing.noun, "small", "seats", "lamps")
 
     def _is_over_wall_thing(self, thing: Mention, frame: Listed, where: Where, noun: Noun) -> bool:
         """Whether the owner is below what hangs on a wall: "a table with four chairs under the clock"."""
