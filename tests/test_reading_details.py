@@ -392,6 +392,9 @@ from thinkblox.reading import read_brief
         ("A sofa for three and a teepee with two pillows inside next to it.", ["1 play_tent next_to sofa"]),
         ("A sculpture at each end of the room.", ["2 sculpture against_wall short_wall"]),
         ("Two tables, a white cloth and flowers on every table.", ["2 cloth on dining_table"]),
+        ("Two tables with two chairs each, three rows of benches behind the tables.", ["9 bench behind dining_table"]),
+        ("A round table for six. Each place has a plate and a napkin.",
+         ["6 plate on dining_table", "6 napkin on dining_table"]),
         # Sides of what is named, and "that" of what lies beside it.
         ("A mobile robot in the middle, a pallet with two boxes on it to the robot's right and a bin to its left.",
          ["1 pallet right_of mobile_robot", "2 box on pallet", "1 waste_bin left_of mobile_robot"]),
@@ -458,6 +461,7 @@ def test_details_are_read(prompt: str, relations: list[str]) -> None:
         ("An island with three bar stools on one side.", "on one side"),
         ("A waiting room with eight chairs: four along the walls and four back to back in the middle.", "back to back"),
         ("Eight tables with four chairs each, except the two by the window, which have two.", "which have two"),
+        ("Each place has a plate.", "Each place"),
         ("Six desks, each with a chair. The table has a jug on it but no chair.", "no chair"),
         ("Homework nook under the stairs (150 cm by 210 cm): a desk.", "under the stairs"),
     ],

@@ -260,7 +260,8 @@ class Ties(Relating):
             return True
         if frame.head is not None and found in frame.head.things:
             several = noun.plural or noun.word != noun.text.lower().rpartition(" ")[2]
-            together = frame.each and noun.det == "the" and several and self.separator in ("comma", "comma_and")
+            each = frame.each or any(b.each for m in frame.members for b in self.draft.bonds_of(m))
+            together = each and noun.det == "the" and several and self.separator in ("comma", "comma_and")
             return not (noun.ordinal or noun.degree or together)
         outside = found is not None and not found.many and found not in frame.members
         carriers = [
