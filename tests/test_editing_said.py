@@ -368,3 +368,71 @@ def test_two_that_are_to_be_larger_and_smaller_are_both_made_so() -> None:
     after = done(before, "Give me a bigger wardrobe and a smaller bed").scene
     assert after["wardrobe_1"].size[1] > before["wardrobe_1"].size[1]
     assert after["bed_1"].size[1] < before["bed_1"].size[1]
+
+
+def test_another_that_is_fetched_is_added_and_both_are_meant_then() -> None:
+    before = living()
+    after = done(before, "Get a second armchair and move both 10 cm to the south").scene
+    assert "armchair_2" in after
+    assert after["armchair_1"] != before["armchair_1"]
+
+
+@pytest.mark.parametrize(
+    "said", ["Remove the nightstand that is further from the door", "Remove the nightstand farther from the door"]
+)
+def test_the_further_of_two_is_told(said: str) -> None:
+    before = bedroom()
+    gaps = {id: gap(before, id, "door") for id in ("nightstand_1", "nightstand_2")}
+    assert max(gaps, key=lambda id: gaps[id]) not in edit_room(before, said).scene
+
+
+def test_beside_the_head_of_a_bed_is_at_that_end() -> None:
+    before = bedroom()
+    after = done(before, "Turn the bed around and put the nightstands beside its head").scene
+    bed = after["bed_1"]
+    assert all(bed.to_local(after[id].position[:2])[0] < 0.0 for id in ("nightstand_1", "nightstand_2"))
+
+
+def test_more_chairs_come_to_the_table_of_the_others() -> None:
+    after = done(dining(2), "Add two more chairs").scene
+    assert all(measure(after, "at", p.id, ("dining_table_1",)).holds for p in after.placements if p.category == "chair")
+
+
+def test_to_the_left_and_right_is_on_both_sides() -> None:
+    before = bedroom()
+    after = done(before, "Put a lamp to the left and right of the wardrobe").scene
+    new = [p for p in after.placements if p.id not in before]
+    assert [p.support for p in new] == ["floor", "floor"]
+
+
+def test_the_north_side_of_a_table_is_where_seats_of_it_are() -> None:
+    rows = [("dining_table_1", 3.0, 2.5, 90.0, "floor")]
+    rows += [(f"chair_{n}", 2.6 + 0.8 * (n % 2), 1.75 if n < 3 else 3.25, 90.0 if n < 3 else 270.0, "floor")
+             for n in (1, 2, 3, 4)]  # fmt: skip
+    after = done(built(room(), *rows), "Remove the chairs on the north side and put a bench there").scene
+    assert {"chair_1", "chair_2"} == {p.id for p in after.placements if p.category == "chair"}
+    assert next(p for p in after.placements if p.category == "bench").position[1] > 3.0
+
+
+def test_every_corner_but_one_is_told_by_what_is_beside_it() -> None:
+    before = built(room(), ("stool_1", 3.0, 2.5, 0.0, "floor"))
+    after = edit_room(before, "Put a plant in every corner except the one by the door").scene
+    plants = [p for p in after.placements if p.category == "plant"]
+    assert len(plants) == 3
+    assert not any(p.position[0] < 1.5 and p.position[1] < 1.5 for p in plants)
+
+
+def test_what_gets_more_room_stays_at_its_wall() -> None:
+    before = bedroom()
+    after = done(before, "I need more space between the bed and the wardrobe").scene
+    moved = [p.id for p in before.placements if after[p.id] != p and p.support == "floor"]
+    assert all(after[id].yaw == before[id].yaw for id in moved)
+    assert gap(after, "bed_1", "wardrobe_1") > gap(before, "bed_1", "wardrobe_1")
+
+
+def test_a_row_goes_to_the_wall_behind_it_as_it_stands() -> None:
+    rows = [(f"school_desk_{n}", 4.0 - 1.2 * (n > 2), 2.0 + 1.2 * (n % 2), 180.0, "floor") for n in (1, 2, 3, 4)]
+    before = built(room(), *rows)
+    after = done(before, "Move the last row to the back wall").scene
+    assert all(after[f"school_desk_{n}"].yaw == 180.0 for n in (3, 4))
+    assert all(gap(after, f"school_desk_{n}", "west_wall") < 0.1 for n in (3, 4))

@@ -658,3 +658,10 @@ def test_a_camera_that_is_not_to_hang_above_the_table_hangs_beside_it() -> None:
     aside = [abs(c - t) - size / 2 for c, t, size in zip(camera.position, table.position, table.size, strict=True)]
     assert max(aside[:2]) > 0.3
     assert room.report.complete
+
+
+def test_many_desks_stand_in_rows_whatever_else_is_there() -> None:
+    room = made("An office with ten desks, two sofas and a kitchenette")
+    desks = [p.id for p in placed(room, "desk")]
+    assert len(desks) == 10
+    assert measure(room.scene, "in_rows", desks, ()).holds

@@ -9,6 +9,7 @@ from thinkblox.assets import facts_of
 from thinkblox.brief import RelationKind
 from thinkblox.editing.finding import Finder
 from thinkblox.editing.goals import (
+    AtHead,
     BackTo,
     DrawnUp,
     Goal,
@@ -48,6 +49,8 @@ def related(there: Bound, category: str, index: int = 0, count: int = 1) -> Goal
         return OnWall("on", there.anchors, there.negated)
     if there.seat:
         return Laid("on", there.anchors, seat=there.seat)
+    if there.head:
+        return AtHead("next_to", there.anchors)
     if there.middle:
         return MidWall("against_wall", there.anchors)
     if there.side is not None:

@@ -17,7 +17,7 @@ from thinkblox.editing.more_rows import add_rows, is_row
 from thinkblox.editing.orders import NounPhrase, Order
 from thinkblox.editing.reaching import Reaching, ties_of
 from thinkblox.editing.spots import Pose, between, likely, spots
-from thinkblox.editing.wheres import Bound, anchored, named, slots_for, spot_of, told_by
+from thinkblox.editing.wheres import Bound, anchored, corner_told, named, slots_for, spot_of, told_by
 from thinkblox.editing.work import Work
 from thinkblox.errors import InputError
 from thinkblox.judging import asset_for
@@ -31,6 +31,7 @@ from thinkblox.reading.own_names import own_name
 from thinkblox.reading.senses import choose_senses
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.nearby import BACK_GAP, EYE
+from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 from thinkblox.value import Vec2
 
@@ -107,7 +108,8 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
         goals += [At(finder.left_place(order.text), THERE)] if order.there else []
         goals += [At(spot_of(where, "", work.start, finder).position[:2], THERE) for where in spots_said]
         goals += [Apart(mark_names(finder, other), away, order.bound) for away, other in order.apart]
-        id = add_one(work, category, noun, goals)
+        id = _at_their_table(work, category, noun) if not goals else ""
+        id = id or add_one(work, category, noun, goals)
         if not id and several < 2:
             break
         added += [id] if id else []
@@ -115,6 +117,22 @@ def _add(work: Work, finder: Finder, order: Order, phrase: NounPhrase, places: S
     if len(added) < count and count > 1:
         work.failed.append(f"{len(added)} of {count} {category.replace('_', ' ')} were added")
     return added + add_with(work, finder, order, added, within)
+
+
+def _at_their_table(work: Work, category: str, noun: Noun) -> str:
+    """Add one more seat to the table that all others like it are drawn up to; empty where that cannot be."""
+    alike = [p.id for p in work.scene.placements if p.category == category]
+    if not alike or not facts_of(category).is_in("seating"):
+        return ""
+    tables = [p.id for p in work.scene.placements if facts_of(p.category).is_in("tables")]
+    theirs = [table for table in tables if all(measure(work.scene, "at", id, (table,)).holds for id in alike)]
+    saved, said = work.saved(), len(work.failed)
+    goals = [_related(work, Bound("around", (table,)), category, 0, 1) for table in theirs[:1]]
+    id = add_one(work, category, noun, goals) if goals else ""
+    if goals and not id:
+        work.restore(saved)
+        del work.failed[said:]
+    return id
 
 
 def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[Bound]]) -> list[list[Bound]]:
@@ -127,6 +145,11 @@ def _besides(finder: Finder, order: Order, phrase: NounPhrase, slots: list[list[
         raise InputError(f"'{order.text}': of what is added nothing can be excepted; say how many")
     if not order.besides:
         return slots
+    corners = [bounds for bounds in slots if bounds[0].kind == "in_corner"]
+    if corners and all(p.noun.kind != "thing" or p.noun.text.endswith("one") for p in order.besides):
+        told = [where for other in order.besides for where in other.places]
+        there = [corner_told(finder, where.noun) for where in told if where.noun is not None]
+        return [[slot for slot in bounds if slot.anchors not in there] for bounds in slots]
     out = {id for other in order.besides for id in named(finder, other, other.places)}
     left = [[slot for slot in bounds if not out & set(slot.anchors)] for bounds in slots]
     if not any(len(a) < len(b) for a, b in zip(left, slots, strict=True)) or not all(left):

@@ -496,6 +496,8 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
     joined: list[Order] = []
     for order in orders:
         last = joined[-1] if joined else None
+        if last is not None and _fetches_another(last):
+            last.doing = "add"
         if last is not None and _takes(last) and _is_of_it(order) and order.doing in ("put", "move"):
             taken = dataclasses.replace(last.things[-1], places=_both(last, order))
             order.things, order.places, order.doing = [*last.things[:-1], taken, *order.things[1:]], [], "move"
@@ -522,6 +524,12 @@ def _joined(orders: Sequence[Order]) -> list[Order]:
         if _taken_off(order):
             order.doing = "remove"
     return joined
+
+
+def _fetches_another(order: Order) -> bool:
+    """Whether it says "get another chair", which is added wherever it goes then."""
+    fetched = bool(means("fetching", order.text.split(" ", 1)[0].lower()))
+    return fetched and _takes(order) and all(phrase.noun.det == "another" for phrase in order.things)
 
 
 def _name_one(last: Order, order: Order) -> None:

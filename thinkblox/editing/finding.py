@@ -275,6 +275,9 @@ class Finder:
             return self._other_of_kind(noun)
         one = noun.value in ("it", "one")
         there = [id for id in self.recent if id in self.scene]
+        if noun.det == "both" and len(there) == 1:
+            alike = [p.id for p in self.scene.placements if p.category == self.scene[there[0]].category]
+            there = alike if len(alike) == 2 else there
         return tuple(there[-1:] if one and len(there) > 1 else there)
 
     def _other_of_kind(self, noun: Noun) -> tuple[str, ...]:

@@ -207,6 +207,18 @@ class Abreast(Related):
 
 
 @dataclass(frozen=True)
+class AtHead(Related):
+    """It stands beside the end of a thing that is behind, as the head of a bed is."""
+
+    def check(self, before: Scene, after: Scene, id: str) -> Finding:
+        """Both, and how far behind the middle of that thing it is."""
+        held, says = super().check(before, after, id)
+        ahead, left = after[self.anchors[0]].to_local(after[id].position[:2])
+        aside = abs(left) > after[self.anchors[0]].size[1] / 2
+        return held and ahead < 0.0 and aside, f"{says}, {-ahead:.2f} m behind its middle"
+
+
+@dataclass(frozen=True)
 class Laid(Related):
     """It lies on a table before a seat of it."""
 

@@ -87,6 +87,8 @@ MIDDLE = 0.3
 """How far from the middle that is asked for something may stand that is left where it is [m]."""
 AT_IT = 0.06
 """How far something may stand from what it is put against [m]."""
+TO_WALL = 0.05
+"""How far the nearest of a row stands from the wall that it goes to [m]."""
 TOUCHING = 0.005
 """A gap that cannot be made smaller [m]."""
 _RESTS = ("on", "from", "in", "inside", "on_top")
@@ -125,7 +127,7 @@ def move(work: Work, finder: Finder, order: Order) -> None:
     groups = list(_groups(work, finder, order))
     moving = {id for ids, _ in groups for id in ids}
     order = _by_rows(work, order, sorted(moving))
-    if _shifted_at_once(work, order, groups):
+    if _shifted_at_once(work, order, groups) or _row_to_wall(work, finder, order, groups):
         finder.recent = [id for ids, _ in groups for id in ids]
         return
     along = {mate for id in moving - _seats(work, moving) for mate in company_of(work, finder, order, id)}
@@ -164,6 +166,43 @@ def _shifted_at_once(work: Work, order: Order, groups: Sequence[tuple[tuple[str,
         work.world = work.world.with_scene(before)
         return False
     for id in ids:
+        say(work, id, before[id], None, [At(spots[id])])
+    return True
+
+
+def _row_to_wall(
+    work: Work, finder: Finder, order: Order, groups: Sequence[tuple[tuple[str, ...], list[Where]]]
+) -> bool:
+    """Move a row as it stands to the wall that is named; whether that is what the order says, which is noted.
+
+    The back wall of what stands in rows is that behind them.
+    """
+    ids = [id for ids, _ in groups for id in ids]
+    places = [where for _, some in groups for where in some]
+    noun = places[0].noun if len(places) == 1 else None
+    rows = len(groups) == 1 and any(phrase.noun.rows for phrase in order.things) and len(ids) > 1
+    if not rows or noun is None or noun.kind != "place" or "wall" not in noun.value or places[0].negated:
+        return False
+    finder.about = ids[0]
+    seen = {"far_wall": 180.0, "near_wall": 0.0}.get(noun.value)
+    names = bound(places[0], work.scene[ids[0]].category, finder).anchors
+    gaze = things(work.scene, ids[0])[0].gaze
+    found = [
+        wall
+        for wall in work.scene.room.walls
+        if (wall.name in names if seen is None else turn_between(wall.yaw + 180.0, gaze + seen) < SAME_WAY)
+    ]
+    if len(found) != 1:
+        return False
+    wall, before = found[0], work.scene
+    gaps = [ground_gap(things(before, id)[0], things(before, wall.name)[0]) for id in ids]
+    step = max(0.0, min(gaps) - TO_WALL)
+    spots = {id: (before[id].position[0] - step * wall.inward[0], before[id].position[1] - step * wall.inward[1])
+             for id in ids}  # fmt: skip
+    if why := moved_to(work, ids, spots, off=EXACT):
+        work.world = work.world.with_scene(before)
+        work.failed.append(f"{', '.join(ids)} were left where they are: {why}")
+    for id in ids if not why else ():
         say(work, id, before[id], None, [At(spots[id])])
     return True
 

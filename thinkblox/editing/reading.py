@@ -334,6 +334,7 @@ class _OrderReader:
         if order.doing == "add" and self._is_had_by_each():
             order.doing = "ensure"
         self._along()
+        self._nearer_one()
         self._beside_one()
         self._looked()
 
@@ -343,6 +344,14 @@ class _OrderReader:
         if order.doing == "move" and order.things and order.lost == ["along"] and not self._places():
             order.lost = []
             order.things[-1].places.append(Where("with", Noun("pronoun", "it", 0, 0, "it"), text="along"))
+
+    def _nearer_one(self) -> None:
+        """Read "(remove) the lamp closer to the door" as the one of several that is so."""
+        order = self.order
+        for nearer, phrase in order.closer if order.doing in ("remove", "replace") and order.things else ():
+            text = "nearest to" if nearer else "farthest from"
+            order.things[-1].places.append(Where("near", phrase.noun, text=text))
+        order.closer = [] if order.doing in ("remove", "replace") and order.things else order.closer
 
     def _beside_one(self) -> None:
         """Read "(next to the desk) so that they stand side by side" as how one thing comes to stand beside another."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from thinkblox.editing.acting import mark_names, reach_goals, say
 from thinkblox.editing.finding import Finder
-from thinkblox.editing.goals import Apart, Goal, Nearing
+from thinkblox.editing.goals import Apart, Goal, Nearing, Related, Turned
 from thinkblox.editing.grammar import means
 from thinkblox.editing.moving import move
 from thinkblox.editing.orders import NounPhrase, Order
@@ -12,10 +12,11 @@ from thinkblox.editing.reaching import Reaching
 from thinkblox.editing.rearranging import vacate
 from thinkblox.editing.rows import MIDDLE_ROW
 from thinkblox.editing.scattering import scatter
-from thinkblox.editing.spots import Pose, by_gap
+from thinkblox.editing.spots import Pose, at_wall, by_gap
 from thinkblox.editing.work import Work
 from thinkblox.editing.zones import PASSAGE, between
 from thinkblox.errors import InputError
+from thinkblox.scene.relations import measure
 from thinkblox.scene.scene import Scene
 
 STEPS = (0.1, 0.2, 0.3)
@@ -54,14 +55,32 @@ def space(work: Work, finder: Finder, order: Order) -> None:
         return
     failed: Reaching | None = None
     for id, mark in _movers(work, one, other):
-        before = work.scene[id]
-        wanted: list[Goal] = [Apart((mark,), goals[0].away, goals[0].bound)]
-        failed = reach_goals(work, id, wanted, direct=_poses(work.scene, id, mark, wanted[0], gap))
+        before, wanted = work.scene, [Apart((mark,), goals[0].away, goals[0].bound)]
+        failed = _moved_off(work, id, mark, wanted[0], gap)
         if failed is None:
-            say(work, id, before, None, wanted)
+            say(work, id, before[id], None, wanted)
             return
     why = failed.why if failed is not None else f"{one} and {other} are to stay where they are"
     work.failed.append(f"{one} and {other} were left where they are, {gap:.2f} m apart: {why}")
+
+
+def _moved_off(work: Work, id: str, mark: str, goal: Apart, gap: float) -> Reaching | None:
+    """Move a thing to a distance from another, as it is turned and at its wall where that can be; what was tried."""
+    turned, behind = (
+        Turned((work.scene[id].yaw,)),
+        [
+            Related("against_wall", (wall.name,))
+            for wall in work.scene.room.walls
+            if at_wall(work.scene, id) and measure(work.scene, "against_wall", id, (wall.name,)).holds
+        ],
+    )
+    failed: Reaching | None = None
+    for kept in ([turned, *behind], [turned], []):
+        poses = _poses(work.scene, id, mark, goal, gap)
+        failed = reach_goals(work, id, [goal, *kept], direct=poses)
+        if failed is None:
+            return None
+    return failed
 
 
 def _rows(order: Order) -> list[NounPhrase]:

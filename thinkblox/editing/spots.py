@@ -9,7 +9,7 @@ from shapely import Point, Polygon
 from shapely.ops import nearest_points
 
 from thinkblox.brief import RelationKind
-from thinkblox.editing.goals import BEFORE_SEAT, Abreast, Goal, Laid, MidOf, OnWall, Related
+from thinkblox.editing.goals import BEFORE_SEAT, Abreast, AtHead, Goal, Laid, MidOf, OnWall, Related
 from thinkblox.scene.asset import Asset
 from thinkblox.scene.bearings import place_of
 from thinkblox.scene.landmarks import Landmark, corners, things, walls
@@ -84,7 +84,7 @@ def _at(scene: Scene, asset: Asset, goal: Related) -> Iterator[Pose]:
     if isinstance(goal, Laid) and goal.seat in scene:
         yield from _before_seat(scene, asset, scene[name], scene[goal.seat])
         return
-    if isinstance(goal, Abreast) and name in scene:
+    if isinstance(goal, Abreast | AtHead) and name in scene:
         yield from _beside(asset, scene[name], "left_of")
         yield from _beside(asset, scene[name], "right_of")
         return

@@ -42,6 +42,8 @@ SAME_LENGTH = 0.01
 """How much two walls of the same length may differ [m]."""
 LONGER = 0.1
 """By how much a table is longer than it is deep at least that has long sides, at which one sits [m]."""
+OVER_EYES = 1.5
+"""How high a top is at most at the sides of which small things stand on it [m]."""
 EMPTY, OVER_HEAD = 0.8, 1.9
 """How far from an empty corner the nearest thing is at least, and from which height on nothing counts [m]."""
 _OPEN_TOPS = ("tables", "desks", "counters", "worktops", "beds", "lounges", "seats", "covers")
@@ -57,6 +59,7 @@ class Bound:
         side: at which side of its anchor a seat is drawn up to it.
         middle: at the middle of the walls that it stands against.
         seat: before which seat of a table it lies.
+        head: beside the end that is behind, as the head of a bed is.
         upon: the thing that its anchor rests on, and it too, being small.
     """
 
@@ -68,6 +71,7 @@ class Bound:
     side: RelationKind | None = None
     middle: bool = False
     seat: str = ""
+    head: bool = False
     upon: str = ""
 
     def holds(self, scene: Scene, id: str) -> bool:
@@ -289,7 +293,8 @@ def _sides(where: Where, noun: Noun, finder: Finder, category: str) -> list[Boun
         across = long == (deep > wide) if long or noun.value != "side" else True
         kinds: tuple[RelationKind, RelationKind] = ("left_of", "right_of") if across else ("in_front_of", "behind")
         small = [facts_of(name).is_in("small") for name in (category, finder.scene[anchor].category)]
-        if small == [True, False] and finder.scene.asset_of(finder.scene[anchor]).surfaces:
+        tops = [s.position[2] for s in finder.scene.asset_of(finder.scene[anchor]).surfaces]
+        if small == [True, False] and tops and max(tops) < OVER_EYES:
             parts: tuple[PartOfTop, ...] = ("left", "right") if across else ("front", "back")
             bounds += [Bound("on", (anchor,), part=part) for part in parts]
             continue
@@ -345,7 +350,8 @@ def _part(where: Where, noun: Noun, category: str, finder: Finder) -> Bound | No
         )
         return Bound("at", anchors, side=side) if drawn and not where.negated else Bound(side, anchors, where.negated)
     kind = relation_at(noun.value, category, Mention(finder.scene[anchors[0]].category))
-    return Bound(cast(RelationKind, kind), anchors, where.negated)
+    head = noun.value == "head" and kind == "next_to" and not where.negated
+    return Bound(cast(RelationKind, kind), anchors, where.negated, head=head)
 
 
 def _middle_of(where: Where, whole: Noun, finder: Finder) -> Bound:
@@ -569,6 +575,16 @@ def _corner_beside(where: Where, noun: Noun, finder: Finder) -> tuple[str, ...] 
     if not found:
         raise InputError(f"the room has no such corner: '{_text(where)}'")
     return tuple(found[0].name.removeprefix("corner of ").split(" and "))
+
+
+def corner_told(finder: Finder, beside: Noun) -> tuple[str, ...]:
+    """The walls of the corner that is told by what is beside it.
+
+    Raises:
+        InputError: the room has none of that.
+    """
+    noun = Noun("place", "corner", 0, 0, "the corner", det="the")
+    return _corner_beside(Where("in", noun, whole=beside, text="in"), noun, finder) or ()
 
 
 def _here(finder: Finder, text: str) -> Placement:
@@ -871,6 +887,8 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
     there = bound(where, found[0].category, finder)
     held = [p for p in found if p.id not in there.anchors and there.holds(finder.scene, p.id)]
     walled = bool(there.anchors) and all(name.endswith("wall") for name in there.anchors)
+    if not held and walled and where.noun is not None and "side" in where.noun.text.lower().split():
+        held = _on_that_side(finder.scene, found, there.anchors)
     if not held and where.word in ("from", "on") and walled:
         there = dataclasses.replace(there, kind="against_wall")
         held = [p for p in found if there.holds(finder.scene, p.id)]
@@ -885,6 +903,21 @@ def _held(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Plac
         says = ", ".join(finder.described(p) for p in found)
         raise InputError(f"there is no {phrase.noun.word} {_text(where)}; there is {says}")
     return held
+
+
+def _on_that_side(scene: Scene, found: Sequence[Placement], walls: Sequence[str]) -> list[Placement]:
+    """Those of seats around one table that are at its side towards a wall."""
+    tables = [p for p in scene.placements if facts_of(p.category).is_in("tables", "desks", "counters")]
+    at = [t for t in tables if all(measure(scene, "at", p.id, (t.id,)).holds for p in found)]
+    side = next((wall for wall in scene.room.walls if wall.name in walls), None)
+    if len(at) != 1 or side is None:
+        return []
+    x, y = -side.inward[0], -side.inward[1]
+    ahead, across = (x * way[0] + y * way[1] for way in (at[0].front, at[0].left))
+    kind: RelationKind = "in_front_of" if ahead > 0 else "behind"
+    if abs(across) > abs(ahead):
+        kind = "left_of" if across > 0 else "right_of"
+    return [p for p in found if measure(scene, kind, p.id, (at[0].id,)).holds]
 
 
 def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Placement]) -> list[Placement]:
@@ -907,7 +940,8 @@ def _by_any(finder: Finder, phrase: NounPhrase, where: Where, found: Sequence[Pl
 
 def _by_what(where: Where) -> str:
     """Whether it says which of several by their distance: "nearest" or "farthest"; empty where it does not."""
-    return next((found for word in where.text.lower().split() if (found := means("nearest", word))), "")
+    words = where.text.lower().split()
+    return next((found for word in words if (found := means("nearest", word) or means("nearer_of_two", word))), "")
 
 
 def _is_of_side(where: Where) -> bool:

@@ -263,7 +263,7 @@ class Clauses(Audit):
                 if chunk.det or chunk.count is not None:
                     return True
             elif not (self._is_link(chunk, "mark", "comma") or self._is_link(chunk, "joins", "and")):
-                break
+                return isinstance(chunk, Connector) and chunk.sort in ("prepositions", "participles", "verbs")
         return False
 
     def _names_nothing(self, noun: Noun) -> bool:

@@ -184,7 +184,7 @@ class Ties(Relating):
             head is not None and self.separator == "and" and not frame.each and not self._belongs(noun.value, "small")
         )
         lies = pair and is_small(thing) and head is not None and self._carries_before(thing, head, frame)
-        return lies and self.referents.named(noun) not in frame.members
+        return lies and not frame.closing and self.referents.named(noun) not in frame.members
 
     def _lies_among(self, frame: Listed, thing: Mention) -> bool:
         """Whether it lies where what was listed before does: "a desk with a laptop, a lamp left of the laptop"."""
