@@ -105,6 +105,19 @@ def test_the_open_form_has_a_size_of_its_own_and_a_long_thing_its_length_upwards
     assert chest.size[2] is None or chest.size[2] > 0.6
 
 
+@pytest.mark.parametrize(
+    ("prompt", "most"),
+    [
+        ("A shop with a counter and a jar with five frimbles in it.", 0.1),
+        ("A hall with a tray with four frimbles on it on a table.", 0.25),
+        ("A hall with three frimbles.", None),
+    ],
+)
+def test_what_nobody_knows_is_no_larger_than_what_it_is_put_into(prompt: str, most: float | None) -> None:
+    size = plan(prompt).target("frimble_1").size
+    assert (size[0] is None) if most is None else (size[0] is not None and max(filter(None, size)) <= most)
+
+
 def test_a_dresser_holds_things_in_its_drawers() -> None:
     drawers = [s for s in make_asset("dresser", seed=0).surfaces if s.within]
     assert len(drawers) >= 4

@@ -5,7 +5,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from thinkblox.assets import facts_of, kind_of, room_under
+from thinkblox.assets import facts_of, kind_of, room_under, stand_in
 from thinkblox.assets.category import Category
 from thinkblox.assets.facts import Role
 from thinkblox.assets.make import make_thing
@@ -130,8 +130,29 @@ def _stood(size: Measures, kind: Category) -> Measures:
 def usual_size(member: Member, members: Members) -> Vec3:
     """Its size by the seed or by its words, where the prompt gives no other [m]."""
     usual = size_for(kind_of(member.category), frozenset(words_of(member, members)), np.random.default_rng(0))
-    sizes = zip(*sizes_given(member, members), usual, strict=True)
+    sizes = zip(*sizes_given(member, members), size_of_unknown(member, members) or usual, strict=True)
     x, y, z = (asked or own or general for asked, own, general in sizes)
+    return (x, y, z)
+
+
+def size_of_unknown(member: Member, members: Members) -> Vec3 | None:
+    """The size at which something that nobody knows has room in or on what the prompt puts it with others [m].
+
+    None for what is known, and where there is room for it as it is usually made.
+    """
+    anchors = [a for t in member.ties if t.asked and t.kind in ("inside", "on", "in_centre") for a in t.anchors]
+    holder = next((members.by_id[a] for a in anchors if a in members.by_id), None)
+    if holder is None or stand_in(member.category).how != "plain":
+        return None
+    company = len({m.id for m in (*in_it(holder, members), *on_it(holder, members))})
+    made = make_thing(holder.category, seed=0, attributes=words_of(holder, members))
+    area = max((s.size[0] * s.size[1] * (pi / 4 if s.round else 1.0) for s in made.surfaces), default=0.0)
+    kind = kind_of(member.category)
+    least = max(a / b for a, b in zip(kind.size_range[0], kind.size, strict=True))
+    share = max(sqrt(area / company) / PACKED / (max(kind.size[:2]) + APART), least)
+    if share >= 1.0 or not area:
+        return None
+    x, y, z = (round(share * side, 3) for side in kind.size)
     return (x, y, z)
 
 

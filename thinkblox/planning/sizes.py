@@ -14,6 +14,7 @@ from thinkblox.planning.loads import (
     height_over,
     in_it,
     on_it,
+    size_of_unknown,
     size_under,
     sizes_given,
     top_for_loads,
@@ -42,7 +43,8 @@ OPEN: Measures = (None, None, None)
 def size_of(member: Member, members: Members, room_height: float) -> Measures:
     """What the asset of an object must measure in a room of that height [m]."""
     needed, (_, drawn) = _needed(member, members, room_height), sizes_given(member, members)
-    x, y, z = (need or own for need, own in zip(needed, drawn, strict=True))
+    unknown = size_of_unknown(member, members) or OPEN
+    x, y, z = (need or own or small for need, own, small in zip(needed, drawn, unknown, strict=True))
     return (x, y, z)
 
 
