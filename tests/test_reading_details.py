@@ -189,7 +189,7 @@ from thinkblox.reading import read_brief
         ("The north and south walls have bookcases.",
          ["1 bookcase against_wall north_wall", "1 bookcase-2 against_wall south_wall"]),
         ("Shelves on three walls: the left one holds jars, the right one holds cans, and the back one holds boxes.",
-         ["1 shelving_unit-2 against_wall right_wall", "3 jar inside shelving_unit", "3 box inside shelving_unit-3"]),
+         ["1 wall_shelf-2 on right_wall", "3 jar on wall_shelf", "3 box on wall_shelf-3"]),
         ("A dresser on the left wall and a sideboard mounted on the right wall.",
          ["1 dresser against_wall left_wall", "1 sideboard on right_wall"]),
         # What is spoken of again, and what several have or face together.
