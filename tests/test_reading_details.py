@@ -35,6 +35,10 @@ from thinkblox.reading import read_brief
          ["1 desk under bunk_bed", "1 chair under bunk_bed", "1 bookcase under bunk_bed"]),
         ("A table, two chairs at its long side, a chair at its short side. None of the chairs may be next to the door.",
          ["2 chair next_to door", "1 chair-2 next_to door"]),
+        # Where contents are said to be, what holds them is.
+        ("A toolbox with a hammer and a wrench in it on a workbench.",
+         ["1 wrench inside toolbox", "1 hammer inside toolbox", "1 toolbox on workbench"]),
+        ("A tray with two cups on it on the coffee table.", ["2 cup on tray", "1 tray on coffee_table"]),
         # A low seat is under a desk; chairs, and several seats under one table, are at it.
         ("A desk with a stool tucked under it.", ["1 stool under desk"]),
         ("Two desks, each with a stool under it.", ["2 stool under desk"]),

@@ -49,7 +49,7 @@ from thinkblox.reading import read_brief
         # Where a whole list is, and where only its last thing.
         ("A nightstand with an alarm clock on the right of the bed.", ["1 nightstand right_of bed"]),
         ("A shelf with six stuffed animals above the dresser.", ["1 wall_shelf above dresser"]),
-        ("A shelf full of fabric rolls on the opposite wall.", ["1 shelving_unit against_wall opposite_wall"]),
+        ("A shelf full of fabric rolls on the opposite wall.", ["1 wall_shelf on opposite_wall"]),
         ("A scale and a height chart next to the door.", ["1 scale next_to door", "1 height_chart next_to door"]),
         ("Two candlesticks and a cross on the altar.", ["2 candlestick on altar", "1 cross on altar"]),
         ("A table with four chairs on a rug.", ["1 rug under dining_table"]),
@@ -64,7 +64,7 @@ from thinkblox.reading import read_brief
         ("A table with three chairs each long side, one at each end.",
          ["6 chair at_long_side dining_table", "2 chair-2 at_short_side dining_table"]),
         ("A bench along the left wall and a sofa along the right one.", ["1 sofa against_wall right_wall"]),
-        ("A desk, shelves on the wall to the right.", ["2 shelving_unit against_wall right_wall"]),
+        ("A desk, shelves on the wall to the right.", ["2 wall_shelf on right_wall"]),
         ("A console table halfway down the left wall.", ["1 console_table in_centre left_wall"]),
         ("Front: a whiteboard. Back: two cabinets.",
          ["1 whiteboard against_wall near_wall", "2 cabinet against_wall far_wall"]),

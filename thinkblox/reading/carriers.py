@@ -19,6 +19,37 @@ _PLACING = ("on", "inside", "above", "under", "in_corner", "against_wall", "in_c
 """Relations that say where something is by themselves."""
 
 
+def carry_contents(draft: Draft) -> None:
+    """Say of a container where its contents are said to be: "a toolbox with a hammer in it on a workbench"."""
+    for thing in draft.things:
+        bonds = [b for b in draft.bonds_of(thing) if _is_carried(b)]
+        for held in (b for b in bonds if b.kind == "inside" or len(bonds) > 1):
+            container = held.anchors[0]
+            assert isinstance(container, Mention)
+            for bond in (b for b in bonds if b is not held and _may_carry(b.anchors[0], container)):
+                there = [b for b in draft.bonds_of(container) if b.kind in _PLACING and not b.negated]
+                if any((b.kind, b.anchors) == (bond.kind, bond.anchors) for b in there):
+                    draft.bonds = [b for b in draft.bonds if b is not bond]
+                elif held.kind == "inside" and not there:
+                    draft.hand_over(bond, container)
+
+
+def _is_carried(bond: Bond) -> bool:
+    """Whether it says on, in or under which thing something is."""
+    one = len(bond.anchors) == 1 and isinstance(bond.anchors[0], Mention)
+    return bond.kind in ("on", "inside", "under") and one and not bond.negated
+
+
+def _may_carry(carrier: Mention | str, container: Mention) -> bool:
+    """Whether a thing is so large that a container stands on it, in it or under it."""
+    if not isinstance(carrier, Mention) or carrier is container:
+        return False
+    if carrier.noun in GENERAL_WORDS:
+        return load_habits().is_in(carrier.noun, *_CARRIERS)
+    (x, y, _), (a, b, _) = kind_of(carrier.noun).size, kind_of(container.noun).size
+    return x * y > a * b
+
+
 def share_carriers(draft: Draft) -> None:
     """Put what is beside something on a table on that table: "on it a laptop, and a lamp to the left of the laptop"."""
     beside = [bond for bond in draft.bonds if bond.kind in _BESIDE and not bond.negated]

@@ -21,7 +21,7 @@ from thinkblox.reading.assumptions import (
     pull_up,
     stock,
 )
-from thinkblox.reading.carriers import share_carriers, too_large
+from thinkblox.reading.carriers import carry_contents, share_carriers, too_large
 from thinkblox.reading.chunker import Chunker
 from thinkblox.reading.counts import limit_things, settle_counts
 from thinkblox.reading.draft import Bond, Draft, Gap, Mention
@@ -95,6 +95,7 @@ def _finish(draft: Draft, fill: Fill) -> None:
     _drop_general(draft)
     keep_things(draft)
     read_moods(draft)
+    carry_contents(draft)
     share_carriers(draft)
     choose_senses(draft, anticipated(draft) if fill != "named" else ())
     emphasise(draft)
